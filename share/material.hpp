@@ -1,0 +1,65 @@
+// Materials: TOML files with the rock, its contacts and its laboratory values.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "share/fracture_process_zone.hpp"
+
+namespace graincrack {
+
+/// [contact]: microparameters of the grain boundaries. What is unset is derived from [rock].
+struct ContactMaterial {
+    double tensile_strength = 0;                ///< tc, Pa
+    double cohesion = 0;                        ///< cc, Pa
+    double friction_angle = 0;                  ///< φc, rad
+    std::optional<double> normal_stiffness;     ///< kt, Pa/m
+    std::optional<double> shear_stiffness;      ///< ks, Pa/m
+    std::optional<double> fracture_energy;      ///< Gf, J/m²
+};
+
+/// [laboratory]: measured values, by key, in SI; not read by the solver.
+using LaboratoryValues = std::map<std::string, double>;
+
+struct Material {
+    std::string name;
+    std::filesystem::path file;                 ///< where it was read from
+    Rock rock;
+    ContactMaterial contact;
+    double platen_friction_angle = 0;           ///< rad; 0 if the file has no [platen]
+    LaboratoryValues laboratory;
+};
+
+/// Reads a material. `name_or_file` is a path, or a name looked up as NAME.toml in $GRAINCRACK_MATERIALS, beside the
+/// executable's source tree (share/materials) and its installed place.
+/// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
+///         message names file and key and says what would be right.
+Material read_material(const std::string& name_or_file);
+
+/// How the fracture energy of a contact is chosen (--fracture-energy).
+struct FractureEnergyChoice {
+    enum class Kind { mixed, mode_i, value } kind = Kind::mode_i;
+    double value = 0;  ///< J/m², for Kind::value
+};
+
+/// All parameters of a contact, derived and validated: what a law needs.
+struct ContactParameters {
+    double normal_stiffness = 0;       ///< kt, Pa/m
+    double shear_stiffness = 0;        ///< ks, Pa/m
+    double tensile_strength = 0;       ///< tc, Pa
+    double cohesion = 0;               ///< cc, Pa
+    double friction_angle = 0;         ///< φc, rad
+    double fracture_energy = 0;        ///< Gf, J/m²
+    double critical_opening = 0;       ///< δct, m (Eq 8)
+    double critical_sliding = 0;       ///< δcs, m (Eq 11)
+    double ultimate_opening = 0;       ///< δut, m (Eq 14)
+};
+
+/// Derives the contact parameters of a material for a plane condition (Eqs 3–5, 8, 11, 14, 32).
+/// An explicit `choice` wins over the material's own fracture energy; without either the choice is mode-i.
+/// \throws UsageError if the fracture energy is too small for the elastic branch (δut < δct), naming the least that fits.
+ContactParameters contact_parameters(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice);
+
+}  // namespace graincrack

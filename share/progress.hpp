@@ -1,0 +1,36 @@
+// Progress of long work on stderr: a bar on a terminal, a line now and then otherwise.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace graincrack {
+
+/// How much a tool says on stderr.
+enum class Verbosity { quiet, normal, verbose };
+
+/// Shows a share of work done with the rate and the time left. Prints nothing when quiet.
+class Progress {
+public:
+    /// \param label what is being done, e.g. "uniaxial"
+    Progress(std::string label, Verbosity verbosity);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// \param share work done, 0 to 1
+    /// \param detail short text shown behind the bar, e.g. "stress 54.2 MPa, 12 cracks"
+    void update(double share, const std::string& detail);
+    /// Ends the bar; later updates print nothing.
+    void finish();
+
+private:
+    std::string label_;
+    Verbosity verbosity_;
+    bool terminal_;
+    bool open_ = false;
+    std::chrono::steady_clock::time_point start_;
+    std::chrono::steady_clock::time_point last_print_;
+};
+
+}  // namespace graincrack

@@ -1,0 +1,31 @@
+// Where a file came from: tool, version, commit, command line, libraries, time. Left out of the digest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace graincrack {
+
+class H5Output;
+
+/// Version of the project ("0.1.0"), commit it was built from ("" if unknown) and compiler.
+std::string project_version();
+std::string project_commit();
+/// Versions of the libraries of this build, "HDF5 1.10.8" and the like; tools add their own (CGAL, VTK, …).
+std::vector<std::string> library_versions();
+
+/// What /provenance holds.
+struct Provenance {
+    std::string tool;
+    std::vector<std::string> command_line;
+    std::string configuration;   ///< effective options as TOML
+    std::string input_digest;    ///< digest of the input file, "" if none
+    std::vector<std::string> libraries;
+    double wall_time = 0;        ///< s
+    int threads = 1;
+};
+
+/// Writes /provenance; host name and UTC time are added.
+void write_provenance(H5Output& file, const Provenance& provenance);
+
+}  // namespace graincrack

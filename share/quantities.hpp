@@ -1,0 +1,108 @@
+// The vocabulary: every physical quantity the tools speak of, once: name, dimension, bounds and meaning.
+//
+// Options, HDF5 names, table headers and plots take their words from here. Values are SI; angles are radians.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace graincrack {
+
+/// Kind of a quantity; fixes the SI unit it is kept in and the units a user may write.
+enum class Dimension {
+    one,              ///< pure number (unit "1")
+    length,           ///< m
+    area,             ///< m2
+    angle,            ///< rad
+    time,             ///< s
+    speed,            ///< m/s
+    stress,           ///< Pa
+    force,            ///< N (per metre of thickness in plane models, t = 1 m)
+    energy,           ///< J (likewise)
+    stiffness,        ///< Pa/m, traction over displacement of a contact
+    toughness,        ///< Pa.m^0.5, stress intensity
+    fracture_energy,  ///< J/m2
+    density,          ///< kg/m3
+};
+
+/// SI unit as written in files: "m", "Pa", "rad", "1", …
+constexpr std::string_view si_unit(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::one: return "1";
+        case Dimension::length: return "m";
+        case Dimension::area: return "m2";
+        case Dimension::angle: return "rad";
+        case Dimension::time: return "s";
+        case Dimension::speed: return "m/s";
+        case Dimension::stress: return "Pa";
+        case Dimension::force: return "N";
+        case Dimension::energy: return "J";
+        case Dimension::stiffness: return "Pa/m";
+        case Dimension::toughness: return "Pa.m^0.5";
+        case Dimension::fracture_energy: return "J/m2";
+        case Dimension::density: return "kg/m3";
+    }
+    return "?";
+}
+
+/// One word of the vocabulary. A value is admissible if lower ≤ value ≤ upper (strictly above `lower` if `open_below`).
+struct Quantity {
+    std::string_view name;
+    Dimension dimension;
+    double lower;
+    double upper;
+    std::string_view meaning;
+    bool open_below = false;
+    [[nodiscard]] constexpr bool admits(double value) const {
+        return (open_below ? value > lower : value >= lower) && value <= upper;
+    }
+    [[nodiscard]] constexpr std::string_view unit() const { return si_unit(dimension); }
+};
+
+namespace quantity {
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+inline constexpr double right_angle = 1.57079632679489661923;
+
+// --- rock ------------------------------------------------------------------------------------------------------------
+inline constexpr Quantity young_modulus{"young_modulus", Dimension::stress, 0, 1e13, "Young's modulus of the rock", true};
+inline constexpr Quantity poisson_ratio{"poisson_ratio", Dimension::one, 0, 0.49, "Poisson's ratio of the rock"};
+inline constexpr Quantity density{"density", Dimension::density, 0, 1e5, "mass density of the rock", true};
+inline constexpr Quantity mode_i_toughness{"mode_i_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IC of the rock", true};
+inline constexpr Quantity mode_ii_toughness{"mode_ii_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IIC of the rock", true};
+inline constexpr Quantity tensile_strength{"tensile_strength", Dimension::stress, 0, 1e12, "tensile strength of the rock", true};
+inline constexpr Quantity compressive_strength{"compressive_strength", Dimension::stress, 0, 1e12, "uniaxial compressive strength of the rock", true};
+inline constexpr Quantity internal_cohesion{"cohesion", Dimension::stress, 0, 1e12, "internal cohesion of the rock"};
+inline constexpr Quantity internal_friction_angle{"friction_angle", Dimension::angle, 0, right_angle, "internal friction angle of the rock"};
+
+// --- contact ---------------------------------------------------------------------------------------------------------
+inline constexpr Quantity contact_tensile_strength{"contact_tensile_strength", Dimension::stress, 0, 1e12, "tensile strength t_c of a contact", true};
+inline constexpr Quantity contact_cohesion{"contact_cohesion", Dimension::stress, 0, 1e12, "cohesion c_c of a contact", true};
+inline constexpr Quantity contact_friction_angle{"contact_friction_angle", Dimension::angle, 0, 1.55, "friction angle of a failed contact"};
+inline constexpr Quantity contact_normal_stiffness{"contact_normal_stiffness", Dimension::stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true};
+inline constexpr Quantity contact_shear_stiffness{"contact_shear_stiffness", Dimension::stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true};
+inline constexpr Quantity fracture_energy{"fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true};
+inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};
+
+// --- specimen --------------------------------------------------------------------------------------------------------
+inline constexpr Quantity width{"width", Dimension::length, 0, 1e4, "width of the specimen (x)", true};
+inline constexpr Quantity height{"height", Dimension::length, 0, 1e4, "height of the specimen (y)", true};
+inline constexpr Quantity diameter{"diameter", Dimension::length, 0, 1e4, "diameter of the disc", true};
+inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
+inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
+
+// --- test ------------------------------------------------------------------------------------------------------------
+inline constexpr Quantity confining_pressure{"confining_pressure", Dimension::stress, 0, 1e12, "pressure on the lateral edges"};
+inline constexpr Quantity platen_speed{"platen_speed", Dimension::speed, 0, 1e3, "speed of each platen", true};
+inline constexpr Quantity peak_drop{"peak_drop", Dimension::one, 0, 1, "fall below the peak, as a share of it, that ends the test", true};
+inline constexpr Quantity max_strain{"max_strain", Dimension::one, 0, 0.5, "platen approach over specimen height that ends the test", true};
+inline constexpr Quantity damping{"damping", Dimension::one, 0, 0.99, "local damping: share of the unbalanced force that opposes the motion"};
+inline constexpr Quantity time_step_fraction{"time_step_fraction", Dimension::one, 0, 1.5, "time step over the stable step", true};
+
+}  // namespace quantity
+
+/// Name of a table column or option value in a stated unit: column_name(young_modulus, "GPa") = "young_modulus_GPa".
+std::string column_name(const Quantity& quantity, std::string_view unit);
+
+}  // namespace graincrack

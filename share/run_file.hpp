@@ -1,0 +1,161 @@
+// A run: what the solver writes and the postprocessor reads. The file repeats the specimen and adds /run, /history,
+// /cracks and /frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "share/fracture_process_zone.hpp"
+#include "share/material.hpp"
+#include "share/quantities.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack {
+
+/// State of a contact point (dataset /frames/NNNN/state).
+enum class PointState : std::uint8_t { intact = 0, failed_tension = 1, failed_shear = 2, separated = 3 };
+/// Mode of a micro-crack (dataset /cracks/mode).
+enum class CrackMode : std::uint8_t { tensile = 0, shear = 1 };
+
+/// Attributes of /run. Names of the attributes are the names of the members. SI units.
+struct RunHeader {
+    std::string test;               ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
+    std::string material;           ///< name of the material
+    std::string contact_law;        ///< "literal" | "scaled" | "continuous"
+    std::string coupling;           ///< "full" | "none"
+    std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"
+    PlaneCondition plane = PlaneCondition::strain;
+    Rock rock;
+    ContactParameters contact;
+    double platen_friction = 0;     ///< rad
+    double confining_pressure = 0;  ///< target, Pa
+    double platen_speed = 0;        ///< of each platen, m/s
+    double damping = 0;             ///< local damping, 0 for none
+    double peak_drop = 0;
+    double max_strain = 0;
+    std::string mass_scaling = "none";
+    std::string vector_target = "plain";
+    double stable_time_step = 0;    ///< s
+    double time_step = 0;           ///< s
+    // set when the run ends
+    std::string stop_reason;        ///< "peak drop" | "strain cap" | "signal"
+    std::int64_t steps = 0;
+    double isotropic_end_time = 0;  ///< end of the isotropic stage (triaxial), s; 0 without one
+    double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
+    double energy_scale = 0;        ///< largest stored energy (strain + contact) of the run, J: the scale of the ledger
+    double ledger_residual = 0;     ///< max over time of |external − sum of the others| / energy_scale
+    double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
+    double confinement_mean = 0;    ///< achieved after the isotropic stage, Pa
+    double confinement_deviation = 0;
+    double damping_share = 0;       ///< energy absorbed by damping / external work at the end
+};
+
+/// Columns of /history, in the order of `history_datasets`.
+enum class HistoryColumn : std::size_t {
+    time, step, axial_strain, lateral_strain, gauge_axial_strain, gauge_lateral_strain, axial_stress, force_top, force_bottom,
+    confining_pressure, energy_external, energy_kinetic, energy_strain, energy_contact, energy_fracture_tension,
+    energy_fracture_shear, energy_friction, energy_damping, energy_platen, law_mismatch, ledger_residual, unbalanced_ratio,
+    tensile_cracks, shear_cracks, platen_speed, count
+};
+struct HistoryDataset {
+    std::string_view name;
+    Dimension dimension;
+    std::string_view description;
+};
+extern const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)> history_datasets;
+
+/// The history: equally long columns. Tension and elongation positive. Crack columns count contacts (points ÷ 2).
+struct History {
+    std::array<std::vector<double>, static_cast<std::size_t>(HistoryColumn::count)> columns;
+    [[nodiscard]] const std::vector<double>& operator[](HistoryColumn c) const { return columns[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::vector<double>& operator[](HistoryColumn c) { return columns[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::size_t size() const { return columns[0].size(); }
+};
+
+/// One row of the crack catalogue: a contact point that passed its peak.
+struct Crack {
+    double time = 0;                ///< s
+    std::int64_t step = 0;
+    std::int32_t contact = 0;       ///< row of /contacts
+    std::uint8_t point = 0;         ///< 0 at a1, 1 at a2
+    CrackMode mode = CrackMode::tensile;
+    double mode_angle = 0;          ///< atan2(|τ|, σn) at the peak, rad
+    std::array<double, 2> position{};  ///< then, m
+    double orientation = 0;         ///< of the tangent from x, counter-clockwise, rad, in [0, π)
+    double length = 0;              ///< half the edge, m
+    double opening = 0;             ///< then, m
+    double sliding = 0;             ///< then, m
+    double energy_released = 0;     ///< J: by this point's failure until the end of the run
+    double time_separated = std::numeric_limits<double>::quiet_NaN();  ///< s
+};
+
+/// State of the assemblage at one time; lengths as in Specimen.
+struct Frame {
+    double time = 0;
+    std::int64_t step = 0;
+    std::vector<std::array<double, 2>> displacement;    ///< [n] m
+    std::vector<std::array<double, 2>> velocity;        ///< [n] m/s
+    std::vector<std::array<double, 4>> element_stress;  ///< [e] xx yy xy zz, Pa
+    std::vector<std::array<double, 2>> opening;         ///< [c] points 0, 1, m
+    std::vector<std::array<double, 2>> sliding;         ///< [c] m
+    std::vector<std::array<double, 4>> traction;        ///< [c] (normal, shear) of point 0, of point 1; dataset [c,2,2], Pa
+    std::vector<std::array<double, 2>> damage;          ///< [c] 0 to 1
+    std::vector<std::array<std::uint8_t, 2>> state;     ///< [c] PointState
+};
+
+/// Writes a run as it goes. Frames are thinned on the way, so that at the end between `frames` and 2 × `frames` evenly
+/// spaced ones are left, plus those marked to keep (peak, last).
+class RunWriter {
+public:
+    /// \param file an output of kind "run", to which the specimen and the header are written at once
+    RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header);
+    ~RunWriter();
+
+    /// Appends rows [already written, history.size()) of the history and flushes.
+    void append_history(const History& history);
+    /// Adds a frame; `keep` protects it from thinning.
+    void add_frame(const Frame& frame, bool keep);
+    /// Removes every second frame that is not kept.
+    void thin_frames();
+    [[nodiscard]] std::size_t n_frames() const;
+    /// Writes the final header, catalogue, numbering of the frames in time order, the last frame into /VTKHDF, and
+    /// /provenance; then commits.
+    void finish(const RunHeader& header, const std::vector<Crack>& cracks, const struct Provenance& provenance);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Reads a run; arrays are read when asked for.
+class RunReader {
+public:
+    /// \param path a run file or "-" \throws InputError
+    explicit RunReader(const std::string& path);
+    ~RunReader();
+    RunReader(RunReader&&) noexcept;
+
+    [[nodiscard]] const std::string& name() const;
+    [[nodiscard]] const RunHeader& header() const;
+    [[nodiscard]] Specimen specimen() const;
+    [[nodiscard]] History history() const;
+    [[nodiscard]] std::vector<Crack> cracks() const;
+    [[nodiscard]] std::size_t n_frames() const;
+    /// Time of each frame, ascending, s.
+    [[nodiscard]] std::vector<double> frame_times() const;
+    [[nodiscard]] Frame frame(std::size_t index) const;
+    [[nodiscard]] double wall_time() const;  ///< from /provenance, s
+    [[nodiscard]] int threads() const;
+    [[nodiscard]] const H5Input& file() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace graincrack

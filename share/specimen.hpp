@@ -1,0 +1,83 @@
+// A specimen: an assemblage of grains in memory, as the specimen file holds it.
+//
+// Grains are polygons of constant-strain triangles; grains share no nodes; facing edges of neighbouring grains are
+// contacts. Any specimen that passes `validate` can be run, however it was made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace graincrack {
+
+class H5Input;
+class H5Output;
+
+/// Kinds of a contact at the start of a run (dataset /contacts/kind).
+enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack = 1 };
+
+/// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
+enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };
+
+/// What the mesh is like; attributes of /specimen. Lengths in m, angles in rad.
+struct MeshStatistics {
+    double mean_edge = 0;            ///< mean over all grain edges, rim included
+    double edge_variation = 0;       ///< coefficient of variation of the edges
+    double min_edge = 0;
+    double max_edge = 0;
+    double mean_diameter = 0;        ///< mean of the equal-area diameters of the grains
+    double diameter_variation = 0;
+    double min_diameter = 0;
+    double max_diameter = 0;
+    double min_angle = 0;            ///< smallest angle of any element
+    double psi6 = 0;                 ///< |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice
+    double area_error = 0;           ///< (area of all grains − area of the shape) / area of the shape
+};
+
+/// Arrays of a specimen. Index ranges: n nodes, e elements, g grains, c contacts, b boundary edges. SI units.
+struct Specimen {
+    std::string shape;               ///< "rectangle", "disc", or another maker's word
+    double width = 0;                ///< extent along x (disc: diameter)
+    double height = 0;               ///< extent along y between the platens (disc: diameter)
+    std::string tessellation;        ///< "delaunay", … or another maker's word
+    std::uint64_t seed = 0;
+    int elements_per_edge = 1;
+    double loading_arc = 0;          ///< disc: angle (rad) under which the facet at a pole is seen from the centre; 0: vertex or rectangle
+    MeshStatistics statistics;
+
+    std::vector<std::array<double, 2>> node_position;          ///< [n] m
+    std::vector<std::array<std::int32_t, 3>> element_nodes;    ///< [e] counter-clockwise
+    std::vector<std::int32_t> element_grain;                   ///< [e]
+    std::vector<std::uint8_t> grain_phase;                     ///< [g] index into phase_names
+    std::vector<double> grain_area;                            ///< [g] m²
+    std::vector<std::array<std::int32_t, 4>> contact_nodes;    ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
+    std::vector<std::int32_t> contact_grain_boundary;          ///< [c] groups the contacts of one grain-to-grain edge
+    std::vector<std::uint8_t> contact_kind;                    ///< [c] ContactKind
+    std::vector<std::array<std::int32_t, 2>> boundary_edges;   ///< [b] solid on the left
+    std::vector<std::uint8_t> boundary_part;                   ///< [b] index into part_names
+    std::vector<std::string> phase_names{"rock"};
+    std::vector<std::string> part_names{"bottom", "right", "top", "left", "rim"};
+
+    [[nodiscard]] std::size_t n_nodes() const { return node_position.size(); }
+    [[nodiscard]] std::size_t n_elements() const { return element_nodes.size(); }
+    [[nodiscard]] std::size_t n_grains() const { return grain_phase.size(); }
+    [[nodiscard]] std::size_t n_contacts() const { return contact_nodes.size(); }
+    [[nodiscard]] std::size_t n_boundary_edges() const { return boundary_edges.size(); }
+};
+
+/// Checks that the arrays fit each other and the conventions of the schema: lengths, index ranges, counter-clockwise
+/// elements of positive area, elements of a grain contiguous and ascending, nodes of one grain only, contacts conforming
+/// (a1 on b1, a2 on b2 within 1e-9 of the specimen's size) with grain(a) < grain(b), known kinds and parts.
+/// \throws InputError naming `where` and the first offence.
+void validate(const Specimen& specimen, const std::string& where);
+
+/// Grain of each node [n]; −1 for a node of no element.
+std::vector<std::int32_t> grain_of_nodes(const Specimen& specimen);
+
+/// Writes /specimen, /nodes, /elements, /grains, /contacts, /boundary and /VTKHDF into an open file.
+void write_specimen(H5Output& file, const Specimen& specimen);
+/// Reads what `write_specimen` wrote, or what another program wrote by the same schema, and validates it.
+Specimen read_specimen(const H5Input& file);
+
+}  // namespace graincrack

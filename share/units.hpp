@@ -1,0 +1,37 @@
+// Numbers with units at the edge of the tools: text to SI and back, the same in every locale.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "share/quantities.hpp"
+
+namespace graincrack {
+
+/// Units a user may write for a dimension, with their factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
+struct Unit {
+    std::string_view symbol;
+    double to_si;
+};
+const std::vector<Unit>& units_of(Dimension dimension);
+
+/// Reads "4mm", "4 mm", "48.76deg", "5 mm/s", "1.5MPa.m^0.5", "90J/m2" or a bare SI number.
+///
+/// \param where what the message names: an option ("--edge") or file and key ("granite.toml: rock.density")
+/// \throws UsageError if the text is no number, the unit is unknown or of another dimension, the value is not finite or
+///         out of the bounds of `quantity`; the message lists the units that fit.
+double parse_quantity(std::string_view text, const Quantity& quantity, std::string_view where);
+
+/// Value of an SI number in `unit` (a symbol of `units_of`). \throws std::invalid_argument for an unknown unit.
+double in_unit(double si_value, Dimension dimension, std::string_view unit);
+
+/// Shortest text that reads back as the same double; "nan" and "inf" for what is not finite.
+std::string format_number(double value);
+/// Text with a given count of significant digits, without locale ("%.{digits}g").
+std::string format_number(double value, int digits);
+
+/// A value in the largest common unit that keeps it readable: 0.004 m → "4 mm", 2.58e10 Pa → "25.8 GPa".
+std::string format_quantity(double si_value, Dimension dimension, int digits = 4);
+
+}  // namespace graincrack
