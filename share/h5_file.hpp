@@ -15,6 +15,9 @@ namespace graincrack {
 /// Version of the file layout this build writes; newer files are refused.
 inline constexpr int schema_version = 1;
 
+/// Version of the HDF5 library in use, "1.10.8".
+std::string hdf5_version();
+
 /// Shape of an array, slowest index first.
 using Extents = std::vector<std::size_t>;
 

@@ -12,12 +12,12 @@ namespace graincrack {
 
 /// [contact]: microparameters of the grain boundaries. What is unset is derived from [rock].
 struct ContactMaterial {
-    double tensile_strength = 0;                ///< tc, Pa
-    double cohesion = 0;                        ///< cc, Pa
-    double friction_angle = 0;                  ///< φc, rad
-    std::optional<double> normal_stiffness;     ///< kt, Pa/m
-    std::optional<double> shear_stiffness;      ///< ks, Pa/m
-    std::optional<double> fracture_energy;      ///< Gf, J/m²
+    double tensile_strength = 0;             ///< tc, Pa
+    double cohesion = 0;                     ///< cc, Pa
+    double friction_angle = 0;               ///< φc, rad
+    std::optional<double> normal_stiffness;  ///< kt, Pa/m
+    std::optional<double> shear_stiffness;   ///< ks, Pa/m
+    std::optional<double> fracture_energy;   ///< Gf, J/m²
 };
 
 /// [laboratory]: measured values, by key, in SI; not read by the solver.
@@ -25,10 +25,10 @@ using LaboratoryValues = std::map<std::string, double>;
 
 struct Material {
     std::string name;
-    std::filesystem::path file;                 ///< where it was read from
+    std::filesystem::path file;  ///< where it was read from
     Rock rock;
     ContactMaterial contact;
-    double platen_friction_angle = 0;           ///< rad; 0 if the file has no [platen]
+    double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
 };
 
@@ -46,20 +46,21 @@ struct FractureEnergyChoice {
 
 /// All parameters of a contact, derived and validated: what a law needs.
 struct ContactParameters {
-    double normal_stiffness = 0;       ///< kt, Pa/m
-    double shear_stiffness = 0;        ///< ks, Pa/m
-    double tensile_strength = 0;       ///< tc, Pa
-    double cohesion = 0;               ///< cc, Pa
-    double friction_angle = 0;         ///< φc, rad
-    double fracture_energy = 0;        ///< Gf, J/m²
-    double critical_opening = 0;       ///< δct, m (Eq 8)
-    double critical_sliding = 0;       ///< δcs, m (Eq 11)
-    double ultimate_opening = 0;       ///< δut, m (Eq 14)
+    double normal_stiffness = 0;  ///< kt, Pa/m
+    double shear_stiffness = 0;   ///< ks, Pa/m
+    double tensile_strength = 0;  ///< tc, Pa
+    double cohesion = 0;          ///< cc, Pa
+    double friction_angle = 0;    ///< φc, rad
+    double fracture_energy = 0;   ///< Gf, J/m²
+    double critical_opening = 0;  ///< δct, m (Eq 8)
+    double critical_sliding = 0;  ///< δcs, m (Eq 11)
+    double ultimate_opening = 0;  ///< δut, m (Eq 14)
 };
 
 /// Derives the contact parameters of a material for a plane condition (Eqs 3–5, 8, 11, 14, 32).
 /// An explicit `choice` wins over the material's own fracture energy; without either the choice is mode-i.
 /// \throws UsageError if the fracture energy is too small for the elastic branch (δut < δct), naming the least that fits.
-ContactParameters contact_parameters(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice);
+ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
+                                     const std::optional<FractureEnergyChoice>& choice);
 
 }  // namespace graincrack

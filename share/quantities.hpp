@@ -69,20 +69,33 @@ inline constexpr double right_angle = 1.57079632679489661923;
 inline constexpr Quantity young_modulus{"young_modulus", Dimension::stress, 0, 1e13, "Young's modulus of the rock", true};
 inline constexpr Quantity poisson_ratio{"poisson_ratio", Dimension::one, 0, 0.49, "Poisson's ratio of the rock"};
 inline constexpr Quantity density{"density", Dimension::density, 0, 1e5, "mass density of the rock", true};
-inline constexpr Quantity mode_i_toughness{"mode_i_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IC of the rock", true};
-inline constexpr Quantity mode_ii_toughness{"mode_ii_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IIC of the rock", true};
+inline constexpr Quantity mode_i_toughness{
+    "mode_i_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IC of the rock", true};
+inline constexpr Quantity mode_ii_toughness{
+    "mode_ii_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IIC of the rock", true};
 inline constexpr Quantity tensile_strength{"tensile_strength", Dimension::stress, 0, 1e12, "tensile strength of the rock", true};
-inline constexpr Quantity compressive_strength{"compressive_strength", Dimension::stress, 0, 1e12, "uniaxial compressive strength of the rock", true};
+inline constexpr Quantity compressive_strength{
+    "compressive_strength", Dimension::stress, 0, 1e12, "uniaxial compressive strength of the rock", true};
 inline constexpr Quantity internal_cohesion{"cohesion", Dimension::stress, 0, 1e12, "internal cohesion of the rock"};
-inline constexpr Quantity internal_friction_angle{"friction_angle", Dimension::angle, 0, right_angle, "internal friction angle of the rock"};
+inline constexpr Quantity internal_friction_angle{"friction_angle", Dimension::angle, 0, right_angle,
+                                                  "internal friction angle of the rock"};
+
+inline constexpr Quantity grain_size{"grain_size", Dimension::length, 0, 1e3, "mean grain size of the rock", true};
+inline constexpr Quantity min_grain_size{"min_grain_size", Dimension::length, 0, 1e3, "smallest grains of the rock", true};
+inline constexpr Quantity max_grain_size{"max_grain_size", Dimension::length, 0, 1e3, "largest grains of the rock", true};
 
 // --- contact ---------------------------------------------------------------------------------------------------------
-inline constexpr Quantity contact_tensile_strength{"contact_tensile_strength", Dimension::stress, 0, 1e12, "tensile strength t_c of a contact", true};
+inline constexpr Quantity contact_tensile_strength{
+    "contact_tensile_strength", Dimension::stress, 0, 1e12, "tensile strength t_c of a contact", true};
 inline constexpr Quantity contact_cohesion{"contact_cohesion", Dimension::stress, 0, 1e12, "cohesion c_c of a contact", true};
-inline constexpr Quantity contact_friction_angle{"contact_friction_angle", Dimension::angle, 0, 1.55, "friction angle of a failed contact"};
-inline constexpr Quantity contact_normal_stiffness{"contact_normal_stiffness", Dimension::stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true};
-inline constexpr Quantity contact_shear_stiffness{"contact_shear_stiffness", Dimension::stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true};
-inline constexpr Quantity fracture_energy{"fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true};
+inline constexpr Quantity contact_friction_angle{"contact_friction_angle", Dimension::angle, 0, 1.55,
+                                                 "friction angle of a failed contact"};
+inline constexpr Quantity contact_normal_stiffness{
+    "contact_normal_stiffness", Dimension::stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true};
+inline constexpr Quantity contact_shear_stiffness{
+    "contact_shear_stiffness", Dimension::stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true};
+inline constexpr Quantity fracture_energy{
+    "fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true};
 inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};
 
 // --- specimen --------------------------------------------------------------------------------------------------------
@@ -95,14 +108,20 @@ inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coeffic
 // --- test ------------------------------------------------------------------------------------------------------------
 inline constexpr Quantity confining_pressure{"confining_pressure", Dimension::stress, 0, 1e12, "pressure on the lateral edges"};
 inline constexpr Quantity platen_speed{"platen_speed", Dimension::speed, 0, 1e3, "speed of each platen", true};
-inline constexpr Quantity peak_drop{"peak_drop", Dimension::one, 0, 1, "fall below the peak, as a share of it, that ends the test", true};
-inline constexpr Quantity max_strain{"max_strain", Dimension::one, 0, 0.5, "platen approach over specimen height that ends the test", true};
-inline constexpr Quantity damping{"damping", Dimension::one, 0, 0.99, "local damping: share of the unbalanced force that opposes the motion"};
-inline constexpr Quantity time_step_fraction{"time_step_fraction", Dimension::one, 0, 1.5, "time step over the stable step", true};
+inline constexpr Quantity peak_drop{
+    "peak_drop", Dimension::one, 0, 1, "fall below the peak, as a share of it, that ends the test", true};
+inline constexpr Quantity max_strain{
+    "max_strain", Dimension::one, 0, 0.5, "platen approach over specimen height that ends the test", true};
+inline constexpr Quantity damping{"damping", Dimension::one, 0, 0.99,
+                                  "local damping: share of the unbalanced force that opposes the motion"};
+inline constexpr Quantity time_step_fraction{
+    "time_step_fraction", Dimension::one, 0, 1.5, "time step over the stable step", true};
 
 }  // namespace quantity
 
-/// Name of a table column or option value in a stated unit: column_name(young_modulus, "GPa") = "young_modulus_GPa".
+/// Name of a table column or option value in a stated unit: column_name(young_modulus, "GPa") = "young_modulus_GPa",
+/// (fracture_energy, "J/m2") = "fracture_energy_J_per_m2", (mode_i_toughness, "MPa.m^0.5") = "mode_i_toughness_MPa_sqrt_m";
+/// the unit "1" (or "") adds nothing. \throws std::invalid_argument for a unit of another dimension.
 std::string column_name(const Quantity& quantity, std::string_view unit);
 
 }  // namespace graincrack

@@ -24,10 +24,10 @@ enum class CrackMode : std::uint8_t { tensile = 0, shear = 1 };
 
 /// Attributes of /run. Names of the attributes are the names of the members. SI units.
 struct RunHeader {
-    std::string test;               ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
-    std::string material;           ///< name of the material
-    std::string contact_law;        ///< "literal" | "scaled" | "continuous"
-    std::string coupling;           ///< "full" | "none"
+    std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
+    std::string material;                ///< name of the material
+    std::string contact_law;             ///< "literal" | "scaled" | "continuous"
+    std::string coupling;                ///< "full" | "none"
     std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
@@ -40,27 +40,49 @@ struct RunHeader {
     double max_strain = 0;
     std::string mass_scaling = "none";
     std::string vector_target = "plain";
-    double stable_time_step = 0;    ///< s
-    double time_step = 0;           ///< s
+    double stable_time_step = 0;  ///< s
+    double time_step = 0;         ///< s
     // set when the run ends
-    std::string stop_reason;        ///< "peak drop" | "strain cap" | "signal"
+    std::string stop_reason;  ///< "peak drop" | "strain cap" | "signal"
     std::int64_t steps = 0;
-    double isotropic_end_time = 0;  ///< end of the isotropic stage (triaxial), s; 0 without one
-    double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
-    double energy_scale = 0;        ///< largest stored energy (strain + contact) of the run, J: the scale of the ledger
-    double ledger_residual = 0;     ///< max over time of |external − sum of the others| / energy_scale
+    double isotropic_end_time = 0;       ///< end of the isotropic stage (triaxial), s; 0 without one
+    double peak_axial_stress = 0;        ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
+    double energy_scale = 0;             ///< largest stored energy (strain + contact) of the run, J: the scale of the ledger
+    double ledger_residual = 0;          ///< max over time of |external − sum of the others| / energy_scale
     double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
-    double confinement_mean = 0;    ///< achieved after the isotropic stage, Pa
+    double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa
     double confinement_deviation = 0;
-    double damping_share = 0;       ///< energy absorbed by damping / external work at the end
+    double damping_share = 0;  ///< energy absorbed by damping / external work at the end
 };
 
 /// Columns of /history, in the order of `history_datasets`.
 enum class HistoryColumn : std::size_t {
-    time, step, axial_strain, lateral_strain, gauge_axial_strain, gauge_lateral_strain, axial_stress, force_top, force_bottom,
-    confining_pressure, energy_external, energy_kinetic, energy_strain, energy_contact, energy_fracture_tension,
-    energy_fracture_shear, energy_friction, energy_damping, energy_platen, law_mismatch, ledger_residual, unbalanced_ratio,
-    tensile_cracks, shear_cracks, platen_speed, count
+    time,
+    step,
+    axial_strain,
+    lateral_strain,
+    gauge_axial_strain,
+    gauge_lateral_strain,
+    axial_stress,
+    force_top,
+    force_bottom,
+    confining_pressure,
+    energy_external,
+    energy_kinetic,
+    energy_strain,
+    energy_contact,
+    energy_fracture_tension,
+    energy_fracture_shear,
+    energy_friction,
+    energy_damping,
+    energy_platen,
+    law_mismatch,
+    ledger_residual,
+    unbalanced_ratio,
+    tensile_cracks,
+    shear_cracks,
+    platen_speed,
+    count
 };
 struct HistoryDataset {
     std::string_view name;
@@ -79,18 +101,18 @@ struct History {
 
 /// One row of the crack catalogue: a contact point that passed its peak.
 struct Crack {
-    double time = 0;                ///< s
+    double time = 0;  ///< s
     std::int64_t step = 0;
-    std::int32_t contact = 0;       ///< row of /contacts
-    std::uint8_t point = 0;         ///< 0 at a1, 1 at a2
+    std::int32_t contact = 0;  ///< row of /contacts
+    std::uint8_t point = 0;    ///< 0 at a1, 1 at a2
     CrackMode mode = CrackMode::tensile;
-    double mode_angle = 0;          ///< atan2(|τ|, σn) at the peak, rad
+    double mode_angle = 0;             ///< atan2(|τ|, σn) at the peak, rad
     std::array<double, 2> position{};  ///< then, m
-    double orientation = 0;         ///< of the tangent from x, counter-clockwise, rad, in [0, π)
-    double length = 0;              ///< half the edge, m
-    double opening = 0;             ///< then, m
-    double sliding = 0;             ///< then, m
-    double energy_released = 0;     ///< J: by this point's failure until the end of the run
+    double orientation = 0;            ///< of the tangent from x, counter-clockwise, rad, in [0, π)
+    double length = 0;                 ///< half the edge, m
+    double opening = 0;                ///< then, m
+    double sliding = 0;                ///< then, m
+    double energy_released = 0;        ///< J: by this point's failure until the end of the run
     double time_separated = std::numeric_limits<double>::quiet_NaN();  ///< s
 };
 

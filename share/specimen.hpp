@@ -22,40 +22,42 @@ enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 
 
 /// What the mesh is like; attributes of /specimen. Lengths in m, angles in rad.
 struct MeshStatistics {
-    double mean_edge = 0;            ///< mean over all grain edges, rim included
-    double edge_variation = 0;       ///< coefficient of variation of the edges
+    double mean_edge = 0;       ///< mean over all grain edges, rim included
+    double edge_variation = 0;  ///< coefficient of variation of the edges
     double min_edge = 0;
     double max_edge = 0;
-    double mean_diameter = 0;        ///< mean of the equal-area diameters of the grains
+    double mean_diameter = 0;  ///< mean of the equal-area diameters of the grains
     double diameter_variation = 0;
     double min_diameter = 0;
     double max_diameter = 0;
-    double min_angle = 0;            ///< smallest angle of any element
-    double psi6 = 0;                 ///< |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice
-    double area_error = 0;           ///< (area of all grains − area of the shape) / area of the shape
+    double min_angle = 0;   ///< smallest angle of any element
+    double psi6 = 0;        ///< |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice
+    double area_error = 0;  ///< (area of all grains − area of the shape) / area of the shape
 };
 
 /// Arrays of a specimen. Index ranges: n nodes, e elements, g grains, c contacts, b boundary edges. SI units.
 struct Specimen {
-    std::string shape;               ///< "rectangle", "disc", or another maker's word
-    double width = 0;                ///< extent along x (disc: diameter)
-    double height = 0;               ///< extent along y between the platens (disc: diameter)
-    std::string tessellation;        ///< "delaunay", … or another maker's word
+    std::string shape;         ///< "rectangle", "disc", or another maker's word
+    double width = 0;          ///< extent along x (disc: diameter)
+    double height = 0;         ///< extent along y between the platens (disc: diameter)
+    std::string tessellation;  ///< "delaunay", … or another maker's word
     std::uint64_t seed = 0;
     int elements_per_edge = 1;
-    double loading_arc = 0;          ///< disc: angle (rad) under which the facet at a pole is seen from the centre; 0: vertex or rectangle
+    double loading_arc =
+        0;  ///< disc: angle (rad) under which the facet at a pole is seen from the centre; 0: vertex or rectangle
     MeshStatistics statistics;
 
-    std::vector<std::array<double, 2>> node_position;          ///< [n] m
-    std::vector<std::array<std::int32_t, 3>> element_nodes;    ///< [e] counter-clockwise
-    std::vector<std::int32_t> element_grain;                   ///< [e]
-    std::vector<std::uint8_t> grain_phase;                     ///< [g] index into phase_names
-    std::vector<double> grain_area;                            ///< [g] m²
-    std::vector<std::array<std::int32_t, 4>> contact_nodes;    ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
-    std::vector<std::int32_t> contact_grain_boundary;          ///< [c] groups the contacts of one grain-to-grain edge
-    std::vector<std::uint8_t> contact_kind;                    ///< [c] ContactKind
-    std::vector<std::array<std::int32_t, 2>> boundary_edges;   ///< [b] solid on the left
-    std::vector<std::uint8_t> boundary_part;                   ///< [b] index into part_names
+    std::vector<std::array<double, 2>> node_position;        ///< [n] m
+    std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e] counter-clockwise
+    std::vector<std::int32_t> element_grain;                 ///< [e]
+    std::vector<std::uint8_t> grain_phase;                   ///< [g] index into phase_names
+    std::vector<double> grain_area;                          ///< [g] m²
+    std::vector<std::array<std::int32_t, 4>>
+        contact_nodes;  ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
+    std::vector<std::int32_t> contact_grain_boundary;         ///< [c] groups the contacts of one grain-to-grain edge
+    std::vector<std::uint8_t> contact_kind;                   ///< [c] ContactKind
+    std::vector<std::array<std::int32_t, 2>> boundary_edges;  ///< [b] solid on the left
+    std::vector<std::uint8_t> boundary_part;                  ///< [b] index into part_names
     std::vector<std::string> phase_names{"rock"};
     std::vector<std::string> part_names{"bottom", "right", "top", "left", "rim"};
 

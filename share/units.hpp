@@ -9,19 +9,32 @@
 
 namespace graincrack {
 
-/// Units a user may write for a dimension, with their factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
+/// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
 struct Unit {
     std::string_view symbol;
     double to_si;
 };
+/// The units of a dimension, the SI unit first. Symbols are case-sensitive. Other spellings are read but not listed:
+/// "µm", "°", "MPa√m", "MPa*m^0.5", "J/m^2", "kg/m^3".
 const std::vector<Unit>& units_of(Dimension dimension);
 
+/// The word for a dimension in a message: "length", "stress", "pure number" …
+std::string_view name_of(Dimension dimension);
+
 /// Reads "4mm", "4 mm", "48.76deg", "5 mm/s", "1.5MPa.m^0.5", "90J/m2" or a bare SI number.
+/// Decimal units are exact: "5.13mm" and "0.00513" give the same double.
 ///
 /// \param where what the message names: an option ("--edge") or file and key ("granite.toml: rock.density")
 /// \throws UsageError if the text is no number, the unit is unknown or of another dimension, the value is not finite or
 ///         out of the bounds of `quantity`; the message lists the units that fit.
 double parse_quantity(std::string_view text, const Quantity& quantity, std::string_view where);
+
+/// The same where a word stands for a value: parse_quantity_or(text, "none", 0, quantity::damping, "--damping").
+double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
+                         std::string_view where);
+
+/// The bounds of a quantity in words, in readable units: "above 0 m and at most 1000 m", "from 0 deg to 88.81 deg".
+std::string bounds_text(const Quantity& quantity);
 
 /// Value of an SI number in `unit` (a symbol of `units_of`). \throws std::invalid_argument for an unknown unit.
 double in_unit(double si_value, Dimension dimension, std::string_view unit);

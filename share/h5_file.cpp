@@ -1,0 +1,916 @@
+#include "share/h5_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <hdf5_hl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::size_t chunk_bytes = 1 << 18;  // target size of a chunk
+constexpr std::size_t small_bytes = 1 << 12;  // smaller arrays stay contiguous
+constexpr unsigned deflate_level = 1;         // measured: higher levels cost time and gain nothing
+
+/// An HDF5 identifier that closes itself.
+class Handle {
+public:
+    Handle() = default;
+    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+    ~Handle() { reset(); }
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Handle& operator=(Handle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            id_ = std::exchange(other.id_, -1);
+            close_ = other.close_;
+        }
+        return *this;
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    [[nodiscard]] hid_t get() const { return id_; }
+    [[nodiscard]] bool valid() const { return id_ >= 0; }
+    void reset() {
+        if (id_ >= 0) {
+            close_(id_);
+        }
+        id_ = -1;
+    }
+
+private:
+    hid_t id_ = -1;
+    herr_t (*close_)(hid_t) = nullptr;
+};
+
+Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+
+/// HDF5 reports its errors by return values here; its own printing is off for the life of the process.
+void silence_hdf5() {
+    static const bool done = [] {
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        return true;
+    }();
+    static_cast<void>(done);
+}
+
+template <class T>
+hid_t memory_type();
+template <>
+hid_t memory_type<double>() {
+    return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t memory_type<float>() {
+    return H5T_NATIVE_FLOAT;
+}
+template <>
+hid_t memory_type<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
+template <>
+hid_t memory_type<std::int64_t>() {
+    return H5T_NATIVE_INT64;
+}
+template <>
+hid_t memory_type<std::uint8_t>() {
+    return H5T_NATIVE_UINT8;
+}
+
+template <class T>
+hid_t file_type();
+template <>
+hid_t file_type<double>() {
+    return H5T_IEEE_F64LE;
+}
+template <>
+hid_t file_type<std::int32_t>() {
+    return H5T_STD_I32LE;
+}
+template <>
+hid_t file_type<std::int64_t>() {
+    return H5T_STD_I64LE;
+}
+template <>
+hid_t file_type<std::uint8_t>() {
+    return H5T_STD_U8LE;
+}
+
+std::size_t product(const Extents& extents) {
+    std::size_t n = 1;
+    for (const std::size_t e : extents) {
+        n *= e;
+    }
+    return n;
+}
+
+std::vector<hsize_t> to_hsize(const Extents& extents) { return {extents.begin(), extents.end()}; }
+
+std::vector<char> read_stdin() {
+    std::vector<char> bytes;
+    std::vector<char> block(1 << 20);
+    while (true) {
+        const ssize_t n = ::read(STDIN_FILENO, block.data(), block.size());
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n < 0) {
+            throw InputError(fmt::format("stdin: cannot be read: {}", std::strerror(errno)));
+        }
+        if (n == 0) {
+            return bytes;
+        }
+        bytes.insert(bytes.end(), block.begin(), block.begin() + n);
+    }
+}
+
+Handle open_image(std::vector<char>& bytes) {
+    if (bytes.empty()) {
+        throw InputError("stdin: empty: the program before wrote nothing; see its message");
+    }
+    return {H5LTopen_file_image(bytes.data(), bytes.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE), H5Fclose};
+}
+
+Handle open_path(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) {
+        throw InputError(fmt::format("{}: {}", path, errno == ENOENT ? "no such file" : std::strerror(errno)));
+    }
+    if (S_ISDIR(status.st_mode)) {
+        throw InputError(fmt::format("{}: is a folder, an HDF5 file is needed", path));
+    }
+    if (::access(path.c_str(), R_OK) != 0) {
+        throw InputError(fmt::format("{}: {}", path, std::strerror(errno)));
+    }
+    if (status.st_size == 0) {
+        throw InputError(fmt::format("{}: empty file, a file written by a Graincrack tool is needed", path));
+    }
+    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+}
+
+/// Tells what an unreadable file is: a signature without a readable body is a truncated or damaged file.
+[[noreturn]] void throw_unreadable(const std::string& name, bool has_signature) {
+    if (has_signature) {
+        throw InputError(fmt::format("{}: truncated or damaged HDF5 file; write it again with the tool that made it", name));
+    }
+    throw InputError(fmt::format("{}: not an HDF5 file; a file written by a Graincrack tool is needed", name));
+}
+
+bool has_hdf5_signature(const char* bytes, std::size_t size) {
+    static constexpr unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
+    return size >= 8 && std::memcmp(bytes, signature, 8) == 0;
+}
+
+bool file_has_hdf5_signature(const std::string& path) {
+    char head[8] = {};
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd < 0) {
+        return false;
+    }
+    const ssize_t n = ::read(fd, head, sizeof head);
+    ::close(fd);
+    return has_hdf5_signature(head, n > 0 ? static_cast<std::size_t>(n) : 0);
+}
+
+Handle string_type() {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), H5T_VARIABLE);
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    return type;
+}
+
+Handle fixed_string_type(std::size_t size) {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), std::max<std::size_t>(size, 1));
+    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+    return type;
+}
+
+void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
+    if (H5Aexists(object, name.c_str()) > 0) {
+        H5Adelete(object, name.c_str());
+    }
+    const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (!attribute.valid() || H5Awrite(attribute.get(), type, data) < 0) {
+        throw OutputError(fmt::format("attribute {} cannot be written", name));
+    }
+}
+
+Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
+Handle vector_space(std::size_t n) {
+    const hsize_t extent = n;
+    return {H5Screate_simple(1, &extent, nullptr), H5Sclose};
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+    replace_attribute(object, name, H5T_IEEE_F64LE, scalar_space().get(), &value);
+}
+void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
+    replace_attribute(object, name, H5T_STD_I64LE, scalar_space().get(), &value);
+}
+// Fixed-length ASCII/UTF-8 text: what VTK's readers expect of /VTKHDF and everybody else reads too.
+void write_attribute(hid_t object, const std::string& name, const std::string& value) {
+    const Handle type = fixed_string_type(value.size());
+    const std::string padded = value.empty() ? std::string(1, '\0') : value;
+    replace_attribute(object, name, type.get(), scalar_space().get(), padded.data());
+}
+void write_attribute(hid_t object, const std::string& name, const std::vector<double>& values) {
+    replace_attribute(object, name, H5T_IEEE_F64LE, vector_space(values.size()).get(), values.data());
+}
+void write_attribute(hid_t object, const std::string& name, const std::vector<std::int64_t>& values) {
+    replace_attribute(object, name, H5T_STD_I64LE, vector_space(values.size()).get(), values.data());
+}
+void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& values) {
+    std::vector<const char*> pointers;
+    pointers.reserve(values.size());
+    for (const std::string& value : values) {
+        pointers.push_back(value.c_str());
+    }
+    replace_attribute(object, name, string_type().get(), vector_space(values.size()).get(), pointers.data());
+}
+
+/// Reads any string attribute, fixed or variable, scalar or vector (h5py writes variable ones).
+bool read_strings(hid_t attribute, std::vector<std::string>& out) {
+    const Handle type(H5Aget_type(attribute), H5Tclose);
+    const Handle space(H5Aget_space(attribute), H5Sclose);
+    if (H5Tget_class(type.get()) != H5T_STRING) {
+        return false;
+    }
+    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
+    out.clear();
+    if (H5Tis_variable_str(type.get()) > 0) {
+        std::vector<char*> values(n, nullptr);
+        const Handle memory = string_type();
+        H5Tset_cset(memory.get(), H5Tget_cset(type.get()));
+        if (n > 0 && H5Aread(attribute, memory.get(), values.data()) < 0) {
+            return false;
+        }
+        for (char* value : values) {
+            out.emplace_back(value != nullptr ? value : "");
+        }
+        if (n > 0) {
+            H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.data());
+        }
+        return true;
+    }
+    const std::size_t size = H5Tget_size(type.get());
+    std::vector<char> bytes(n * size);
+    if (n > 0 && H5Aread(attribute, type.get(), bytes.data()) < 0) {
+        return false;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const char* begin = bytes.data() + i * size;
+        out.emplace_back(begin, strnlen(begin, size));
+    }
+    return true;
+}
+
+template <class T>
+bool read_numbers(hid_t attribute, std::vector<T>& out) {
+    const Handle type(H5Aget_type(attribute), H5Tclose);
+    const H5T_class_t kind = H5Tget_class(type.get());
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
+        return false;
+    }
+    const Handle space(H5Aget_space(attribute), H5Sclose);
+    out.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
+    return out.empty() || H5Aread(attribute, memory_type<T>(), out.data()) >= 0;
+}
+
+bool convert_attribute(hid_t attribute, double& out) {
+    std::vector<double> values;
+    const bool read = read_numbers(attribute, values) && values.size() == 1;
+    out = read ? values[0] : 0;
+    return read;
+}
+bool convert_attribute(hid_t attribute, std::int64_t& out) {
+    std::vector<std::int64_t> values;
+    const bool read = read_numbers(attribute, values) && values.size() == 1;
+    out = read ? values[0] : 0;
+    return read;
+}
+bool convert_attribute(hid_t attribute, std::string& out) {
+    std::vector<std::string> values;
+    const bool read = read_strings(attribute, values) && values.size() == 1;
+    out = read ? values[0] : "";
+    return read;
+}
+bool convert_attribute(hid_t attribute, std::vector<double>& out) { return read_numbers(attribute, out); }
+bool convert_attribute(hid_t attribute, std::vector<std::int64_t>& out) { return read_numbers(attribute, out); }
+bool convert_attribute(hid_t attribute, std::vector<std::string>& out) { return read_strings(attribute, out); }
+
+herr_t collect_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* data) {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+}
+herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*info*/, void* data) {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+}
+
+std::vector<std::string> link_names(hid_t object, const std::string& group) {
+    std::vector<std::string> names;
+    hsize_t start = 0;
+    const Handle id(H5Gopen2(object, group.c_str(), H5P_DEFAULT), H5Gclose);
+    if (id.valid()) {
+        H5Literate(id.get(), H5_INDEX_NAME, H5_ITER_INC, &start, collect_name, &names);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+    std::vector<std::string> names;
+    hsize_t start = 0;
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect_attribute, &names);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string type_name(hid_t type) {
+    const std::size_t bytes = H5Tget_size(type);
+    switch (H5Tget_class(type)) {
+        case H5T_INTEGER: return fmt::format("{}int{}", H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "", 8 * bytes);
+        case H5T_FLOAT: return fmt::format("float{}", 8 * bytes);
+        case H5T_STRING: return "string";
+        default: return "other";
+    }
+}
+
+Extents space_extents(hid_t space) {
+    const int rank = H5Sget_simple_extent_ndims(space);
+    std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
+    if (rank > 0) {
+        H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+    }
+    return {extents.begin(), extents.end()};
+}
+
+std::string extents_text(const Extents& extents) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+        text += (i > 0 ? "," : "") + std::to_string(extents[i]);
+    }
+    return text + "]";
+}
+
+/// SHA-256 by OpenSSL.
+class Sha256 {
+public:
+    Sha256() : context_(EVP_MD_CTX_new()) { EVP_DigestInit_ex(context_, EVP_sha256(), nullptr); }
+    ~Sha256() { EVP_MD_CTX_free(context_); }
+    Sha256(const Sha256&) = delete;
+    Sha256& operator=(const Sha256&) = delete;
+    void add(const void* data, std::size_t size) { EVP_DigestUpdate(context_, data, size); }
+    void add(const std::string& text) { add(text.c_str(), text.size() + 1); }
+    std::string hex() {
+        unsigned char bytes[EVP_MAX_MD_SIZE];
+        unsigned size = 0;
+        EVP_DigestFinal_ex(context_, bytes, &size);
+        std::string text;
+        for (unsigned i = 0; i < size; ++i) {
+            text += fmt::format("{:02x}", bytes[i]);
+        }
+        return text;
+    }
+
+private:
+    EVP_MD_CTX* context_;
+};
+
+/// Type in memory in which values are hashed: the same on every machine.
+hid_t hash_type(hid_t type) {
+    switch (H5Tget_class(type)) {
+        case H5T_INTEGER: return H5Tget_size(type) == 1 ? H5T_STD_U8LE : H5T_STD_I64LE;
+        case H5T_FLOAT: return H5T_IEEE_F64LE;
+        default: return -1;
+    }
+}
+
+void digest_attributes(hid_t object, Sha256& hash) {
+    for (const std::string& name : attribute_names(object)) {
+        const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+        const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+        const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+        hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
+        std::vector<std::string> texts;
+        if (read_strings(attribute.get(), texts)) {
+            for (const std::string& text : texts) {
+                hash.add(text);
+            }
+        } else if (const hid_t as = hash_type(type.get()); as >= 0) {
+            std::vector<char> bytes(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())) * H5Tget_size(as));
+            H5Aread(attribute.get(), as, bytes.data());
+            hash.add(bytes.data(), bytes.size());
+        }
+    }
+}
+
+void digest_object(hid_t file, const std::string& path, const std::string& file_name, Sha256& hash) {
+    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
+    if (!object.valid()) {
+        throw InputError(fmt::format("{}: {} cannot be read", file_name, path));
+    }
+    if (H5Iget_type(object.get()) == H5I_GROUP) {
+        hash.add(path + " group");
+        digest_attributes(object.get(), hash);
+        for (const std::string& name : link_names(file, path)) {
+            const std::string child = (path == "/" ? "" : path) + "/" + name;
+            if (child != "/provenance") {
+                digest_object(file, child, file_name, hash);
+            }
+        }
+        return;
+    }
+    const Handle type(H5Dget_type(object.get()), H5Tclose);
+    const Handle space(H5Dget_space(object.get()), H5Sclose);
+    hash.add(path + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
+    digest_attributes(object.get(), hash);
+    const hid_t as = hash_type(type.get());
+    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
+    if (as < 0 || n == 0) {
+        return;
+    }
+    std::vector<char> bytes(n * H5Tget_size(as));
+    if (H5Dread(object.get(), as, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) {
+        throw InputError(fmt::format("{}: {} cannot be read: the file is damaged", file_name, path));
+    }
+    hash.add(bytes.data(), bytes.size());
+}
+
+/// Creation properties of a dataset: contiguous when small and of fixed size, else chunked along the first extent.
+Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool grows) {
+    Handle properties = property_list(H5P_DATASET_CREATE);
+    H5Pset_obj_track_times(properties.get(), 0);
+    const std::size_t bytes = product(extents) * item_bytes;
+    if (extents.empty() || bytes == 0 || (!grows && bytes <= small_bytes)) {
+        return properties;
+    }
+    const std::size_t row_bytes = std::max<std::size_t>(1, bytes / std::max<std::size_t>(extents[0], 1));
+    std::vector<hsize_t> chunk = to_hsize(extents);
+    chunk[0] = std::max<std::size_t>(1, chunk_bytes / (grows ? 16 : 1) / row_bytes);
+    if (!grows) {
+        chunk[0] = std::min<hsize_t>(chunk[0], extents[0]);
+    }
+    H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(properties.get());
+    H5Pset_deflate(properties.get(), deflate_level);
+    return properties;
+}
+
+void sync_to_disk(const std::string& path) {
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd < 0 || ::fsync(fd) != 0) {
+        const int reason = errno;
+        if (fd >= 0) {
+            ::close(fd);
+        }
+        throw OutputError(fmt::format("{}: cannot be put onto the disk: {}", path, std::strerror(reason)));
+    }
+    ::close(fd);
+}
+
+void write_all(int fd, const char* data, std::size_t size) {
+    while (size > 0) {
+        const ssize_t n = ::write(fd, data, size);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n < 0) {
+            throw OutputError(fmt::format("stdout: cannot be written: {}", std::strerror(errno)));
+        }
+        data += n;
+        size -= static_cast<std::size_t>(n);
+    }
+}
+
+}  // namespace
+
+std::string hdf5_version() {
+    unsigned major = 0;
+    unsigned minor = 0;
+    unsigned release = 0;
+    H5get_libversion(&major, &minor, &release);
+    return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+// --- reading ---------------------------------------------------------------------------------------------------------
+
+struct H5Input::State {
+    std::string name;
+    std::string kind;
+    std::vector<char> image;  // outlives the file opened from it
+    Handle file;
+};
+
+H5Input::H5Input(const std::string& path, std::string_view kind) : state_(std::make_unique<State>()) {
+    silence_hdf5();
+    const bool pipe = path == "-";
+    state_->name = pipe ? "stdin" : path;
+    if (pipe) {
+        state_->image = read_stdin();
+        state_->file = open_image(state_->image);
+    } else {
+        state_->file = open_path(path);
+    }
+    if (!state_->file.valid()) {
+        throw_unreadable(state_->name,
+                         pipe ? has_hdf5_signature(state_->image.data(), state_->image.size()) : file_has_hdf5_signature(path));
+    }
+    if (attribute_or<std::string>("/", "format", "") != "graincrack") {
+        throw InputError(
+            fmt::format("{}: an HDF5 file, but not a Graincrack one (no root attribute format = graincrack)", state_->name));
+    }
+    const auto version = attribute_or<std::int64_t>("/", "schema_version", 0);
+    if (version > schema_version) {
+        throw InputError(fmt::format("{}: schema version {} is newer than this build reads ({}); use a newer Graincrack",
+                                     state_->name, version, schema_version));
+    }
+    state_->kind = attribute_or<std::string>("/", "kind", "");
+    if (!kind.empty() && state_->kind != kind) {
+        throw InputError(fmt::format("{}: is a {}, a {} is needed (graincrack-{} writes one)", state_->name,
+                                     state_->kind.empty() ? "file of no known kind" : state_->kind, kind,
+                                     kind == "specimen" ? "mesh" : "solve"));
+    }
+}
+H5Input::~H5Input() = default;
+H5Input::H5Input(H5Input&&) noexcept = default;
+H5Input& H5Input::operator=(H5Input&&) noexcept = default;
+
+const std::string& H5Input::name() const { return state_->name; }
+const std::string& H5Input::kind() const { return state_->kind; }
+
+bool H5Input::has(const std::string& path) const {
+    // H5Lexists needs every parent to exist.
+    for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+        if (H5Lexists(state_->file.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+            return false;
+        }
+    }
+    return path == "/" || H5Lexists(state_->file.get(), path.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool H5Input::has_attribute(const std::string& object, const std::string& attribute) const {
+    return has(object) && H5Aexists_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
+}
+
+namespace {
+
+Handle open_dataset(hid_t file, const std::string& file_name, const std::string& dataset) {
+    Handle id(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!id.valid()) {
+        throw InputError(fmt::format("{}: dataset {} is missing", file_name, dataset));
+    }
+    return id;
+}
+
+}  // namespace
+
+Extents H5Input::extents(const std::string& dataset) const {
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    return space_extents(space.get());
+}
+
+std::vector<std::string> H5Input::children(const std::string& group) const {
+    return has(group) ? link_names(state_->file.get(), group) : std::vector<std::string>{};
+}
+
+template <class T>
+std::vector<T> H5Input::read(const std::string& dataset) const {
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    std::vector<T> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
+    if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+        throw InputError(
+            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
+    }
+    return values;
+}
+
+template <class T>
+std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    std::vector<hsize_t> extents = to_hsize(space_extents(space.get()));
+    if (extents.empty() || first + count > extents[0]) {
+        throw InputError(fmt::format("{}: dataset {} has no rows {} to {}", state_->name, dataset, first, first + count));
+    }
+    std::vector<hsize_t> offset(extents.size(), 0);
+    offset[0] = first;
+    extents[0] = count;
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr);
+    const Handle memory(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
+    std::vector<T> values(product({extents.begin(), extents.end()}));
+    if (!values.empty() && H5Dread(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
+        throw InputError(
+            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
+    }
+    return values;
+}
+
+template <class T>
+T H5Input::attribute(const std::string& object, const std::string& attribute) const {
+    if (!has_attribute(object, attribute)) {
+        throw InputError(fmt::format("{}: attribute {} of {} is missing", state_->name, attribute, object));
+    }
+    const Handle id(H5Aopen_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    T value{};
+    if (!id.valid() || !convert_attribute(id.get(), value)) {
+        throw InputError(fmt::format("{}: attribute {} of {} has an unexpected type", state_->name, attribute, object));
+    }
+    return value;
+}
+
+template <class T>
+T H5Input::attribute_or(const std::string& object, const std::string& name, T fallback) const {
+    return has_attribute(object, name) ? attribute<T>(object, name) : fallback;
+}
+
+std::string H5Input::digest() const {
+    Sha256 hash;
+    digest_object(state_->file.get(), "/", state_->name, hash);
+    return hash.hex();
+}
+
+void H5Input::check() const {
+    Sha256 hash;
+    digest_object(state_->file.get(), "/", state_->name, hash);
+    for (const std::string& name : link_names(state_->file.get(), "/")) {
+        if (name == "provenance") {
+            digest_object(state_->file.get(), "/provenance", state_->name, hash);
+        }
+    }
+}
+
+namespace {
+
+void describe_object(hid_t file, const std::string& path, std::vector<std::string>& lines) {
+    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
+    if (H5Iget_type(object.get()) == H5I_GROUP) {
+        for (const std::string& name : link_names(file, path)) {
+            describe_object(file, (path == "/" ? "" : path) + "/" + name, lines);
+        }
+        return;
+    }
+    const Handle type(H5Dget_type(object.get()), H5Tclose);
+    const Handle space(H5Dget_space(object.get()), H5Sclose);
+    std::string line = fmt::format("{} {} {}", path, type_name(type.get()), extents_text(space_extents(space.get())));
+    for (const char* name : {"unit", "description"}) {
+        std::string text;
+        const Handle attribute(H5Aexists(object.get(), name) > 0 ? H5Aopen(object.get(), name, H5P_DEFAULT) : -1, H5Aclose);
+        if (attribute.valid() && convert_attribute(attribute.get(), text)) {
+            line += " " + text;
+        }
+    }
+    lines.push_back(line);
+}
+
+}  // namespace
+
+std::vector<std::string> H5Input::describe() const {
+    std::vector<std::string> lines;
+    describe_object(state_->file.get(), "/", lines);
+    return lines;
+}
+
+// --- writing ---------------------------------------------------------------------------------------------------------
+
+struct H5Output::State {
+    std::string name;
+    std::string part;  // the file until commit; empty for a pipe
+    bool committed = false;
+    Handle file;
+    ~State() {
+        file.reset();
+        if (!part.empty() && !committed) {
+            ::unlink(part.c_str());
+        }
+    }
+};
+
+H5Output::H5Output(const std::string& path, std::string_view kind) : state_(std::make_unique<State>()) {
+    silence_hdf5();
+    const Handle access = property_list(H5P_FILE_ACCESS);
+    Handle creation = property_list(H5P_FILE_CREATE);
+    H5Pset_obj_track_times(creation.get(), 0);
+    if (path == "-") {
+        if (::isatty(STDOUT_FILENO) != 0) {
+            throw OutputError("stdout: is a terminal; send the file into a pipe or name one with -o FILE");
+        }
+        state_->name = "stdout";
+        H5Pset_fapl_core(access.get(), 1 << 20, 0);
+        state_->file = Handle(H5Fcreate("graincrack-stdout", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+    } else {
+        state_->name = path;
+        if (std::filesystem::is_directory(path)) {
+            throw OutputError(fmt::format("{}: is a folder, name a file in it", path));
+        }
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+            throw OutputError(fmt::format("{}: the folder {} does not exist", path, folder.string()));
+        }
+        state_->part = path + ".part";
+        state_->file = Handle(H5Fcreate(state_->part.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+    }
+    if (!state_->file.valid()) {
+        throw OutputError(fmt::format("{}: cannot be created; is the folder writable?", state_->name));
+    }
+    attribute("/", "format", std::string("graincrack"));
+    attribute("/", "schema_version", std::int64_t{schema_version});
+    attribute("/", "kind", std::string(kind));
+}
+H5Output::~H5Output() = default;
+H5Output::H5Output(H5Output&&) noexcept = default;
+H5Output& H5Output::operator=(H5Output&&) noexcept = default;
+
+const std::string& H5Output::name() const { return state_->name; }
+bool H5Output::is_pipe() const { return state_->part.empty(); }
+
+void H5Output::create_group(const std::string& group) {
+    for (std::size_t slash = group.find('/', 1);; slash = group.find('/', slash + 1)) {
+        const std::string path = group.substr(0, slash);
+        if (path.size() > 1 && H5Lexists(state_->file.get(), path.c_str(), H5P_DEFAULT) <= 0) {
+            const Handle properties = property_list(H5P_GROUP_CREATE);
+            H5Pset_obj_track_times(properties.get(), 0);
+            const Handle id(H5Gcreate2(state_->file.get(), path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose);
+            if (!id.valid()) {
+                throw OutputError(fmt::format("{}: group {} cannot be created", state_->name, path));
+            }
+        }
+        if (slash == std::string::npos) {
+            return;
+        }
+    }
+}
+
+template <class T>
+void H5Output::write(const std::string& dataset, std::span<const T> values, const Extents& extents, std::string_view unit,
+                     std::string_view description) {
+    if (values.size() != product(extents)) {
+        throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
+    }
+    if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
+        create_group(dataset.substr(0, slash));
+    }
+    const std::vector<hsize_t> shape = to_hsize(extents);
+    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const Handle properties = creation_properties(extents, sizeof(T), false);
+    const Handle id(
+        H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+        H5Dclose);
+    if (!id.valid() ||
+        (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)) {
+        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", state_->name, dataset));
+    }
+    write_attribute(id.get(), "unit", std::string(unit));
+    write_attribute(id.get(), "description", std::string(description));
+}
+
+template <class T>
+void H5Output::append(const std::string& dataset, std::span<const T> values, const Extents& extents, std::string_view unit,
+                      std::string_view description) {
+    if (values.size() != product(extents) || extents.empty()) {
+        throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
+    }
+    if (H5Lexists(state_->file.get(), dataset.c_str(), H5P_DEFAULT) <= 0) {
+        std::vector<hsize_t> shape = to_hsize(extents);
+        std::vector<hsize_t> limit = shape;
+        shape[0] = 0;
+        limit[0] = H5S_UNLIMITED;
+        Extents row = extents;
+        row[0] = std::max<std::size_t>(row[0], 1);
+        const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limit.data()), H5Sclose);
+        const Handle properties = creation_properties(row, sizeof(T), true);
+        const Handle id(H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT,
+                                   properties.get(), H5P_DEFAULT),
+                        H5Dclose);
+        if (!id.valid()) {
+            throw OutputError(fmt::format("{}: dataset {} cannot be created", state_->name, dataset));
+        }
+        write_attribute(id.get(), "unit", std::string(unit));
+        write_attribute(id.get(), "description", std::string(description));
+    }
+    const Handle id(H5Dopen2(state_->file.get(), dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    std::vector<hsize_t> offset(extents.size(), 0);
+    {
+        const Handle space(H5Dget_space(id.get()), H5Sclose);
+        std::vector<hsize_t> shape = to_hsize(space_extents(space.get()));
+        offset[0] = shape[0];
+        shape[0] += extents[0];
+        H5Dset_extent(id.get(), shape.data());
+    }
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    const std::vector<hsize_t> count = to_hsize(extents);
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
+    const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+    if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
+        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", state_->name, dataset));
+    }
+}
+
+template <class T>
+void H5Output::attribute(const std::string& object, const std::string& attribute, const T& value) {
+    const Handle id(H5Oopen(state_->file.get(), object.c_str(), H5P_DEFAULT), H5Oclose);
+    if (!id.valid()) {
+        throw std::logic_error("attribute " + attribute + ": no object " + object);
+    }
+    write_attribute(id.get(), attribute, value);
+}
+
+void H5Output::quantity(const std::string& object, const std::string& name, double value, std::string_view unit) {
+    attribute(object, name, value);
+    attribute(object, name + "_unit", std::string(unit));
+}
+
+void H5Output::hard_link(const std::string& existing, const std::string& link) {
+    if (const std::size_t slash = link.rfind('/'); slash > 0 && slash != std::string::npos) {
+        create_group(link.substr(0, slash));
+    }
+    if (H5Lcreate_hard(state_->file.get(), existing.c_str(), state_->file.get(), link.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
+        throw OutputError(fmt::format("{}: {} cannot be linked to {}", state_->name, link, existing));
+    }
+}
+
+void H5Output::remove(const std::string& object) { H5Ldelete(state_->file.get(), object.c_str(), H5P_DEFAULT); }
+
+void H5Output::move(const std::string& from, const std::string& to) {
+    if (H5Lmove(state_->file.get(), from.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
+        throw OutputError(fmt::format("{}: {} cannot be renamed to {}", state_->name, from, to));
+    }
+}
+
+void H5Output::flush() {
+    if (!is_pipe() && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
+        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", state_->name));
+    }
+}
+
+void H5Output::commit() {
+    if (H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
+        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", state_->name));
+    }
+    if (is_pipe()) {
+        const ssize_t size = H5Fget_file_image(state_->file.get(), nullptr, 0);
+        std::vector<char> image(size > 0 ? static_cast<std::size_t>(size) : 0);
+        if (size <= 0 || H5Fget_file_image(state_->file.get(), image.data(), image.size()) < 0) {
+            throw OutputError("stdout: the file image cannot be made");
+        }
+        write_all(STDOUT_FILENO, image.data(), image.size());
+    } else {
+        state_->file.reset();
+        sync_to_disk(state_->part);
+        if (std::rename(state_->part.c_str(), state_->name.c_str()) != 0) {
+            throw OutputError(fmt::format("{}: cannot be renamed from {}: {}", state_->name, state_->part, std::strerror(errno)));
+        }
+    }
+    state_->committed = true;
+}
+
+// --- the types the templates are made for ------------------------------------------------------------------------------
+
+#define GRAINCRACK_READ(T)                                              \
+    template std::vector<T> H5Input::read<T>(const std::string&) const; \
+    template std::vector<T> H5Input::read_rows<T>(const std::string&, std::size_t, std::size_t) const;
+GRAINCRACK_READ(double)
+GRAINCRACK_READ(float)
+GRAINCRACK_READ(std::int32_t)
+GRAINCRACK_READ(std::int64_t)
+GRAINCRACK_READ(std::uint8_t)
+#undef GRAINCRACK_READ
+
+#define GRAINCRACK_WRITE(T)                                                                                    \
+    template void H5Output::write<T>(const std::string&, std::span<const T>, const Extents&, std::string_view, \
+                                     std::string_view);                                                        \
+    template void H5Output::append<T>(const std::string&, std::span<const T>, const Extents&, std::string_view, std::string_view);
+GRAINCRACK_WRITE(double)
+GRAINCRACK_WRITE(std::int32_t)
+GRAINCRACK_WRITE(std::int64_t)
+GRAINCRACK_WRITE(std::uint8_t)
+#undef GRAINCRACK_WRITE
+
+#define GRAINCRACK_ATTRIBUTE(T)                                                           \
+    template T H5Input::attribute<T>(const std::string&, const std::string&) const;       \
+    template T H5Input::attribute_or<T>(const std::string&, const std::string&, T) const; \
+    template void H5Output::attribute<T>(const std::string&, const std::string&, const T&);
+GRAINCRACK_ATTRIBUTE(double)
+GRAINCRACK_ATTRIBUTE(std::int64_t)
+GRAINCRACK_ATTRIBUTE(std::string)
+GRAINCRACK_ATTRIBUTE(std::vector<double>)
+GRAINCRACK_ATTRIBUTE(std::vector<std::int64_t>)
+GRAINCRACK_ATTRIBUTE(std::vector<std::string>)
+#undef GRAINCRACK_ATTRIBUTE
+
+}  // namespace graincrack

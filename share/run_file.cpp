@@ -1,0 +1,403 @@
+#include "share/run_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "share/provenance.hpp"
+#include "share/schema.hpp"
+
+namespace graincrack {
+
+// clang-format off
+const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)> history_datasets{{
+    {"time", Dimension::time, "time"},
+    {"step", Dimension::one, "step"},
+    {"axial_strain", Dimension::one, "platen approach over specimen height, elongation positive"},
+    {"lateral_strain", Dimension::one, "mean widening of the lateral boundary over its width, elongation positive"},
+    {"gauge_axial_strain", Dimension::one, "axial strain of the central half, elongation positive"},
+    {"gauge_lateral_strain", Dimension::one, "lateral strain of the central half, elongation positive"},
+    {"axial_stress", Dimension::stress, "mean platen force over the specimen's width, tension positive"},
+    {"force_top", Dimension::force, "axial force of the top platen on the specimen per metre of thickness, tension positive"},
+    {"force_bottom", Dimension::force, "axial force of the bottom platen on the specimen per metre of thickness, tension positive"},
+    {"confining_pressure", Dimension::stress, "achieved pressure: lateral membrane force over the distance of the platens"},
+    {"energy_external", Dimension::energy, "work of platens and membrane on the specimen"},
+    {"energy_kinetic", Dimension::energy, "kinetic energy"},
+    {"energy_strain", Dimension::energy, "strain energy of the elements"},
+    {"energy_contact", Dimension::energy, "energy stored in the contacts"},
+    {"energy_fracture_tension", Dimension::energy, "energy dissipated by contacts that failed in tension"},
+    {"energy_fracture_shear", Dimension::energy, "energy dissipated by contacts that failed in shear, without friction"},
+    {"energy_friction", Dimension::energy, "energy dissipated by friction in failed contacts"},
+    {"energy_damping", Dimension::energy, "energy absorbed by local damping"},
+    {"energy_platen", Dimension::energy, "energy stored in platen springs and dissipated by platen friction"},
+    {"law_mismatch", Dimension::energy, "energy lost (positive) or made (negative) where the law has no potential"},
+    {"ledger_residual", Dimension::one, "(external - sum of the others) / largest stored energy so far"},
+    {"unbalanced_ratio", Dimension::one, "mean unbalanced nodal force over mean magnitude of the forces at a node"},
+    {"tensile_cracks", Dimension::one, "contacts that failed in tension (points / 2)"},
+    {"shear_cracks", Dimension::one, "contacts that failed in shear (points / 2)"},
+    {"platen_speed", Dimension::speed, "speed of each platen, approach positive"},
+}};
+// clang-format on
+
+namespace {
+
+constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
+
+/// Every attribute of /run once: writing and reading are the same list.
+template <class Header, class Visit>
+void visit_header(Header& h, Visit&& visit) {
+    visit("test", h.test);
+    visit("material", h.material);
+    visit("contact_law", h.contact_law);
+    visit("coupling", h.coupling);
+    visit("fracture_energy_choice", h.fracture_energy_choice);
+    visit("young_modulus", h.rock.young_modulus, Dimension::stress);
+    visit("poisson_ratio", h.rock.poisson_ratio, Dimension::one);
+    visit("density", h.rock.density, Dimension::density);
+    visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
+    visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
+    visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
+    visit("contact_normal_stiffness", h.contact.normal_stiffness, Dimension::stiffness);
+    visit("contact_shear_stiffness", h.contact.shear_stiffness, Dimension::stiffness);
+    visit("contact_tensile_strength", h.contact.tensile_strength, Dimension::stress);
+    visit("contact_cohesion", h.contact.cohesion, Dimension::stress);
+    visit("contact_friction_angle", h.contact.friction_angle, Dimension::angle);
+    visit("fracture_energy", h.contact.fracture_energy, Dimension::fracture_energy);
+    visit("critical_opening", h.contact.critical_opening, Dimension::length);
+    visit("critical_sliding", h.contact.critical_sliding, Dimension::length);
+    visit("ultimate_opening", h.contact.ultimate_opening, Dimension::length);
+    visit("platen_friction", h.platen_friction, Dimension::angle);
+    visit("confining_pressure", h.confining_pressure, Dimension::stress);
+    visit("platen_speed", h.platen_speed, Dimension::speed);
+    visit("damping", h.damping, Dimension::one);
+    visit("peak_drop", h.peak_drop, Dimension::one);
+    visit("max_strain", h.max_strain, Dimension::one);
+    visit("mass_scaling", h.mass_scaling);
+    visit("vector_target", h.vector_target);
+    visit("stable_time_step", h.stable_time_step, Dimension::time);
+    visit("time_step", h.time_step, Dimension::time);
+    visit("stop_reason", h.stop_reason);
+    visit("steps", h.steps);
+    visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
+    visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
+    visit("energy_scale", h.energy_scale, Dimension::energy);
+    visit("ledger_residual", h.ledger_residual, Dimension::one);
+    visit("platen_force_difference", h.platen_force_difference, Dimension::one);
+    visit("confinement_mean", h.confinement_mean, Dimension::stress);
+    visit("confinement_deviation", h.confinement_deviation, Dimension::stress);
+    visit("damping_share", h.damping_share, Dimension::one);
+}
+
+struct HeaderWriter {
+    H5Output& file;
+    void operator()(const char* name, const std::string& value) const { file.attribute(schema::run_group, name, value); }
+    void operator()(const char* name, const std::int64_t& value) const { file.attribute(schema::run_group, name, value); }
+    void operator()(const char* name, const double& value, Dimension dimension) const {
+        file.quantity(schema::run_group, name, value, si_unit(dimension));
+    }
+};
+
+struct HeaderReader {
+    const H5Input& file;
+    void operator()(const char* name, std::string& value) const { value = file.attribute<std::string>(schema::run_group, name); }
+    void operator()(const char* name, std::int64_t& value) const {
+        value = file.attribute<std::int64_t>(schema::run_group, name);
+    }
+    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
+        value = file.attribute<double>(schema::run_group, name);
+    }
+};
+
+void write_header(H5Output& file, const RunHeader& header) {
+    file.create_group(schema::run_group);
+    file.attribute(schema::run_group, "plane", std::string(name_of(header.plane)));
+    visit_header(header, HeaderWriter{file});
+}
+
+RunHeader read_header(const H5Input& file) {
+    RunHeader header;
+    const auto plane = file.attribute<std::string>(schema::run_group, "plane");
+    header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
+    visit_header(header, HeaderReader{file});
+    return header;
+}
+
+std::string history_path(std::size_t column) {
+    return std::string(schema::history_group) + "/" + std::string(history_datasets[column].name);
+}
+
+template <class T, std::size_t n>
+std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
+    return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
+}
+
+template <class T, std::size_t n>
+void unflatten(const std::vector<T>& values, std::vector<std::array<T, n>>& rows) {
+    rows.resize(values.size() / n);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * n), n, rows[i].begin());
+    }
+}
+
+/// Every array of a frame once.
+template <class FrameType, class Visit>
+void visit_frame(FrameType& frame, Visit&& visit) {
+    visit(schema::frame_displacement, frame.displacement, 0);
+    visit(schema::frame_velocity, frame.velocity, 0);
+    visit(schema::frame_element_stress, frame.element_stress, 0);
+    visit(schema::frame_opening, frame.opening, 0);
+    visit(schema::frame_sliding, frame.sliding, 0);
+    visit(schema::frame_traction, frame.traction, 2);  // [c, 2 points, 2 components]
+    visit(schema::frame_damage, frame.damage, 0);
+    visit(schema::frame_state, frame.state, 0);
+}
+
+template <class T>
+std::vector<T> column_of(const std::vector<Crack>& cracks, T (*get)(const Crack&)) {
+    std::vector<T> column(cracks.size());
+    std::transform(cracks.begin(), cracks.end(), column.begin(), get);
+    return column;
+}
+
+template <class T>
+void write_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values, std::size_t width = 1) {
+    const Extents extents = width == 1 ? Extents{values.size()} : Extents{values.size() / width, width};
+    file.write<T>(dataset.path, std::span<const T>(values), extents, dataset.unit, dataset.description);
+}
+
+void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
+    file.create_group(schema::cracks_group);
+    write_column(file, schema::crack_time, column_of<double>(cracks, [](const Crack& c) { return c.time; }));
+    write_column(file, schema::crack_step, column_of<std::int64_t>(cracks, [](const Crack& c) { return c.step; }));
+    write_column(file, schema::crack_contact, column_of<std::int32_t>(cracks, [](const Crack& c) { return c.contact; }));
+    write_column(file, schema::crack_point, column_of<std::uint8_t>(cracks, [](const Crack& c) { return c.point; }));
+    write_column(file, schema::crack_mode,
+                 column_of<std::uint8_t>(cracks, [](const Crack& c) { return static_cast<std::uint8_t>(c.mode); }));
+    file.attribute(schema::crack_mode.path, "names", std::vector<std::string>{"tensile", "shear"});
+    write_column(file, schema::crack_mode_angle, column_of<double>(cracks, [](const Crack& c) { return c.mode_angle; }));
+    std::vector<double> position;
+    for (const Crack& crack : cracks) {
+        position.insert(position.end(), crack.position.begin(), crack.position.end());
+    }
+    write_column(file, schema::crack_position, position, 2);
+    write_column(file, schema::crack_orientation, column_of<double>(cracks, [](const Crack& c) { return c.orientation; }));
+    write_column(file, schema::crack_length, column_of<double>(cracks, [](const Crack& c) { return c.length; }));
+    write_column(file, schema::crack_opening, column_of<double>(cracks, [](const Crack& c) { return c.opening; }));
+    write_column(file, schema::crack_sliding, column_of<double>(cracks, [](const Crack& c) { return c.sliding; }));
+    write_column(file, schema::crack_energy, column_of<double>(cracks, [](const Crack& c) { return c.energy_released; }));
+    write_column(file, schema::crack_time_separated, column_of<double>(cracks, [](const Crack& c) { return c.time_separated; }));
+}
+
+/// The last frame as fields of the static VTKHDF view.
+void link_last_frame(H5Output& file, const std::string& frame) {
+    const std::string vtk = schema::vtk_group;
+    const auto link = [&](const schema::Dataset& dataset, const char* where) {
+        file.hard_link(frame + "/" + dataset.path, vtk + "/" + where + "/" + dataset.path);
+    };
+    link(schema::frame_displacement, "PointData");
+    link(schema::frame_velocity, "PointData");
+    link(schema::frame_element_stress, "CellData");
+}
+
+}  // namespace
+
+// --- writing ---------------------------------------------------------------------------------------------------------
+
+struct RunWriter::State {
+    struct Slot {
+        std::string group;
+        bool keep;
+    };
+    H5Output file;
+    std::size_t rows = 0;        // of the history, written
+    std::size_t next_frame = 0;  // running number while the run goes on
+    std::vector<Slot> frames;    // in time order
+};
+
+RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header)
+    : state_(std::make_unique<State>(State{std::move(file), 0, 0, {}})) {
+    write_specimen(state_->file, specimen);
+    write_header(state_->file, header);
+    state_->file.create_group(schema::history_group);
+    state_->file.create_group(schema::frames_group);
+    state_->file.flush();
+}
+RunWriter::~RunWriter() = default;
+
+void RunWriter::append_history(const History& history) {
+    const std::size_t n = history.size() - state_->rows;
+    if (n == 0 && state_->rows > 0) {
+        return;
+    }
+    for (std::size_t i = 0; i < n_history_columns; ++i) {
+        const std::span<const double> rows(history.columns[i].data() + state_->rows, n);
+        state_->file.append<double>(history_path(i), rows, {n}, si_unit(history_datasets[i].dimension),
+                                    history_datasets[i].description);
+    }
+    state_->rows = history.size();
+    state_->file.flush();
+}
+
+void RunWriter::add_frame(const Frame& frame, bool keep) {
+    const std::string group = fmt::format("{}/part{:06}", schema::frames_group, state_->next_frame++);
+    H5Output& file = state_->file;
+    file.create_group(group);
+    file.quantity(group, "time", frame.time, "s");
+    file.attribute(group, "step", frame.step);
+    visit_frame(frame, [&](const schema::Dataset& dataset, const auto& rows, std::size_t split) {
+        using T = typename std::decay_t<decltype(rows)>::value_type::value_type;
+        const std::size_t width = std::tuple_size_v<typename std::decay_t<decltype(rows)>::value_type>;
+        const Extents extents = split == 0 ? Extents{rows.size(), width} : Extents{rows.size(), split, width / split};
+        file.write<T>(group + "/" + dataset.path, flat(rows), extents, dataset.unit, dataset.description);
+    });
+    file.attribute(group + "/" + schema::frame_state.path, "names",
+                   std::vector<std::string>{"intact", "failed in tension", "failed in shear", "separated"});
+    state_->frames.push_back({group, keep});
+    file.flush();
+}
+
+void RunWriter::thin_frames() {
+    std::vector<State::Slot> left;
+    bool drop = false;
+    for (const State::Slot& slot : state_->frames) {
+        if (!slot.keep && drop) {
+            state_->file.remove(slot.group);
+        } else {
+            left.push_back(slot);
+        }
+        if (!slot.keep) {
+            drop = !drop;
+        }
+    }
+    state_->frames = std::move(left);
+}
+
+std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
+
+void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance) {
+    write_header(state_->file, header);
+    write_cracks(state_->file, cracks);
+    for (std::size_t i = 0; i < state_->frames.size(); ++i) {
+        std::string& group = state_->frames[i].group;
+        const std::string numbered = fmt::format("{}/{:04}", schema::frames_group, i);
+        state_->file.move(group, numbered);
+        group = numbered;
+    }
+    if (!state_->frames.empty()) {
+        link_last_frame(state_->file, state_->frames.back().group);
+    }
+    write_provenance(state_->file, provenance);
+    state_->file.commit();
+}
+
+// --- reading ---------------------------------------------------------------------------------------------------------
+
+struct RunReader::State {
+    H5Input file;
+    RunHeader header;
+    std::vector<std::string> frames;
+};
+
+RunReader::RunReader(const std::string& path) : state_(std::make_unique<State>(State{H5Input(path, "run"), {}, {}})) {
+    state_->header = read_header(state_->file);
+    for (const std::string& name : state_->file.children(schema::frames_group)) {
+        state_->frames.push_back(std::string(schema::frames_group) + "/" + name);
+    }
+}
+RunReader::~RunReader() = default;
+RunReader::RunReader(RunReader&&) noexcept = default;
+
+const std::string& RunReader::name() const { return state_->file.name(); }
+const RunHeader& RunReader::header() const { return state_->header; }
+Specimen RunReader::specimen() const { return read_specimen(state_->file); }
+const H5Input& RunReader::file() const { return state_->file; }
+
+History RunReader::history() const {
+    History history;
+    for (std::size_t i = 0; i < n_history_columns; ++i) {
+        history.columns[i] = state_->file.read<double>(history_path(i));
+        if (history.columns[i].size() != history.columns[0].size()) {
+            throw InputError(fmt::format("{}: columns of {} differ in length", name(), schema::history_group));
+        }
+    }
+    return history;
+}
+
+std::vector<Crack> RunReader::cracks() const {
+    const H5Input& f = state_->file;
+    const std::vector<double> time = f.read<double>(schema::crack_time.path);
+    const auto step = f.read<std::int64_t>(schema::crack_step.path);
+    const auto contact = f.read<std::int32_t>(schema::crack_contact.path);
+    const auto point = f.read<std::uint8_t>(schema::crack_point.path);
+    const auto mode = f.read<std::uint8_t>(schema::crack_mode.path);
+    const auto mode_angle = f.read<double>(schema::crack_mode_angle.path);
+    const auto position = f.read<double>(schema::crack_position.path);
+    const auto orientation = f.read<double>(schema::crack_orientation.path);
+    const auto length = f.read<double>(schema::crack_length.path);
+    const auto opening = f.read<double>(schema::crack_opening.path);
+    const auto sliding = f.read<double>(schema::crack_sliding.path);
+    const auto energy = f.read<double>(schema::crack_energy.path);
+    const auto separated = f.read<double>(schema::crack_time_separated.path);
+    const std::size_t n = time.size();
+    for (const std::size_t size :
+         {step.size(), contact.size(), point.size(), mode.size(), mode_angle.size(), position.size() / 2, orientation.size(),
+          length.size(), opening.size(), sliding.size(), energy.size(), separated.size()}) {
+        if (size != n) {
+            throw InputError(fmt::format("{}: columns of {} differ in length", name(), schema::cracks_group));
+        }
+    }
+    std::vector<Crack> cracks(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        cracks[i] = {time[i],
+                     step[i],
+                     contact[i],
+                     point[i],
+                     static_cast<CrackMode>(mode[i]),
+                     mode_angle[i],
+                     {position[2 * i], position[2 * i + 1]},
+                     orientation[i],
+                     length[i],
+                     opening[i],
+                     sliding[i],
+                     energy[i],
+                     separated[i]};
+    }
+    return cracks;
+}
+
+std::size_t RunReader::n_frames() const { return state_->frames.size(); }
+
+std::vector<double> RunReader::frame_times() const {
+    std::vector<double> times;
+    for (const std::string& group : state_->frames) {
+        times.push_back(state_->file.attribute<double>(group, "time"));
+    }
+    return times;
+}
+
+Frame RunReader::frame(std::size_t index) const {
+    if (index >= state_->frames.size()) {
+        throw InputError(fmt::format("{}: there is no frame {}; the run has {}", name(), index, state_->frames.size()));
+    }
+    const std::string& group = state_->frames[index];
+    Frame frame;
+    frame.time = state_->file.attribute<double>(group, "time");
+    frame.step = state_->file.attribute<std::int64_t>(group, "step");
+    visit_frame(frame, [&](const schema::Dataset& dataset, auto& rows, std::size_t /*split*/) {
+        using T = typename std::decay_t<decltype(rows)>::value_type::value_type;
+        unflatten(state_->file.read<T>(group + "/" + dataset.path), rows);
+    });
+    return frame;
+}
+
+double RunReader::wall_time() const { return state_->file.attribute_or<double>(schema::provenance_group, "wall_time", 0); }
+int RunReader::threads() const {
+    return static_cast<int>(state_->file.attribute_or<std::int64_t>(schema::provenance_group, "threads", 1));
+}
+
+}  // namespace graincrack

@@ -1,0 +1,274 @@
+#include "share/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "share/quantities.hpp"
+#include "share/schema.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double conformity = 1e-9;  // of the specimen's size: far below any edge, far above round-off of positions
+
+/// Rows of an array of arrays as one flat span, the way HDF5 wants them.
+template <class T, std::size_t n>
+std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
+    return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
+}
+
+template <class T, std::size_t n>
+std::vector<std::array<T, n>> rows_of(const H5Input& file, const schema::Dataset& dataset) {
+    const Extents extents = file.extents(dataset.path);
+    if (extents.size() != 2 || extents[1] != n) {
+        throw InputError(fmt::format("{}: dataset {} needs {} columns", file.name(), dataset.path, n));
+    }
+    const std::vector<T> values = file.read<T>(dataset.path);
+    std::vector<std::array<T, n>> rows(extents[0]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * n), n, rows[i].begin());
+    }
+    return rows;
+}
+
+template <class T, std::size_t n>
+void write_rows(H5Output& file, const schema::Dataset& dataset, const std::vector<std::array<T, n>>& rows) {
+    file.write<T>(dataset.path, flat(rows), {rows.size(), n}, dataset.unit, dataset.description);
+}
+
+template <class T>
+void write_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values) {
+    file.write<T>(dataset.path, std::span<const T>(values), {values.size()}, dataset.unit, dataset.description);
+}
+
+double signed_area(const Specimen& s, const std::array<std::int32_t, 3>& e) {
+    const auto& a = s.node_position[e[0]];
+    const auto& b = s.node_position[e[1]];
+    const auto& c = s.node_position[e[2]];
+    return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+}
+
+/// Collects the offences' wording in one place.
+class Checker {
+public:
+    explicit Checker(const std::string& where) : where_(where) {}
+    void require(bool condition, const char* what, std::size_t row) const {
+        if (!condition) {
+            throw InputError(fmt::format("{}: {} (row {})", where_, what, row));
+        }
+    }
+    void require(bool condition, const char* what) const {
+        if (!condition) {
+            throw InputError(fmt::format("{}: {}", where_, what));
+        }
+    }
+
+private:
+    const std::string& where_;
+};
+
+template <std::size_t n>
+bool all_below(const std::array<std::int32_t, n>& row, std::size_t limit) {
+    return std::all_of(row.begin(), row.end(), [limit](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < limit; });
+}
+
+void check_sizes(const Specimen& s, const Checker& check) {
+    check.require(!s.element_nodes.empty(), "a specimen needs at least one element");
+    check.require(s.element_grain.size() == s.n_elements(), "elements/nodes and elements/grain differ in length");
+    check.require(s.grain_area.size() == s.n_grains(), "grains/area and grains/phase differ in length");
+    check.require(s.contact_grain_boundary.size() == s.n_contacts(),
+                  "contacts/grain_boundary and contacts/nodes differ in length");
+    check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
+    check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
+    check.require(s.height > 0 && s.width > 0, "width and height must be positive");
+}
+
+void check_elements(const Specimen& s, const Checker& check) {
+    for (std::size_t i = 0; i < s.n_nodes(); ++i) {
+        check.require(std::isfinite(s.node_position[i][0]) && std::isfinite(s.node_position[i][1]), "node position is not finite",
+                      i);
+    }
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        check.require(all_below(s.element_nodes[e], s.n_nodes()), "element names a node that does not exist", e);
+        check.require(all_below(std::array{s.element_grain[e]}, s.n_grains()), "element names a grain that does not exist", e);
+        check.require(signed_area(s, s.element_nodes[e]) > 0, "element is not counter-clockwise or has no area", e);
+        check.require(e == 0 ? s.element_grain[e] == 0
+                             : s.element_grain[e] == s.element_grain[e - 1] || s.element_grain[e] == s.element_grain[e - 1] + 1,
+                      "elements must be sorted by grain, every grain with at least one", e);
+    }
+    check.require(s.element_grain.back() + 1 == static_cast<std::int32_t>(s.n_grains()), "a grain has no element");
+    std::vector<std::int32_t> owner(s.n_nodes(), -1);
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        for (const std::int32_t node : s.element_nodes[e]) {
+            check.require(owner[node] < 0 || owner[node] == s.element_grain[e],
+                          "a node belongs to two grains; grains share no nodes", e);
+            owner[node] = s.element_grain[e];
+        }
+    }
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        check.require(s.grain_phase[g] < s.phase_names.size(), "grain names a phase that does not exist", g);
+    }
+}
+
+void check_contacts(const Specimen& s, const Checker& check) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    const double tolerance = conformity * std::max(s.width, s.height);
+    const auto apart = [&s](std::int32_t i, std::int32_t j) {
+        return std::hypot(s.node_position[i][0] - s.node_position[j][0], s.node_position[i][1] - s.node_position[j][1]);
+    };
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& [a1, a2, b1, b2] = s.contact_nodes[c];
+        check.require(all_below(s.contact_nodes[c], s.n_nodes()), "contact names a node that does not exist", c);
+        check.require(grain[a1] == grain[a2] && grain[b1] == grain[b2] && grain[a1] < grain[b1],
+                      "contact must join an edge of grain a to one of grain b > a", c);
+        check.require(a1 != a2 && apart(a1, b1) <= tolerance && apart(a2, b2) <= tolerance && apart(a1, a2) > tolerance,
+                      "contact edges do not conform: a1 must lie on b1 and a2 on b2", c);
+        check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::pre_existing_crack), "unknown kind of contact",
+                      c);
+    }
+}
+
+void check_boundary(const Specimen& s, const Checker& check) {
+    for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
+        check.require(all_below(s.boundary_edges[b], s.n_nodes()), "boundary edge names a node that does not exist", b);
+        check.require(s.boundary_part[b] < s.part_names.size(), "boundary edge names a part that does not exist", b);
+    }
+}
+
+struct StatisticAttribute {
+    const char* name;
+    double MeshStatistics::*member;
+    Dimension dimension;
+};
+constexpr StatisticAttribute statistic_attributes[] = {
+    {"mean_edge", &MeshStatistics::mean_edge, Dimension::length},
+    {"edge_variation", &MeshStatistics::edge_variation, Dimension::one},
+    {"min_edge", &MeshStatistics::min_edge, Dimension::length},
+    {"max_edge", &MeshStatistics::max_edge, Dimension::length},
+    {"mean_diameter", &MeshStatistics::mean_diameter, Dimension::length},
+    {"diameter_variation", &MeshStatistics::diameter_variation, Dimension::one},
+    {"min_diameter", &MeshStatistics::min_diameter, Dimension::length},
+    {"max_diameter", &MeshStatistics::max_diameter, Dimension::length},
+    {"min_angle", &MeshStatistics::min_angle, Dimension::angle},
+    {"psi6", &MeshStatistics::psi6, Dimension::one},
+    {"area_error", &MeshStatistics::area_error, Dimension::one},
+};
+
+/// Static VTKHDF 1.0: readers refuse 2D points and connectivity that is not a flat int64 list, so these are copies.
+void write_vtk_view(H5Output& file, const Specimen& s) {
+    const std::string group = schema::vtk_group;
+    const std::int64_t n_nodes = static_cast<std::int64_t>(s.n_nodes());
+    const std::int64_t n_elements = static_cast<std::int64_t>(s.n_elements());
+    std::vector<std::array<double, 3>> points(s.n_nodes());
+    std::transform(s.node_position.begin(), s.node_position.end(), points.begin(), [](const std::array<double, 2>& p) {
+        return std::array<double, 3>{p[0], p[1], 0.0};
+    });
+    std::vector<std::int64_t> connectivity(flat(s.element_nodes).begin(), flat(s.element_nodes).end());
+    std::vector<std::int64_t> offsets(s.n_elements() + 1);
+    for (std::size_t e = 0; e < offsets.size(); ++e) {
+        offsets[e] = static_cast<std::int64_t>(3 * e);
+    }
+    constexpr std::uint8_t vtk_triangle = 5;
+    const std::vector<std::uint8_t> types(s.n_elements(), vtk_triangle);
+    const auto scalar = [&](const char* name, std::int64_t value, std::string_view description) {
+        file.write<std::int64_t>(group + "/" + name, std::span<const std::int64_t>(&value, 1), {1}, "1", description);
+    };
+    file.create_group(group);
+    file.attribute(group, "Version", std::vector<std::int64_t>{1, 0});
+    file.attribute(group, "Type", std::string("UnstructuredGrid"));
+    scalar("NumberOfPoints", n_nodes, "number of points");
+    scalar("NumberOfCells", n_elements, "number of cells");
+    scalar("NumberOfConnectivityIds", 3 * n_elements, "length of Connectivity");
+    file.write<double>(group + "/Points", flat(points), {points.size(), 3}, "m", "reference position x y 0");
+    file.write<std::int64_t>(group + "/Connectivity", connectivity, {connectivity.size()}, "1", "nodes of the cells");
+    file.write<std::int64_t>(group + "/Offsets", offsets, {offsets.size()}, "1", "first entry of each cell in Connectivity");
+    file.write<std::uint8_t>(group + "/Types", types, {types.size()}, "1", "VTK cell type");
+    file.hard_link(schema::element_grain.path, group + "/CellData/grain");
+}
+
+}  // namespace
+
+std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
+    std::vector<std::int32_t> grain(s.n_nodes(), -1);
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        for (const std::int32_t node : s.element_nodes[e]) {
+            grain[node] = s.element_grain[e];
+        }
+    }
+    return grain;
+}
+
+void validate(const Specimen& specimen, const std::string& where) {
+    const Checker check(where);
+    check_sizes(specimen, check);
+    check_elements(specimen, check);
+    check_contacts(specimen, check);
+    check_boundary(specimen, check);
+}
+
+void write_specimen(H5Output& file, const Specimen& s) {
+    const std::string group = schema::specimen_group;
+    file.create_group(group);
+    file.attribute(group, "shape", s.shape);
+    file.quantity(group, "width", s.width, "m");
+    file.quantity(group, "height", s.height, "m");
+    file.attribute(group, "tessellation", s.tessellation);
+    file.attribute(group, "seed", static_cast<std::int64_t>(s.seed));
+    file.attribute(group, "elements_per_edge", std::int64_t{s.elements_per_edge});
+    file.quantity(group, "loading_arc", s.loading_arc, "rad");
+    file.attribute(group, "grains", static_cast<std::int64_t>(s.n_grains()));
+    for (const StatisticAttribute& a : statistic_attributes) {
+        file.quantity(group, a.name, s.statistics.*a.member, si_unit(a.dimension));
+    }
+    write_rows(file, schema::node_position, s.node_position);
+    write_rows(file, schema::element_nodes, s.element_nodes);
+    write_column(file, schema::element_grain, s.element_grain);
+    write_column(file, schema::grain_phase, s.grain_phase);
+    file.attribute(schema::grain_phase.path, "names", s.phase_names);
+    write_column(file, schema::grain_area, s.grain_area);
+    write_rows(file, schema::contact_nodes, s.contact_nodes);
+    write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
+    write_column(file, schema::contact_kind, s.contact_kind);
+    file.attribute(schema::contact_kind.path, "names", std::vector<std::string>{"grain boundary", "pre-existing crack"});
+    write_rows(file, schema::boundary_edges, s.boundary_edges);
+    write_column(file, schema::boundary_part, s.boundary_part);
+    file.attribute(schema::boundary_part.path, "names", s.part_names);
+    write_vtk_view(file, s);
+}
+
+Specimen read_specimen(const H5Input& file) {
+    const std::string group = schema::specimen_group;
+    Specimen s;
+    s.shape = file.attribute<std::string>(group, "shape");
+    s.width = file.attribute<double>(group, "width");
+    s.height = file.attribute<double>(group, "height");
+    s.tessellation = file.attribute_or<std::string>(group, "tessellation", "unknown");
+    s.seed = static_cast<std::uint64_t>(file.attribute_or<std::int64_t>(group, "seed", 0));
+    s.elements_per_edge = static_cast<int>(file.attribute_or<std::int64_t>(group, "elements_per_edge", 1));
+    s.loading_arc = file.attribute_or<double>(group, "loading_arc", 0);
+    for (const StatisticAttribute& a : statistic_attributes) {
+        s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
+    }
+    s.node_position = rows_of<double, 2>(file, schema::node_position);
+    s.element_nodes = rows_of<std::int32_t, 3>(file, schema::element_nodes);
+    s.element_grain = file.read<std::int32_t>(schema::element_grain.path);
+    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path);
+    s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
+    s.grain_area = file.read<double>(schema::grain_area.path);
+    s.contact_nodes = rows_of<std::int32_t, 4>(file, schema::contact_nodes);
+    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path);
+    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path);
+    s.boundary_edges = rows_of<std::int32_t, 2>(file, schema::boundary_edges);
+    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path);
+    s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
+    validate(s, file.name());
+    return s;
+}
+
+}  // namespace graincrack
