@@ -5,8 +5,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "share/fracture_process_zone.hpp"
+#include "share/quantities.hpp"
 
 namespace graincrack {
 
@@ -32,8 +35,13 @@ struct Material {
     LaboratoryValues laboratory;
 };
 
-/// Reads a material. `name_or_file` is a path, or a name looked up as NAME.toml in $GRAINCRACK_MATERIALS, beside the
-/// executable's source tree (share/materials) and its installed place.
+/// Keys [laboratory] may hold: young_modulus, poisson_ratio, tensile_strength, compressive_strength, cohesion,
+/// friction_angle, grain_size, min_grain_size, max_grain_size.
+const std::vector<Quantity>& laboratory_quantities();
+
+/// Reads a material. `name_or_file` is a path if it contains '/', ends in ".toml" or is a file; else a name looked up as
+/// NAME.toml in the folder $GRAINCRACK_MATERIALS, in share/materials of the source tree and in its installed place, in this
+/// order. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
 /// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
 ///         message names file and key and says what would be right.
 Material read_material(const std::string& name_or_file);
@@ -43,6 +51,14 @@ struct FractureEnergyChoice {
     enum class Kind { mixed, mode_i, value } kind = Kind::mode_i;
     double value = 0;  ///< J/m², for Kind::value
 };
+
+/// Reads "mixed", "mode-i" or a value such as "90J/m2". \throws UsageError naming `where`
+FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where);
+/// "mixed", "mode-i" or "value".
+std::string_view name_of(FractureEnergyChoice::Kind kind);
+
+/// The choice `contact_parameters` makes: `choice`; else the material's own value; else mode-i.
+FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice);
 
 /// All parameters of a contact, derived and validated: what a law needs.
 struct ContactParameters {

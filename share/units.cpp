@@ -24,7 +24,7 @@ constexpr std::array all_dimensions{Dimension::one,    Dimension::length,    Dim
                                     Dimension::density};
 
 /// Spellings that are read but not listed, and the symbol each stands for.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> other_spellings{{
     {"\u00b5m", "um"},
     {"\u03bcm", "um"},
     {"\u00b5s", "us"},
@@ -41,7 +41,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_sp
     {"kJ/m^2", "kJ/m2"},
     {"kg/m^3", "kg/m3"},
     {"g/cm^3", "g/cm3"},
-    {"1", ""},
 }};
 
 /// Units in which values are shown, smallest first.
@@ -268,7 +267,9 @@ std::string bounds_text(const Quantity& quantity) {
 double in_unit(double si_value, Dimension dimension, std::string_view unit) {
     const auto found = find_unit(unit, dimension);
     if (!found) throw std::invalid_argument(fmt::format("no unit {} of a {}", unit, name_of(dimension)));
-    if (found->to_si < 1) return si_value * std::round(1 / found->to_si * 1e9) / 1e9 == 0 ? 0 : si_value / found->to_si;
+    // 1000 is exact and 1e-3 is not: multiplying keeps 0.00513 m at 5.13 mm.
+    const double inverse = std::round(1 / found->to_si);
+    if (found->to_si < 1 && std::abs(inverse * found->to_si - 1) < 1e-12) return si_value * inverse;
     return si_value / found->to_si;
 }
 

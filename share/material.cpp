@@ -1,0 +1,242 @@
+#include "share/material.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+
+#include "share/error.hpp"
+#include "share/toml_file.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A key of a table: the quantity it holds, where its value goes, and whether it must be there.
+struct Key {
+    std::string name;
+    Quantity quantity;
+    std::function<void(double)> set;
+    bool needed;
+    bool found = false;
+};
+using Table = std::pair<std::string, std::vector<Key>>;
+
+std::vector<std::string> names_of(const std::vector<Key>& keys) {
+    std::vector<std::string> names;
+    for (const Key& key : keys) names.push_back(key.name);
+    return names;
+}
+
+/// " (did you mean …?)" or nothing.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_word(word, known);
+    return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
+}
+
+double read_value(const TomlEntry& entry, const Key& key, const std::string& where) {
+    if (entry.is_array || entry.values.front().kind == TomlValue::Kind::boolean) {
+        throw InputError(fmt::format("{}: {} is no quantity; a text with a unit or a bare number in {} fits", where,
+                                     entry.is_array ? "an array" : entry.values.front().text, key.quantity.unit()));
+    }
+    try {
+        return parse_quantity(entry.values.front().text, key.quantity, where);
+    } catch (const UsageError& error) {
+        throw InputError(error.what());
+    }
+}
+
+/// The keys of a material file, bound to a material.
+std::vector<Table> tables_of(Material& material) {
+    const auto to = [](double& target) { return [&target](double value) { target = value; }; };
+    const auto to_optional = [](std::optional<double>& target) { return [&target](double value) { target = value; }; };
+    Rock& rock = material.rock;
+    ContactMaterial& contact = material.contact;
+    std::vector<Table> tables{
+        {"rock",
+         {{"young_modulus", quantity::young_modulus, to(rock.young_modulus), true},
+          {"poisson_ratio", quantity::poisson_ratio, to(rock.poisson_ratio), true},
+          {"density", quantity::density, to(rock.density), true},
+          {"mode_i_toughness", quantity::mode_i_toughness, to(rock.mode_i_toughness), true},
+          {"mode_ii_toughness", quantity::mode_ii_toughness, to(rock.mode_ii_toughness), true},
+          {"tensile_strength", quantity::tensile_strength, to(rock.tensile_strength), true}}},
+        {"contact",
+         {{"tensile_strength", quantity::contact_tensile_strength, to(contact.tensile_strength), true},
+          {"cohesion", quantity::contact_cohesion, to(contact.cohesion), true},
+          {"friction_angle", quantity::contact_friction_angle, to(contact.friction_angle), true},
+          {"normal_stiffness", quantity::contact_normal_stiffness, to_optional(contact.normal_stiffness), false},
+          {"shear_stiffness", quantity::contact_shear_stiffness, to_optional(contact.shear_stiffness), false},
+          {"fracture_energy", quantity::fracture_energy, to_optional(contact.fracture_energy), false}}},
+        {"platen", {{"friction_angle", quantity::platen_friction, to(material.platen_friction_angle), false}}},
+        {"laboratory", {}},
+    };
+    for (const Quantity& quantity : laboratory_quantities()) {
+        const std::string name(quantity.name);
+        tables.back().second.push_back({name, quantity, [&material, name](double v) { material.laboratory[name] = v; }, false});
+    }
+    return tables;
+}
+
+Material read_material_file(const fs::path& file) {
+    const TomlFile toml = read_toml(file.string());
+    Material material;
+    material.file = file;
+    std::vector<Table> tables = tables_of(material);
+    std::vector<std::string> table_names;
+    for (const Table& table : tables) table_names.push_back(table.first);
+
+    const auto find_table = [&](const std::vector<std::string>& section) -> Table* {
+        const auto found = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.first == section.front(); });
+        return section.size() == 1 && found != tables.end() ? &*found : nullptr;
+    };
+    for (const TomlSection& section : toml.sections) {
+        if (find_table(section.name) != nullptr) continue;
+        const std::string& first = section.name.front();
+        if (first == "phases" || first == "pairs") {
+            throw InputError(fmt::format(
+                "{}: line {}: table [{}]: several minerals are not built yet; describe one rock by [rock] and [contact]",
+                toml.file, section.line, first));
+        }
+        throw InputError(fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line,
+                                     fmt::join(section.name, "."), section.name.size() == 1 ? suggestion(first, table_names) : "",
+                                     fmt::join(table_names, ", ")));
+    }
+    for (const TomlEntry& entry : toml.entries) {
+        if (entry.section.empty()) {
+            if (entry.key != "name") {
+                throw InputError(fmt::format("{}: line {}: unknown key {}; known outside of tables is only name", toml.file,
+                                             entry.line, entry.key));
+            }
+            if (entry.is_array || entry.values.front().kind != TomlValue::Kind::text || entry.values.front().text.empty()) {
+                throw InputError(fmt::format("{}: line {}: name: a text is wanted", toml.file, entry.line));
+            }
+            material.name = entry.values.front().text;
+            continue;
+        }
+        Table* table = find_table(entry.section);  // exists: all sections were checked above
+        std::vector<Key>& keys = table->second;
+        const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == entry.key; });
+        if (key == keys.end()) {
+            throw InputError(fmt::format("{}: line {}: unknown key {}.{}{}; known are {}", toml.file, entry.line, table->first,
+                                         entry.key, suggestion(entry.key, names_of(keys)), fmt::join(names_of(keys), ", ")));
+        }
+        key->set(read_value(entry, *key, fmt::format("{}: line {}: {}.{}", toml.file, entry.line, table->first, key->name)));
+        key->found = true;
+    }
+    if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
+    for (const auto& [table, keys] : tables) {
+        for (const Key& key : keys) {
+            if (key.needed && !key.found) {
+                throw InputError(fmt::format("{}: {}.{} is missing; it is the {}, in {}", toml.file, table, key.name,
+                                             key.quantity.meaning, key.quantity.unit()));
+            }
+        }
+    }
+    return material;
+}
+
+/// Folders in which a name is looked up.
+std::vector<fs::path> material_folders() {
+    std::vector<fs::path> folders;
+    if (const char* own = std::getenv("GRAINCRACK_MATERIALS"); own != nullptr && *own != '\0') folders.emplace_back(own);
+    folders.emplace_back(GRAINCRACK_SOURCE_MATERIALS);
+    folders.emplace_back(GRAINCRACK_INSTALLED_MATERIALS);
+    return folders;
+}
+
+}  // namespace
+
+const std::vector<Quantity>& laboratory_quantities() {
+    static const std::vector<Quantity> quantities{
+        quantity::young_modulus,        quantity::poisson_ratio,     quantity::tensile_strength,
+        quantity::compressive_strength, quantity::internal_cohesion, quantity::internal_friction_angle,
+        quantity::grain_size,           quantity::min_grain_size,    quantity::max_grain_size};
+    return quantities;
+}
+
+Material read_material(const std::string& name_or_file) {
+    if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
+    std::error_code ignored;
+    const fs::path path(name_or_file);
+    if (name_or_file.find('/') != std::string::npos || path.extension() == ".toml" || fs::is_regular_file(path, ignored)) {
+        return read_material_file(path);
+    }
+    std::vector<std::string> known;
+    for (const fs::path& folder : material_folders()) {
+        const fs::path file = folder / (name_or_file + ".toml");
+        if (fs::is_regular_file(file, ignored)) return read_material_file(file);
+        for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator(); entry.increment(ignored)) {
+            if (ignored) break;
+            if (entry->path().extension() == ".toml") known.push_back(entry->path().stem().string());
+        }
+    }
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    std::vector<std::string> folders;
+    for (const fs::path& folder : material_folders()) folders.push_back(folder.string());
+    throw InputError(fmt::format("material {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too",
+                                 name_or_file, suggestion(name_or_file, known),
+                                 known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(folders, ", ")));
+}
+
+FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where) {
+    using Kind = FractureEnergyChoice::Kind;
+    if (text == "mixed") return {Kind::mixed, 0};
+    if (text == "mode-i") return {Kind::mode_i, 0};
+    const char first = text.empty() ? ' ' : text.front();
+    const bool word = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+    if (word && text != "nan" && text != "inf") {
+        throw UsageError(fmt::format("{}: unknown choice \"{}\"; mixed, mode-i or a value such as 90J/m2 fits", where, text));
+    }
+    return {Kind::value, parse_quantity(text, quantity::fracture_energy, where)};
+}
+
+std::string_view name_of(FractureEnergyChoice::Kind kind) {
+    switch (kind) {
+        case FractureEnergyChoice::Kind::mixed: return "mixed";
+        case FractureEnergyChoice::Kind::mode_i: return "mode-i";
+        case FractureEnergyChoice::Kind::value: return "value";
+    }
+    return "?";
+}
+
+FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice) {
+    if (choice) return *choice;
+    if (material.contact.fracture_energy) return {FractureEnergyChoice::Kind::value, *material.contact.fracture_energy};
+    return {FractureEnergyChoice::Kind::mode_i, 0};
+}
+
+ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
+                                     const std::optional<FractureEnergyChoice>& choice) {
+    const Rock& rock = material.rock;
+    const ContactMaterial& contact = material.contact;
+    ContactParameters p;
+    p.normal_stiffness = contact.normal_stiffness.value_or(fpz::normal_stiffness(rock, plane));
+    p.shear_stiffness = contact.shear_stiffness.value_or(fpz::shear_stiffness(rock, plane));
+    p.tensile_strength = contact.tensile_strength;
+    p.cohesion = contact.cohesion;
+    p.friction_angle = contact.friction_angle;
+    const FractureEnergyChoice chosen = effective_fracture_energy(material, choice);
+    switch (chosen.kind) {
+        case FractureEnergyChoice::Kind::mixed: p.fracture_energy = fpz::mixed_mode_fracture_energy(rock, plane); break;
+        case FractureEnergyChoice::Kind::mode_i: p.fracture_energy = fpz::mode_i_fracture_energy(rock, plane); break;
+        case FractureEnergyChoice::Kind::value: p.fracture_energy = chosen.value; break;
+    }
+    p.critical_opening = fpz::critical_displacement(p.tensile_strength, p.normal_stiffness);
+    p.critical_sliding = fpz::critical_displacement(p.cohesion, p.shear_stiffness);
+    p.ultimate_opening = fpz::ultimate_displacement(p.fracture_energy, p.tensile_strength, p.critical_opening);
+    if (!(p.ultimate_opening >= p.critical_opening)) {
+        const double least = fpz::fracture_energy(p.tensile_strength, p.critical_opening, p.critical_opening);
+        throw UsageError(fmt::format(
+            "--fracture-energy: {} ({}) is less than a contact of tensile strength {} takes to its peak; at least {} J/m2 fits",
+            format_quantity(p.fracture_energy, Dimension::fracture_energy), name_of(chosen.kind),
+            format_quantity(p.tensile_strength, Dimension::stress), format_number(least, 4)));
+    }
+    return p;
+}
+
+}  // namespace graincrack

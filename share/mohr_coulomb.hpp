@@ -1,0 +1,23 @@
+// Cohesion and friction angle of a rock from its strengths under confinement.
+#pragma once
+
+#include <span>
+
+namespace graincrack {
+
+/// A straight Mohr–Coulomb envelope σ1 = a + b σ3 fitted to peak strengths. Strengths positive in compression.
+struct MohrCoulomb {
+    double intercept = 0;       ///< a, the uniaxial strength of the line, Pa
+    double slope = 0;           ///< b
+    double cohesion = 0;        ///< C = a / (2 √b), Pa; NaN if b ≤ 0
+    double friction_angle = 0;  ///< φ with sin φ = (b − 1)/(b + 1), rad; NaN if b ≤ 0, negative if b < 1
+    double r_squared = 0;       ///< coefficient of determination; 1 if all strengths are equal
+};
+
+/// Fits σ1 = a + b σ3 by least squares and gives C and φ of the line, as Kazerani & Zhao (2014) §4.2 do for Table 7.
+///
+/// \param confining σ3 of each test, Pa \param strength peak σ1 of each test, Pa; equally long
+/// \throws InputError unless there are strengths at two or more confining pressures, all finite
+MohrCoulomb fit_mohr_coulomb(std::span<const double> confining, std::span<const double> strength);
+
+}  // namespace graincrack
