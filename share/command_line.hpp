@@ -1,13 +1,42 @@
 // What the command lines of the three tools have in common: quantities with units, configuration files, environment,
 // --version, --print-config, --quiet, --verbose. Included by the mains and option files only; the rest never sees CLI11.
+//
+// A main reads:
+//
+//     CLI::App app("Runs tests on specimens of grains");
+//     CommonOptions common;
+//     add_common_options(app, "graincrack-solve", common, "  graincrack-solve uniaxial specimen.h5 --material augig-granite -o
+//     run.h5"); add_threads(app, threads);                           // if the tool has use for it app.require_subcommand(1);
+//     CLI::App* uniaxial = app.add_subcommand("uniaxial", "compression between platens");
+//     add_quantity(*uniaxial, "--max-strain", max_strain, quantity::max_strain, "…", "0.015");
+//     if (!parse_command_line(app, argc, argv)) return 0;  // --help, --version and --print-config are answered
+//
+// `add_common_options` comes first: what is added later inherits from it. Options of the tool may stand behind a subcommand.
+//
+// Where a value comes from: a flag, else the environment variable GRAINCRACK_<OPTION> (--max-strain: GRAINCRACK_MAX_STRAIN),
+// else the file of --config, else the default. The file is TOML; keys are the names of options without dashes in front and of
+// positional arguments, values are what would stand on the command line, as text, number, boolean or array:
+//
+//     quiet = true                   # a key at the top is an option of the tool or of the subcommand that runs
+//     max-strain = 0.015
+//     [triaxial]                     # keys of a section are options of that subcommand, and win over those at the top;
+//     confining-pressure = "4MPa"    # sections of other subcommands are checked for their names only
+//
+// A key that is no option is an error. A key is passed over if a flag or variable gave the option or one that excludes it.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <concepts>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "share/error.hpp"
+#include "share/material.hpp"
 #include "share/progress.hpp"
 #include "share/quantities.hpp"
 
@@ -16,29 +45,118 @@ namespace graincrack {
 /// Options every tool has.
 struct CommonOptions {
     Verbosity verbosity = Verbosity::normal;
-    bool print_config = false;
-    bool dry_run = false;
+    bool print_config = false;  ///< answered by `parse_command_line`
+    bool dry_run = false;       ///< set by `add_dry_run`
 };
 
-/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names unit and bounds; GRAINCRACK_<NAME> is its
-/// environment variable. `target` is SI.
+/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and bounds. `target` is SI; if
+/// `default_text` is not empty, the target is set from it and help shows it.
 CLI::Option* add_quantity(CLI::App& app, const std::string& option, double& target, const Quantity& quantity,
                           const std::string& help, const std::string& default_text = "");
 /// The same for an optional quantity; unset if the option is not given.
 CLI::Option* add_quantity(CLI::App& app, const std::string& option, std::optional<double>& target, const Quantity& quantity,
                           const std::string& help);
+/// The same where a word stands for a value: "--damping 0.8|none".
+CLI::Option* add_quantity_or(CLI::App& app, const std::string& option, double& target, const Quantity& quantity,
+                             const std::string& word, double word_value, const std::string& help,
+                             const std::string& default_text = "");
+/// Adds --fracture-energy mixed|mode-i|VALUE.
+CLI::Option* add_fracture_energy(CLI::App& app, std::optional<FractureEnergyChoice>& target, const std::string& help);
 
 /// Sets up --help (with `examples` as footer), --version, --config, --print-config, --quiet, --verbose on an application.
-void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& options, const std::string& examples);
+/// \param libraries versions of the libraries of this tool alone, for --version: "CGAL 5.5.1"
+void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& options, const std::string& examples,
+                        const std::vector<std::string>& libraries = {});
 
-/// Parses; turns every complaint of CLI11 into one UsageError line (unknown configuration keys too). Returns false if the
-/// call was answered already (--help, --version).
-bool parse_command_line(CLI::App& app, int argc, char** argv);
+/// Adds --threads, by default the processors this process may use.
+CLI::Option* add_threads(CLI::App& app, int& threads);
+/// Adds --dry-run; `help` says what is printed.
+CLI::Option* add_dry_run(CLI::App& app, CommonOptions& options, const std::string& help);
 
-/// The effective options as TOML that --config loads again.
+/// Parses; turns every complaint of CLI11 into one UsageError line (unknown configuration keys too) that names the option and,
+/// if the value was not on the command line, where it came from. Returns false if the call was answered already (--help,
+/// --version, --print-config, which needs no required options).
+bool parse_command_line(CLI::App& app, int argc, const char* const* argv);
+
+/// The effective options as TOML that --config loads again. Options that have no value stand there as comments.
 std::string effective_configuration(const CLI::App& app);
 
-/// Processors this process may use.
+/// Processors this process may use: its affinity, and the quota of its control group if that is less.
 int available_processors();
+
+namespace detail {
+
+/// "--edge" of "-e,--edge"; the name of a positional argument as it is.
+std::string long_name(const std::string& option);
+
+/// An option with one value, read by `read`; throws of `read` pass through.
+CLI::Option* add_value(CLI::App& app, const std::string& option, const std::function<void(const std::string&)>& read,
+                       const std::string& help, const std::string& type_name, const std::string& default_text);
+
+/// A whole number within bounds. \throws UsageError naming `where`
+template <std::integral T>
+T parse_integer(const std::string& text, const std::string& where, T lower, T upper) {
+    T value{};
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc{} || result.ptr != end || value < lower || value > upper) {
+        const bool open = upper == std::numeric_limits<T>::max();
+        throw UsageError(
+            where + ": \"" + text + "\" does not fit; it must be a whole number " +
+            (open ? "of at least " + std::to_string(lower) : "from " + std::to_string(lower) + " to " + std::to_string(upper)));
+    }
+    return value;
+}
+
+}  // namespace detail
+
+/// Adds an option for a whole number; help shows what `target` holds as the default.
+template <std::integral T>
+CLI::Option* add_integer(CLI::App& app, const std::string& option, T& target, const std::string& help, T lower,
+                         T upper = std::numeric_limits<T>::max()) {
+    const std::string where = detail::long_name(option);
+    return detail::add_value(
+        app, option,
+        [&target, where, lower, upper](const std::string& text) { target = detail::parse_integer<T>(text, where, lower, upper); },
+        help, "N", std::to_string(target));
+}
+/// The same for an optional number; unset if the option is not given.
+template <std::integral T>
+CLI::Option* add_integer(CLI::App& app, const std::string& option, std::optional<T>& target, const std::string& help, T lower,
+                         T upper = std::numeric_limits<T>::max()) {
+    const std::string where = detail::long_name(option);
+    return detail::add_value(
+        app, option,
+        [&target, where, lower, upper](const std::string& text) { target = detail::parse_integer<T>(text, where, lower, upper); },
+        help, "N", "");
+}
+
+/// Adds an option that is one of some words; help shows the word of what `target` holds as the default.
+template <class T>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, T& target,
+                        const std::vector<std::pair<std::string, T>>& choices, const std::string& help) {
+    std::string words;
+    std::string default_word;
+    for (const auto& [word, value] : choices) {
+        words += (words.empty() ? "" : "|") + word;
+        if (value == target) default_word = word;
+    }
+    const std::string where = detail::long_name(option);
+    return detail::add_value(
+        app, option,
+        [&target, choices, words, where](const std::string& text) {
+            for (const auto& [word, value] : choices) {
+                if (word == text) {
+                    target = value;
+                    return;
+                }
+            }
+            throw UsageError(where + ": unknown choice \"" + text + "\"; one of " + words + " fits");
+        },
+        help, words, default_word);
+}
+/// The same for the word itself.
+CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& target, const std::vector<std::string>& choices,
+                        const std::string& help);
 
 }  // namespace graincrack
