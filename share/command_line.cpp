@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -76,6 +77,17 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
 }
 
+/// Gives the options of an application, not of its subcommands, their environment variables: --max-strain:
+/// GRAINCRACK_MAX_STRAIN.
+void name_variables(CLI::App& app) {
+    for (CLI::Option* option : app.get_options()) {
+        if (!option->get_configurable() || option->get_lnames().empty() || !option->get_envname().empty()) continue;
+        std::string name = "GRAINCRACK_" + option->get_lnames().front();
+        for (char& c : name) c = c == '-' ? '_' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        option->envname(name);
+    }
+}
+
 void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
     action(app);
     for (CLI::App* sub : app.get_subcommands({})) for_each_app(*sub, action);
@@ -107,9 +119,9 @@ public:
         // CLI11 keeps the first value it gets: sections before keys at the top
         std::stable_sort(toml.entries.begin(), toml.entries.end(),
                          [](const TomlEntry& a, const TomlEntry& b) { return a.section.size() > b.section.size(); });
-        std::vector<CLI::ConfigItem> items;
-        for (const TomlEntry& entry : toml.entries) add_item(toml, entry, items);
-        return items;
+        std::vector<CLI::ConfigItem> loaded;
+        for (const TomlEntry& entry : toml.entries) add_item(toml, entry, loaded);
+        return loaded;
     }
 
     std::string to_config(const CLI::App*, bool, bool, std::string) const override { return effective_configuration(app_); }
@@ -118,6 +130,15 @@ public:
     [[nodiscard]] std::string origin(const CLI::Option* option) const {
         const auto found = origins_.find(option);
         return found == origins_.end() ? "" : found->second;
+    }
+
+    /// Keeps how the value of an option is read, so that its default can be applied once it is known which subcommand runs.
+    void remember(const CLI::Option* option, const std::function<void(const std::string&)>& read) { readers_[option] = read; }
+    void apply_default(const CLI::Option* option) const {
+        const auto reader = readers_.find(option);
+        if (reader != readers_.end() && option->count() == 0 && !option->get_default_str().empty()) {
+            reader->second(option->get_default_str());
+        }
     }
 
 private:
@@ -141,7 +162,7 @@ private:
     }
 
     /// The application or subcommand of a section (checked before) and its option; top keys belong to whatever runs.
-    void add_item(const TomlFile& toml, const TomlEntry& entry, std::vector<CLI::ConfigItem>& items) const {
+    void add_item(const TomlFile& toml, const TomlEntry& entry, std::vector<CLI::ConfigItem>& loaded) const {
         const std::vector<CLI::App*> chain = running(app_);
         std::vector<std::string> parents = entry.section;
         CLI::App* owner = &app_;
@@ -169,9 +190,10 @@ private:
         if (option->get_expected_min() == 0 && (entry.is_array || entry.values.front().kind != TomlValue::Kind::boolean)) {
             refuse(toml, entry.line, fmt::format("{} is true or false", entry.key));
         }
+        if (option->get_expected_min() == 0 && entry.values.front().text == "false") return;  // as if not given
         CLI::ConfigItem item{parents, entry.key, {}};
         for (const TomlValue& value : entry.values) item.inputs.push_back(value.text);
-        if (origins_.emplace(option, fmt::format("{}, line {}", toml.file, entry.line)).second) items.push_back(std::move(item));
+        if (origins_.emplace(option, fmt::format("{}, line {}", toml.file, entry.line)).second) loaded.push_back(std::move(item));
     }
 
     [[noreturn]] void refuse_key(const TomlFile& toml, const TomlEntry& entry, const std::vector<CLI::App*>& owners) const {
@@ -197,23 +219,28 @@ private:
 
     CLI::App& app_;
     mutable std::map<const CLI::Option*, std::string> origins_;
+    std::map<const CLI::Option*, std::function<void(const std::string&)>> readers_;
 };
+
+ConfigurationFile* configuration_file(const CLI::App& app) {
+    return dynamic_cast<ConfigurationFile*>(app.get_config_formatter().get());
+}
 
 // --- help ------------------------------------------------------------------------------------------------------------
 
 /// Help without the noise of environment variables; help of a subcommand shows the options of the tool as well.
 class HelpFormatter : public CLI::Formatter {
 public:
-    std::string make_groups(const CLI::App* app, CLI::AppFormatMode mode) const override {
-        std::string text = CLI::Formatter::make_groups(app, mode);
-        if (mode != CLI::AppFormatMode::Normal) return text;
-        for (const CLI::App* parent = app->get_parent(); parent != nullptr; parent = parent->get_parent()) {
+    std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
+        std::string text;
+        for (const CLI::App* parent = app->get_parent(); parent != nullptr && mode == CLI::AppFormatMode::Normal;
+             parent = parent->get_parent()) {
             const auto options = parent->get_options([parent](const CLI::Option* option) {
                 return !option->get_group().empty() && option->nonpositional() && option != parent->get_help_ptr();
             });
             if (!options.empty()) text += make_group("Options of " + parent->get_name(), false, options);
         }
-        return text;
+        return text + CLI::Formatter::make_subcommands(app, mode);
     }
 
     std::string make_option_opts(const CLI::Option* option) const override {
@@ -289,7 +316,7 @@ std::string with_origin(const Call& call, const std::string& name) {
     const CLI::Option* option = find_option(call, name);
     if (option == nullptr || on_command_line(call, *option)) return name;
     if (in_environment(option->get_envname())) return fmt::format("{} (from {})", name, option->get_envname());
-    const auto* file = dynamic_cast<const ConfigurationFile*>(call.app.get_config_formatter().get());
+    const ConfigurationFile* file = configuration_file(call.app);
     const std::string origin = file == nullptr ? "" : file->origin(option);
     return origin.empty() ? name : fmt::format("{} (from {})", name, origin);
 }
@@ -418,15 +445,18 @@ std::string toml_value(const std::string& text) {
 
 std::string toml_line(const CLI::Option& option) {
     const std::string key = key_of(option);
-    if (option.get_expected_min() == 0)
-        return fmt::format("{} = {}\n", key, option.count() > 0 && option.as<bool>() ? "true" : "false");
+    if (option.get_expected_min() == 0) {
+        return option.count() > 0 && option.as<bool>() ? fmt::format("{} = true\n", key) : fmt::format("# {} = true\n", key);
+    }
     std::vector<std::string> values = option.results();
     const bool many = option.get_items_expected_max() > 1;
     if (values.empty()) {
-        // a default of an option that excludes another, or of one that is needed, is no value a user chose
-        if (many || option.get_required() || !option.get_excludes().empty() || option.get_default_str().empty()) {
-            return fmt::format("# {} =\n", key);
-        }
+        const std::set<CLI::Option*> others = option.get_excludes();
+        // the default stands unless another option takes its place, or may do so by a default of its own
+        const bool replaced = std::any_of(others.begin(), others.end(), [](const CLI::Option* other) {
+            return other->count() > 0 || !other->get_default_str().empty();
+        });
+        if (many || option.get_required() || replaced || option.get_default_str().empty()) return fmt::format("# {} =\n", key);
         values.push_back(option.get_default_str());
     }
     if (!many) return fmt::format("{} = {}\n", key, toml_value(values.front()));
@@ -481,6 +511,7 @@ CLI::Option* add_value(CLI::App& app, const std::string& option, const std::func
     CLI::Option* added = app.add_option(option, std::move(callback), help);
     added->type_name(type_name);
     added->default_str(default_text);
+    if (auto* file = configuration_file(app); file != nullptr) file->remember(added, read);
     return added;
 }
 
@@ -578,14 +609,14 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
     const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
     const bool print_config = std::find(call.arguments.begin(), ends, "--print-config") != ends;
     std::vector<CLI::Option*> required;
+    name_variables(app);
     for_each_app(app, [&](CLI::App& each) {
-        if (each.get_parent() != nullptr) each.fallthrough();
+        if (each.get_parent() != nullptr) {
+            each.fallthrough();
+            // only now, for a variable is no concern of subcommands that do not run
+            each.preparse_callback([&each](std::size_t) { name_variables(each); });
+        }
         for (CLI::Option* option : each.get_options()) {
-            if (option->get_configurable() && !option->get_lnames().empty() && option->get_envname().empty()) {
-                std::string name = "GRAINCRACK_" + option->get_lnames().front();
-                for (char& c : name) c = c == '-' ? '_' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-                option->envname(name);
-            }
             if (print_config && option->get_required()) {
                 required.push_back(option);
                 option->required(false);
@@ -601,6 +632,11 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
         throw UsageError(message_of(call, error));
     } catch (const UsageError& error) {
         throw UsageError(with_origin_in(call, error.what()));
+    }
+    if (const ConfigurationFile* file = configuration_file(app); file != nullptr) {
+        for (CLI::App* each : running(app)) {
+            for (const CLI::Option* option : each->get_options()) file->apply_default(option);
+        }
     }
     if (!print_config) return true;
     for (CLI::Option* option : required) option->required();

@@ -12,6 +12,8 @@
 //     if (!parse_command_line(app, argc, argv)) return 0;  // --help, --version and --print-config are answered
 //
 // `add_common_options` comes first: what is added later inherits from it. Options of the tool may stand behind a subcommand.
+// Subcommands may share targets: environment and defaults of the one that runs hold (for the options added by the functions
+// here; other targets keep what they were initialised with).
 //
 // Where a value comes from: a flag, else the environment variable GRAINCRACK_<OPTION> (--max-strain: GRAINCRACK_MAX_STRAIN),
 // else the file of --config, else the default. The file is TOML; keys are the names of options without dashes in front and of

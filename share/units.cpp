@@ -264,13 +264,13 @@ std::string bounds_text(const Quantity& quantity) {
     return "a finite number";
 }
 
-double in_unit(double si_value, Dimension dimension, std::string_view unit) {
+double in_unit(double value, Dimension dimension, std::string_view unit) {
     const auto found = find_unit(unit, dimension);
     if (!found) throw std::invalid_argument(fmt::format("no unit {} of a {}", unit, name_of(dimension)));
     // 1000 is exact and 1e-3 is not: multiplying keeps 0.00513 m at 5.13 mm.
     const double inverse = std::round(1 / found->to_si);
-    if (found->to_si < 1 && std::abs(inverse * found->to_si - 1) < 1e-12) return si_value * inverse;
-    return si_value / found->to_si;
+    if (found->to_si < 1 && std::abs(inverse * found->to_si - 1) < 1e-12) return value * inverse;
+    return value / found->to_si;
 }
 
 std::string format_number(double value) {
@@ -283,18 +283,18 @@ std::string format_number(double value, int digits) {
     return fmt::format("{:.{}g}", value, std::max(digits, 1));
 }
 
-std::string format_quantity(double si_value, Dimension dimension, int digits) {
-    if (dimension == Dimension::one) return format_number(si_value, digits);
+std::string format_quantity(double value, Dimension dimension, int digits) {
+    if (dimension == Dimension::one) return format_number(value, digits);
     const DisplayUnits shown = display_units(dimension);
     std::string_view chosen = shown.symbols.front();
-    if (si_value == 0 || !std::isfinite(si_value)) {
+    if (value == 0 || !std::isfinite(value)) {
         if (dimension != Dimension::angle) chosen = si_unit(dimension);
     } else {
         for (const std::string_view symbol : shown.symbols) {
-            if (!symbol.empty() && std::abs(in_unit(si_value, dimension, symbol)) >= 1) chosen = symbol;
+            if (!symbol.empty() && std::abs(in_unit(value, dimension, symbol)) >= 1) chosen = symbol;
         }
     }
-    return fmt::format("{} {}", format_number(in_unit(si_value, dimension, chosen), digits), chosen);
+    return fmt::format("{} {}", format_number(in_unit(value, dimension, chosen), digits), chosen);
 }
 
 }  // namespace graincrack

@@ -37,7 +37,7 @@ double parse_quantity_or(std::string_view text, std::string_view word, double wo
 std::string bounds_text(const Quantity& quantity);
 
 /// Value of an SI number in `unit` (a symbol of `units_of`). \throws std::invalid_argument for an unknown unit.
-double in_unit(double si_value, Dimension dimension, std::string_view unit);
+double in_unit(double value, Dimension dimension, std::string_view unit);
 
 /// Shortest text that reads back as the same double; "nan" and "inf" for what is not finite.
 std::string format_number(double value);
@@ -45,6 +45,6 @@ std::string format_number(double value);
 std::string format_number(double value, int digits);
 
 /// A value in the largest common unit that keeps it readable: 0.004 m → "4 mm", 2.58e10 Pa → "25.8 GPa".
-std::string format_quantity(double si_value, Dimension dimension, int digits = 4);
+std::string format_quantity(double value, Dimension dimension, int digits = 4);
 
 }  // namespace graincrack
