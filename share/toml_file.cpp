@@ -4,10 +4,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
 #include "share/error.hpp"
 #include "share/units.hpp"
@@ -86,18 +86,23 @@ TomlFile parse_toml(const std::string& text, const std::string& name) {
 }
 
 TomlFile read_toml(const std::string& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    if (stream) text << stream.rdbuf();
-    if (!stream || stream.bad() || text.bad()) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string text;
+    std::array<char, 4096> block{};
+    while (stream) {
+        stream.read(block.data(), block.size());
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    if (!stream.eof()) {
         throw InputError(fmt::format("{}: cannot be read ({}); a TOML file is needed", file, std::strerror(errno)));
     }
-    return parse_toml(text.str(), file);
+    return parse_toml(text, file);
 }
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
     std::string nearest;
-    std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
+    std::size_t least = (word.size() < 4 ? 1 : std::max<std::size_t>(word.size() / 3, 2)) + 1;  // one more than is near
     for (const std::string& candidate : known) {
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {
