@@ -1,0 +1,86 @@
+#include "post/commands.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_version.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "post/crack_map.hpp"
+#include "post/envelope.hpp"
+#include "post/fpz_table.hpp"
+#include "post/info.hpp"
+#include "post/load_curve.hpp"
+#include "post/moduli.hpp"
+#include "post/picture.hpp"
+#include "post/plot_curve.hpp"
+#include "post/plot_specimen.hpp"
+#include "post/strength.hpp"
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+
+namespace graincrack {
+
+namespace {
+
+void require_one_stdin(const std::vector<std::string>& files) {
+    if (std::count(files.begin(), files.end(), "-") > 1)
+        throw UsageError("-: stands for stdin, which holds one file; give it once");
+}
+
+const std::string& only_file(const PostOptions& options) {
+    if (options.files.size() == 1) return options.files.front();
+    throw UsageError(fmt::format("{} {}: takes one file, not {}", options.command, options.picture, options.files.size()));
+}
+
+void info(const PostOptions& options, std::ostream& out) {
+    for (const std::string& file : options.files) {
+        if (options.digest) {
+            write_digest(out, file, options.check);
+        } else {
+            write_info(out, file, options.check);
+        }
+    }
+}
+
+Drawing picture_of(const PostOptions& options) {
+    if (options.picture == "specimen") return draw_specimen(read_specimen(H5Input(only_file(options))));
+    if (options.picture == "cracks") return draw_cracks(RunReader(only_file(options)), options.crack_map);
+    if (options.picture == "curve") {
+        std::vector<RunData> runs;
+        for (const std::string& file : options.files) runs.push_back(read_run_data(file));
+        return draw_curves(runs);
+    }
+    throw UsageError("plot " + options.picture + ": unknown; specimen, curve or cracks");
+}
+
+void plot(const PostOptions& options) {
+    require_picture_name(options.output);
+    write_picture(picture_of(options), options.output);
+}
+
+}  // namespace
+
+void run_command(const PostOptions& options, std::ostream& out) {
+    require_one_stdin(options.files);
+    const std::map<std::string, std::function<void()>> commands{
+        {"info", [&] { info(options, out); }},
+        {"history", [&] { write_history(out, RunReader(only_file(options)), options.format); }},
+        {"strength", [&] { write_strength_table(out, options.files, options.format); }},
+        {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
+        {"envelope", [&] { write_envelope_table(out, options.files, options.format); }},
+        {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
+        {"cracks", [&] { export_crack_map(RunReader(only_file(options)), options.output, options.verbosity); }},
+        {"plot", [&] { plot(options); }},
+    };
+    const auto command = commands.find(options.command);
+    if (command == commands.end()) throw UsageError(options.command + ": unknown command");
+    command->second();
+    out.flush();
+    if (!out) throw OutputError("stdout: could not be written whole");
+}
+
+std::vector<std::string> post_libraries() { return {vtk_library_version(), std::string("GSL ") + GSL_VERSION}; }
+
+}  // namespace graincrack

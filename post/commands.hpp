@@ -1,0 +1,36 @@
+// The commands of graincrack-post, one function each, without the command line.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/plot_cracks.hpp"
+#include "post/table.hpp"
+#include "share/progress.hpp"
+
+namespace graincrack {
+
+/// What a call of graincrack-post asks for; each command uses its part.
+struct PostOptions {
+    std::string command;             ///< "info", "history", "strength", "moduli", "envelope", "fpz", "cracks", "plot"
+    std::string picture;             ///< plot: "specimen", "curve" or "cracks"
+    std::vector<std::string> files;  ///< "-" is stdin
+    std::string output;              ///< folder (cracks) or picture (plot)
+    std::string material;
+    TableFormat format = TableFormat::tsv;
+    bool check = false;
+    bool digest = false;
+    CrackMapOptions crack_map;
+    Verbosity verbosity = Verbosity::normal;
+};
+
+/// Runs one command; data go to `out`.
+/// \throws UsageError, InputError, OutputError
+void run_command(const PostOptions& options, std::ostream& out);
+
+/// Versions of the libraries of this tool alone.
+std::vector<std::string> post_libraries();
+
+}  // namespace graincrack

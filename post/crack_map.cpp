@@ -1,0 +1,219 @@
+#include "post/crack_map.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "post/output_file.hpp"
+#include "post/rosette.hpp"
+#include "post/run_state.hpp"
+#include "post/table.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// A named array of n tuples, filled tuple by tuple through `fill(i, values)`.
+template <class Array, class Fill>
+vtkSmartPointer<Array> make_array(const char* name, int components, std::size_t n, const Fill& fill) {
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+    for (std::size_t i = 0; i < n; ++i) fill(i, array->GetPointer(static_cast<vtkIdType>(i) * components));
+    return array;
+}
+
+/// A 3-vector for every node from a plane one.
+vtkSmartPointer<vtkDoubleArray> vectors(const char* name, const std::vector<std::array<double, 2>>& plane) {
+    return make_array<vtkDoubleArray>(name, 3, plane.size(), [&](std::size_t i, double* v) {
+        v[0] = plane[i][0];
+        v[1] = plane[i][1];
+        v[2] = 0;
+    });
+}
+
+template <class Array, class T>
+vtkSmartPointer<Array> scalars(const char* name, const std::vector<T>& values) {
+    return make_array<Array>(name, 1, values.size(), [&](std::size_t i, auto* v) { *v = values[i]; });
+}
+
+template <class Writer, class Data>
+void write_xml(const std::string& path, Data* data) {
+    vtkObject::GlobalWarningDisplayOff();
+    OutputFile file(path);
+    vtkNew<Writer> writer;
+    writer->SetInputData(data);
+    writer->SetFileName(file.part().c_str());
+    writer->SetCompressorTypeToLZ4();
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    if (writer->Write() != 1 || writer->GetErrorCode() != 0) throw OutputError(path + ": could not be written whole");
+    file.commit();
+}
+
+void add_stress(vtkCellData* cells, const std::vector<std::array<double, 4>>& stress) {
+    const std::size_t n = stress.size();
+    const auto tensor = make_array<vtkDoubleArray>("stress", 6, n, [&](std::size_t i, double* v) {
+        const auto& [xx, yy, xy, zz] = stress[i];
+        const std::array<double, 6> all{xx, yy, zz, xy, 0, 0};
+        std::copy(all.begin(), all.end(), v);
+    });
+    constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    for (std::size_t k = 0; k < names.size(); ++k) tensor->SetComponentName(static_cast<vtkIdType>(k), names[k]);
+    cells->AddArray(tensor);
+    const auto principal = [&](const char* name, double sign) {
+        cells->AddArray(make_array<vtkDoubleArray>(name, 1, n, [&](std::size_t i, double* v) {
+            const auto& [xx, yy, xy, zz] = stress[i];
+            *v = (xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy);
+        }));
+    };
+    principal("principal_stress_1", 1);
+    principal("principal_stress_2", -1);
+}
+
+/// Middle of the half facet of a crack's contact point, mean of both sides, in reference position and displaced.
+std::array<double, 2> current_middle(const Specimen& specimen, const Frame& frame, const Crack& crack) {
+    const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
+    std::array<double, 2> middle{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const bool near = (k % 2) == crack.point;  // a1, b1 belong to point 0; a2, b2 to point 1
+        const auto node = static_cast<std::size_t>(nodes[k]);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            middle[axis] += (near ? 0.375 : 0.125) * (specimen.node_position[node][axis] + frame.displacement[node][axis]);
+        }
+    }
+    return middle;
+}
+
+void add_crack_data(vtkCellData* cells, const std::vector<Crack>& cracks, double time) {
+    const auto real = [&](const char* name, auto value) {
+        cells->AddArray(
+            make_array<vtkDoubleArray>(name, 1, cracks.size(), [&](std::size_t i, double* v) { *v = value(cracks[i]); }));
+    };
+    const auto byte = [&](const char* name, auto value) {
+        cells->AddArray(make_array<vtkUnsignedCharArray>(
+            name, 1, cracks.size(), [&](std::size_t i, unsigned char* v) { *v = static_cast<unsigned char>(value(cracks[i])); }));
+    };
+    byte("mode", [](const Crack& c) { return c.mode; });
+    real("time", [](const Crack& c) { return c.time; });
+    real("mode_angle", [](const Crack& c) { return c.mode_angle; });
+    real("opening", [](const Crack& c) { return c.opening; });
+    real("sliding", [](const Crack& c) { return c.sliding; });
+    real("energy", [](const Crack& c) { return c.energy_released; });
+    byte("separated", [time](const Crack& c) { return c.time_separated <= time; });  // false for NaN
+    byte("point", [](const Crack& c) { return c.point; });
+    cells->AddArray(make_array<vtkIntArray>("contact", 1, cracks.size(), [&](std::size_t i, int* v) { *v = cracks[i].contact; }));
+}
+
+std::string pvd(const std::string& stem, const std::string& suffix, const std::vector<double>& times) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}_{:04}.{}\"/>\n", times[i], stem, i, suffix);
+    }
+    return text + "  </Collection>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+void write_grains(const std::string& path, const Specimen& specimen, const Frame& frame) {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->SetData(vectors("position", specimen.node_position));
+    grid->SetPoints(points);
+    vtkNew<vtkCellArray> triangles;
+    triangles->AllocateExact(static_cast<vtkIdType>(specimen.n_elements()), 3 * static_cast<vtkIdType>(specimen.n_elements()));
+    for (const auto& nodes : specimen.element_nodes) triangles->InsertNextCell({nodes[0], nodes[1], nodes[2]});
+    grid->SetCells(VTK_TRIANGLE, triangles);
+
+    vtkCellData* cells = grid->GetCellData();
+    cells->AddArray(scalars<vtkIntArray>("grain", specimen.element_grain));
+    cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, specimen.n_elements(), [&](std::size_t i, unsigned char* v) {
+        *v = specimen.grain_phase[static_cast<std::size_t>(specimen.element_grain[i])];
+    }));
+    add_stress(cells, frame.element_stress);
+    grid->GetPointData()->AddArray(vectors("displacement", frame.displacement));
+    grid->GetPointData()->AddArray(vectors("velocity", frame.velocity));
+    write_xml<vtkXMLUnstructuredGridWriter>(path, grid.Get());
+}
+
+void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& cracks, const Frame& frame) {
+    const std::vector<Crack> present = cracks_until(cracks, frame.time);
+    std::vector<std::array<double, 2>> ends;
+    std::vector<std::array<double, 2>> moves;
+    vtkNew<vtkCellArray> lines;
+    for (const Crack& crack : present) {
+        const double dx = crack.length / 2 * std::cos(crack.orientation);
+        const double dy = crack.length / 2 * std::sin(crack.orientation);
+        const auto [x, y] = crack.position;
+        const auto [now_x, now_y] = current_middle(specimen, frame, crack);
+        const auto first = static_cast<vtkIdType>(ends.size());
+        ends.push_back({x - dx, y - dy});
+        ends.push_back({x + dx, y + dy});
+        moves.insert(moves.end(), 2, {now_x - x, now_y - y});
+        lines->InsertNextCell({first, first + 1});
+    }
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPoints> points;
+    points->SetData(vectors("position", ends));
+    data->SetPoints(points);
+    data->SetLines(lines);
+    data->GetPointData()->AddArray(vectors("displacement", moves));
+    add_crack_data(data->GetCellData(), present, frame.time);
+    write_xml<vtkXMLPolyDataWriter>(path, data.Get());
+}
+
+void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks) {
+    TableWriter table(out,
+                      {"time_s", "step", "contact", "point", "mode", "mode_angle_rad", "x_m", "y_m", "orientation_rad",
+                       "length_m", "opening_m", "sliding_m", "energy_released_J", "time_separated_s"},
+                      TableFormat::tsv);
+    for (const Crack& c : cracks) {
+        table.row({c.time, c.step, std::int64_t{c.contact}, std::int64_t{c.point},
+                   std::string(c.mode == CrackMode::tensile ? "tensile" : "shear"), c.mode_angle, c.position[0], c.position[1],
+                   c.orientation, c.length, c.opening, c.sliding, c.energy_released, c.time_separated});
+    }
+}
+
+void export_crack_map(const RunReader& run, const std::string& folder, Verbosity verbosity) {
+    const std::vector<double> times = run.frame_times();
+    if (times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
+    const Specimen specimen = run.specimen();
+    const std::vector<Crack> cracks = read_cracks(run, specimen);
+    make_folder(folder);
+    Progress progress("cracks", verbosity);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        throw_if_interrupted();
+        const Frame frame = read_frame(run, specimen, i);
+        write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, frame);
+        write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame);
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(times.size()), fmt::format("frame {}", i + 1));
+    }
+    progress.finish();
+    std::ostringstream catalogue;
+    write_crack_table(catalogue, cracks);
+    write_whole_file(folder + "/cracks.tsv", catalogue.str());
+    std::ostringstream rosette;
+    write_rosette(rosette, crack_rosette(cracks, specimen), TableFormat::tsv);
+    write_whole_file(folder + "/rosette.tsv", rosette.str());
+    write_whole_file(folder + "/grains.pvd", pvd("grains", "vtu", times));
+    write_whole_file(folder + "/cracks.pvd", pvd("cracks", "vtp", times));
+}
+
+}  // namespace graincrack

@@ -1,0 +1,125 @@
+#include "post/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace graincrack {
+
+Colour palette::series(std::size_t i) {
+    static constexpr std::array<Colour, 7> colours{
+        {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {90, 90, 90}}};
+    return colours[i % colours.size()];
+}
+
+Colour palette::phase(std::size_t i) {
+    static constexpr std::array<Colour, 5> colours{{grain, {214, 224, 238}, {238, 221, 206}, {205, 224, 210}, {226, 212, 232}}};
+    return colours[i % colours.size()];
+}
+
+void Drawing::rectangle(Pixel top_left, Pixel bottom_right, Colour fill) {
+    polygon({top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}}, fill);
+}
+
+namespace {
+
+std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (char c : text) {
+        switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
+        }
+    }
+    return out;
+}
+
+void append_path(std::string& path, const std::vector<Pixel>& points) {
+    char command = 'M';
+    for (const Pixel& p : points) {
+        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", command, p.x, p.y);
+        command = 'L';
+    }
+}
+
+/// Collects shapes into SVG elements; shapes of one style become one path.
+class SvgWriter {
+public:
+    void operator()(const Polygon& polygon) {
+        begin(fmt::format("fill=\"{}\"", hex(polygon.fill)));
+        append_path(path_, polygon.corners);
+        path_ += 'Z';
+    }
+    void operator()(const Polyline& line) {
+        begin(
+            fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                        hex(line.colour), line.width));
+        append_path(path_, line.points);
+    }
+    void operator()(const Text& text) {
+        end();
+        static constexpr std::array<const char*, 3> anchors{"start", "middle", "end"};
+        fmt::format_to(
+            std::back_inserter(body_),
+            "<text x=\"{0:.2f}\" y=\"{1:.2f}\" font-size=\"{2:.1f}\" fill=\"{3}\" text-anchor=\"{4}\"{5}{6}>{7}</text>\n",
+            text.at.x, text.at.y, text.size, hex(text.colour), anchors[static_cast<std::size_t>(text.anchor)],
+            text.bold ? " font-weight=\"bold\"" : "",
+            text.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x, text.at.y) : "",
+            escaped(text.words));
+    }
+    void end() {
+        if (!path_.empty()) fmt::format_to(std::back_inserter(body_), "<path {} d=\"{}\"/>\n", style_, path_);
+        path_.clear();
+        style_.clear();
+    }
+    [[nodiscard]] const std::string& body() const { return body_; }
+
+private:
+    void begin(const std::string& style) {
+        if (style != style_) {
+            end();
+            style_ = style;
+        }
+    }
+    std::string body_;
+    std::string style_;
+    std::string path_;
+};
+
+}  // namespace
+
+std::string to_svg(const Drawing& drawing) {
+    SvgWriter writer;
+    for (const Drawing::Shape& shape : drawing.shapes()) std::visit(writer, shape);
+    writer.end();
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+        "font-family=\"Arial, Liberation Sans, Helvetica, sans-serif\">\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n{2}</svg>\n",
+        drawing.width(), drawing.height(), writer.body());
+}
+
+std::vector<double> round_ticks(double low, double high, int wanted) {
+    std::vector<double> ticks;
+    if (!(high > low) || wanted < 1) return ticks;
+    const double raw = (high - low) / wanted;
+    const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+    double step = 10 * decade;
+    for (double factor : {1.0, 2.0, 5.0}) {
+        if (factor * decade >= raw * (1 - 1e-9)) {
+            step = factor * decade;
+            break;
+        }
+    }
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1) ticks.push_back(k * step);
+    return ticks;
+}
+
+}  // namespace graincrack

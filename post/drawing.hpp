@@ -1,0 +1,97 @@
+// A picture as a list of shapes, in pixels, before it becomes PNG or SVG. Knows neither VTK nor rock.
+//
+// Origin at the top left, x to the right, y downwards. Later shapes cover earlier ones.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace graincrack {
+
+struct Colour {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    bool operator==(const Colour&) const = default;
+};
+
+/// The colours of all pictures; chosen so that they stay apart for colour-blind eyes (red is kept light, black dark).
+namespace palette {
+inline constexpr Colour white{255, 255, 255};
+inline constexpr Colour ink{30, 30, 30};
+inline constexpr Colour faint{222, 222, 222};
+inline constexpr Colour grain{232, 232, 230};
+inline constexpr Colour outline{176, 176, 174};
+inline constexpr Colour rim{110, 110, 110};
+inline constexpr Colour tensile{232, 62, 28};
+inline constexpr Colour shear{0, 0, 0};
+inline constexpr Colour platen{120, 130, 145};
+inline constexpr Colour pre_existing{0, 114, 178};
+/// Colour of the i-th curve of a plot (Okabe & Ito 2008), repeating.
+Colour series(std::size_t i);
+/// Pale fill of the i-th mineral phase, repeating.
+Colour phase(std::size_t i);
+}  // namespace palette
+
+struct Pixel {
+    double x = 0;
+    double y = 0;
+};
+
+/// A filled convex polygon.
+struct Polygon {
+    std::vector<Pixel> corners;
+    Colour fill;
+};
+/// A line through points; ends and corners are round.
+struct Polyline {
+    std::vector<Pixel> points;
+    double width = 1;
+    Colour colour;
+};
+enum class Anchor { start, middle, end };
+/// One line of text; `at` is the end of the baseline the anchor names. `upwards` turns it by 90° counter-clockwise.
+struct Text {
+    Pixel at;
+    std::string words;
+    double size = 24;
+    Colour colour = palette::ink;
+    Anchor anchor = Anchor::start;
+    bool bold = false;
+    bool upwards = false;
+};
+
+class Drawing {
+public:
+    using Shape = std::variant<Polygon, Polyline, Text>;
+
+    Drawing(int width, int height) : width_(width), height_(height) {}
+
+    void polygon(std::vector<Pixel> corners, Colour fill) { shapes_.emplace_back(Polygon{std::move(corners), fill}); }
+    void rectangle(Pixel top_left, Pixel bottom_right, Colour fill);
+    void line(Pixel from, Pixel to, double width, Colour colour) { polyline({from, to}, width, colour); }
+    void polyline(std::vector<Pixel> points, double width, Colour colour) {
+        shapes_.emplace_back(Polyline{std::move(points), width, colour});
+    }
+    void text(Text text) { shapes_.emplace_back(std::move(text)); }
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
+
+private:
+    int width_;
+    int height_;
+    std::vector<Shape> shapes_;
+};
+
+/// The drawing as an SVG document. Neighbouring shapes of one style share a path.
+std::string to_svg(const Drawing& drawing);
+
+/// About `wanted` round numbers (1, 2, 5 × 10^k apart) inside [low, high], for the ticks of an axis.
+std::vector<double> round_ticks(double low, double high, int wanted);
+
+}  // namespace graincrack

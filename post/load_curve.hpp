@@ -1,0 +1,72 @@
+// The curve of a test in the sense of its loading, and the points that every table takes from it.
+//
+// Here, unlike in files, stress and axial strain are positive in the sense of the test: compression for uniaxial,
+// triaxial and brazilian, tension for tension. For brazilian the stress is 2 F/(π t D) (Eq 18), t = 1 m, F the mean of
+// the two platen forces; for the others it is the axial stress of the history.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// What tables need to know of the specimen without reading its arrays; NaN for what the file does not tell.
+struct SpecimenSummary {
+    double width = 0;   ///< m
+    double height = 0;  ///< m
+    std::int64_t seed = 0;
+    std::int64_t grains = 0;
+    double mean_edge = 0;  ///< m
+};
+SpecimenSummary specimen_summary(const H5Input& file);
+
+/// What is known of a test once it ran, without frames and catalogue.
+struct RunData {
+    std::string name;  ///< file, for messages and tables
+    RunHeader header;
+    History history;
+    SpecimenSummary specimen;
+    double wall_time = 0;  ///< s
+};
+/// \param path a run file or "-" \throws InputError
+RunData read_run_data(const std::string& path);
+RunData run_data(const RunReader& run);
+
+struct LoadCurve {
+    std::vector<double> axial_strain;    ///< platen approach over height
+    std::vector<double> lateral_strain;  ///< elongation positive, in every test
+    std::vector<double> gauge_axial_strain;
+    std::vector<double> gauge_lateral_strain;
+    std::vector<double> stress;  ///< Pa
+    std::size_t start = 0;       ///< row at which axial loading begins: 0, or the end of the isotropic stage
+    std::size_t peak = 0;        ///< row of the largest stress from `start` on
+    [[nodiscard]] double start_stress() const { return stress[start]; }
+    [[nodiscard]] double peak_stress() const { return stress[peak]; }
+};
+
+/// \throws InputError if the history is too short, or never loads the specimen in the sense of its test
+LoadCurve load_curve(const RunData& run);
+
+/// A place between two rows: share 0 is `row`, share 1 is `row + 1`.
+struct CurvePoint {
+    std::size_t row = 0;
+    double share = 0;
+    [[nodiscard]] double of(const std::vector<double>& column) const;
+};
+/// Where the stress, before the peak, first reaches half of its way from `start` to the peak.
+CurvePoint half_peak(const LoadCurve& curve);
+
+/// Stress at first yield, Pa: where, after half the peak and no later than the peak, the platen strain first exceeds the
+/// chord from the start to half the peak, prolonged, by 0.01 % strain. Empty if it never does (brittle failure).
+std::optional<double> first_yield(const LoadCurve& curve);
+inline constexpr double yield_offset = 1e-4;
+
+/// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the strain cap ended the test before
+/// that; "" for a test that was stopped otherwise, whose largest stress is no peak.
+std::string peak_kind(const RunData& run, const LoadCurve& curve);
+
+}  // namespace graincrack

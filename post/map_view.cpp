@@ -1,0 +1,160 @@
+#include "post/map_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr double margin = 60;
+constexpr double line_height = 42;
+constexpr double legend_height = 90;
+constexpr double platen_height = 18;
+constexpr double largest_width = 1080;
+constexpr double largest_height = 1600;
+constexpr int page_width = 1200;
+
+struct Box {
+    std::array<double, 2> low;
+    std::array<double, 2> high;
+};
+
+Box bounds(const Positions& places) {
+    Box box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const auto& place : places) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            box.low[axis] = std::min(box.low[axis], place[axis]);
+            box.high[axis] = std::max(box.high[axis], place[axis]);
+        }
+    }
+    return box;
+}
+
+/// The bounds of what moved, but no more than a tenth beyond the specimen at rest: chips that flew off are left out.
+Box view_box(const Specimen& specimen, const Positions& positions) {
+    const Box rest = bounds(specimen.node_position);
+    Box box = bounds(positions);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double reach = 0.1 * (rest.high[axis] - rest.low[axis]);
+        box.low[axis] = std::clamp(box.low[axis], rest.low[axis] - reach, rest.low[axis] + reach);
+        box.high[axis] = std::clamp(box.high[axis], rest.high[axis] - reach, rest.high[axis] + reach);
+    }
+    return box;
+}
+
+/// 1, 2 or 5 × 10^k below a length.
+double round_length(double length) {
+    const double decade = std::pow(10.0, std::floor(std::log10(length)));
+    for (double factor : {5.0, 2.0}) {
+        if (factor * decade <= length) return factor * decade;
+    }
+    return decade;
+}
+
+}  // namespace
+
+struct MapView::Layout {
+    Box box;
+    double scale;
+    Pixel origin;
+    int width;
+    int height;
+
+    Layout(const Specimen& specimen, const Positions& positions, std::size_t title_lines) : box(view_box(specimen, positions)) {
+        const double extent_x = box.high[0] - box.low[0];
+        const double extent_y = box.high[1] - box.low[1];
+        scale = std::min(largest_width / extent_x, largest_height / extent_y);
+        width = page_width;
+        const double top = margin / 2 + line_height * static_cast<double>(title_lines) + platen_height + 14;
+        height = static_cast<int>(std::ceil(top + scale * extent_y + platen_height + legend_height));
+        origin = {(width - scale * extent_x) / 2, top + scale * extent_y};
+    }
+};
+
+MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title)
+    : MapView(specimen, positions, title, Layout(specimen, positions, title.size())) {}
+
+MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const Layout& layout)
+    : specimen_(specimen),
+      positions_(std::move(positions)),
+      low_(layout.box.low),
+      high_(layout.box.high),
+      scale_(layout.scale),
+      origin_(layout.origin),
+      drawing_(layout.width, layout.height) {
+    double y = margin / 2;
+    bool first = true;
+    for (const std::string& words : title) {
+        y += line_height;
+        drawing_.text({{margin, y - 6}, words, first ? 34.0 : 25.0, palette::ink, Anchor::start, first});
+        first = false;
+    }
+}
+
+Pixel MapView::pixel(std::array<double, 2> place) const {
+    return {origin_.x + scale_ * (place[0] - low_[0]), origin_.y - scale_ * (place[1] - low_[1])};
+}
+
+bool MapView::visible(std::array<double, 2> place) const {
+    const double slack = 2 / scale_;
+    return place[0] >= low_[0] - slack && place[0] <= high_[0] + slack && place[1] >= low_[1] - slack &&
+           place[1] <= high_[1] + slack;
+}
+
+void MapView::stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour) {
+    if (visible({(from[0] + to[0]) / 2, (from[1] + to[1]) / 2})) drawing_.line(pixel(from), pixel(to), width, colour);
+}
+
+void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour) {
+    stroke(positions_[static_cast<std::size_t>(from)], positions_[static_cast<std::size_t>(to)], width, colour);
+}
+
+void MapView::draw_grains() {
+    for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
+        const auto& nodes = specimen_.element_nodes[e];
+        const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
+        const auto [a, b, c] = std::array{place(0), place(1), place(2)};
+        if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
+        const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
+        drawing_.polygon({pixel(a), pixel(b), pixel(c)}, palette::phase(specimen_.grain_phase[grain]));
+    }
+    const double mean_edge = specimen_.statistics.mean_edge;
+    const double thin = mean_edge > 0 ? std::clamp(0.03 * mean_edge * scale_, 0.3, 1.2) : 1.0;
+    for (const auto& nodes : specimen_.contact_nodes) {
+        draw_outline(nodes[0], nodes[1], thin, palette::outline);
+        draw_outline(nodes[2], nodes[3], thin, palette::outline);
+    }
+    for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.6 * thin, palette::rim);
+}
+
+void MapView::draw_platen(double y, bool above, double half_width) {
+    const double middle = (low_[0] + high_[0]) / 2;
+    const Pixel left = pixel({middle - half_width, y});
+    const Pixel right = pixel({middle + half_width, y});
+    const double outside = left.y + (above ? -platen_height : platen_height);
+    drawing_.rectangle({left.x, std::min(left.y, outside)}, {right.x, std::max(left.y, outside)}, palette::platen);
+}
+
+void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
+    const double y = drawing_.height() - legend_height / 2 + 8;
+    constexpr double size = 25;
+    double x = margin;
+    for (const LegendEntry& entry : entries) {
+        drawing_.line({x, y - 8}, {x + 44, y - 8}, entry.width, entry.colour);
+        drawing_.text({{x + 58, y}, entry.words, size});
+        x += 58 + 0.6 * size * static_cast<double>(entry.words.size()) + 40;
+    }
+    const double length = round_length(0.25 * (high_[0] - low_[0]));
+    const double right = drawing_.width() - margin;
+    const double left = right - length * scale_;
+    drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
+    for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);
+    drawing_.text({{left - 14, y}, format_quantity(length, Dimension::length), size, palette::ink, Anchor::end});
+}
+
+}  // namespace graincrack

@@ -1,0 +1,58 @@
+// A map of a specimen on a page: title above, grains in their place, legend and scale below.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "post/drawing.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack {
+
+using Positions = std::vector<std::array<double, 2>>;
+
+/// One entry of the legend: a stroke and what it means.
+struct LegendEntry {
+    Colour colour;
+    double width = 4;
+    std::string words;
+};
+
+class MapView {
+public:
+    /// Lays the page out so that the specimen, and what moved out of it by up to a tenth of its size, fits tightly.
+    ///
+    /// \param positions place of each node, m \param title first line bold
+    MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title);
+
+    /// Fills the grains by phase and draws their outlines and the rim.
+    void draw_grains();
+    /// A stroke between two places; left out if its middle lies off the map.
+    void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
+    /// A rigid platen: a bar across the page of the specimen's width, outside (above or below) of height y, m.
+    void draw_platen(double y, bool above, double half_width);
+    /// Legend and a scale bar below the map.
+    void draw_legend(const std::vector<LegendEntry>& entries);
+
+    [[nodiscard]] const Positions& positions() const { return positions_; }
+    [[nodiscard]] double pixels_per_metre() const { return scale_; }
+    [[nodiscard]] const Drawing& drawing() const { return drawing_; }
+
+private:
+    struct Layout;
+    MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const Layout& layout);
+    [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
+    [[nodiscard]] bool visible(std::array<double, 2> place) const;
+    void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);
+
+    const Specimen& specimen_;
+    Positions positions_;
+    std::array<double, 2> low_;  ///< corners of the map, m
+    std::array<double, 2> high_;
+    double scale_;  ///< pixels per m
+    Pixel origin_;  ///< where the lower left corner of the map is
+    Drawing drawing_;
+};
+
+}  // namespace graincrack

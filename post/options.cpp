@@ -1,0 +1,99 @@
+#include "post/options.hpp"
+
+#include <limits>
+
+#include "share/command_line.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr Quantity frame_time{"time", Dimension::time, 0, std::numeric_limits<double>::infinity(), "simulated time"};
+constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
+
+const char* const examples =
+    "  graincrack-post strength uniaxial.h5 brazilian.h5\n"
+    "  graincrack-post plot cracks uniaxial.h5 --frame peak -o cracks.png\n";
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& help) { return app.add_subcommand(name, help); }
+
+void add_files(CLI::App* command, PostOptions& options, const std::string& name, const std::string& help) {
+    command->add_option(name, options.files, help + " (- is stdin)")->required()->type_name("FILE")->configurable(false);
+}
+
+void add_format(CLI::App* command, PostOptions& options) {
+    add_choice<TableFormat>(*command, "--format", options.format, {{"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
+                            "form of the table: tab-separated with one header line, or JSON lines");
+}
+
+void add_info(CLI::App& app, PostOptions& options) {
+    CLI::App* info = add_command(app, "info", "what is in a specimen or run");
+    add_files(info, options, "files", "specimens or runs");
+    info->add_flag("--check", options.check, "read every dataset and validate the specimen");
+    info->add_flag("--digest", options.digest, "print `digest  file` only: SHA-256 over the content except /provenance");
+}
+
+void add_tables(CLI::App& app, PostOptions& options) {
+    const auto table = [&](const std::string& name, const std::string& help) {
+        CLI::App* command = add_command(app, name, help);
+        add_files(command, options, "runs", "run files");
+        add_format(command, options);
+    };
+    CLI::App* history = add_command(app, "history", "the history of a run as a table, tension positive");
+    add_files(history, options, "run", "run file");
+    add_format(history, options);
+    table("strength", "strength, strain, cracks at the peak and checks of the run, a row a run");
+    table("moduli",
+          "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
+          "and predicted from contact compliance");
+    table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of compression tests, 95 % intervals");
+    CLI::App* fpz = add_command(app, "fpz", "the fracture process zone of a rock, every number with its equation");
+    fpz->add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
+    add_format(fpz, options);
+}
+
+void add_maps(CLI::App& app, PostOptions& options) {
+    CLI::App* cracks = add_command(app, "cracks", "grains and cracks as VTK series, catalogue and rosette");
+    add_files(cracks, options, "run", "run file");
+    cracks->add_option("-o,--output", options.output, "folder for grains.pvd, cracks.pvd, cracks.tsv, rosette.tsv")->required();
+}
+
+void add_plots(CLI::App& app, PostOptions& options) {
+    CLI::App* plot = add_command(app, "plot", "pictures, without a display");
+    plot->require_subcommand(1);
+    const auto picture = [&](const std::string& name, const std::string& help, const std::string& files) {
+        CLI::App* command = add_command(*plot, name, help);
+        add_files(command, options, files, files == "runs" ? "run files" : files == "run" ? "run file" : "specimen or run");
+        command->add_option("-o,--output", options.output, "picture: .png or .svg")->required();
+        return command;
+    };
+    picture("specimen", "the grains of a specimen", "file");
+    picture("curve", "stress against axial and lateral strain, several runs on one plot", "runs");
+    CLI::App* cracks = picture("cracks", "crack map: tensile red, shear black", "run");
+    cracks->add_option("--frame", options.crack_map.frame, "frame: first, peak, last or a number from 0")->capture_default_str();
+    add_quantity(*cracks, "--time", options.crack_map.time, frame_time, "frame nearest to a simulated time");
+    add_quantity(*cracks, "--magnify", options.crack_map.magnification, magnification,
+                 "draw displacements so many times as large", "1");
+}
+
+}  // namespace
+
+std::optional<PostOptions> read_options(int argc, const char* const* argv) {
+    PostOptions options;
+    CommonOptions common;
+    CLI::App app("Turns runs into tables, VTK files and pictures");
+    add_common_options(app, "graincrack-post", common, examples, post_libraries());
+    app.require_subcommand(1);
+    add_info(app, options);
+    add_tables(app, options);
+    add_maps(app, options);
+    add_plots(app, options);
+    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    const CLI::App* command = app.get_subcommands().front();
+    options.command = command->get_name();
+    if (options.command == "plot") options.picture = command->get_subcommands().front()->get_name();
+    options.verbosity = common.verbosity;
+    return options;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,103 @@
+#include "post/plot_cracks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/load_curve.hpp"
+#include "post/map_view.hpp"
+#include "post/run_state.hpp"
+#include "post/test_words.hpp"
+
+namespace graincrack {
+
+namespace {
+
+Positions moved(const Specimen& specimen, const Frame& frame, double magnification) {
+    Positions places = specimen.node_position;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i][0] += magnification * frame.displacement[i][0];
+        places[i][1] += magnification * frame.displacement[i][1];
+    }
+    return places;
+}
+
+/// Where the test stands at the time of the frame; also the platens' approach for drawing them.
+struct Standing {
+    std::string words;
+    double axial_strain = 0;  ///< elongation positive
+};
+
+Standing standing(const RunData& run, const Frame& frame, double magnification) {
+    const LoadCurve curve = load_curve(run);
+    const auto& times = run.history[HistoryColumn::time];
+    const auto after = std::lower_bound(times.begin(), times.end(), frame.time);
+    const auto row = static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
+    const bool disc = run.header.test == "brazilian";
+    std::string words = fmt::format("strain {:.3f} %, {} {:.1f} MPa", curve.axial_strain[row] * 100,
+                                    disc ? "tensile stress 2F/(πtD)" : "axial stress", curve.stress[row] * 1e-6);
+    if (row == curve.peak) {
+        words += " (peak)";
+    } else {
+        words += fmt::format(" ({:.0f} % of the peak, {} it)", 100 * curve.stress[row] / curve.peak_stress(),
+                             row < curve.peak ? "before" : "after");
+    }
+    if (magnification != 1) words += fmt::format("; displacements × {:.3g}", magnification);
+    return {words, run.history[HistoryColumn::axial_strain][row]};
+}
+
+/// Draws the half facet of a failed contact point, midway between its two sides.
+void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, double width) {
+    const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
+    const auto between = [&](std::size_t a, std::size_t b) {
+        const auto& p = map.positions()[static_cast<std::size_t>(nodes[a])];
+        const auto& q = map.positions()[static_cast<std::size_t>(nodes[b])];
+        return std::array{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
+    };
+    const auto first = between(0, 2);
+    const auto second = between(1, 3);
+    const std::array middle{(first[0] + second[0]) / 2, (first[1] + second[1]) / 2};
+    map.stroke(crack.point == 0 ? first : middle, crack.point == 0 ? middle : second, width,
+               crack.mode == CrackMode::tensile ? palette::tensile : palette::shear);
+}
+
+/// Points ÷ 2: whole contacts.
+std::string contacts_of(std::size_t points) { return fmt::format("{}", static_cast<double>(points) / 2); }
+
+}  // namespace
+
+Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
+    const std::size_t index = choose_frame(run, options.frame, options.time);
+    const Specimen specimen = run.specimen();
+    const Frame frame = read_frame(run, specimen, index);
+    const std::vector<Crack> cracks = cracks_until(read_cracks(run, specimen), frame.time);
+    const Standing now = standing(run_data(run), frame, options.magnification);
+    MapView map(specimen, moved(specimen, frame, options.magnification),
+                {test_title(run.header()),
+                 fmt::format("seed {}, {} grains, mean edge {:.3g} mm; contact law {}, {}", specimen.seed, specimen.n_grains(),
+                             specimen.statistics.mean_edge * 1e3, run.header().contact_law, run.header().fracture_energy_choice),
+                 now.words});
+    map.draw_grains();
+    if (run.header().test != "tension") {
+        const double y = specimen.height / 2 * (1 + options.magnification * now.axial_strain);
+        const double half_width = specimen.width / 2 * (specimen.shape == "disc" ? 0.5 : 1.0);
+        map.draw_platen(y, true, half_width);
+        map.draw_platen(-y, false, half_width);
+    }
+    const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
+    const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
+    std::size_t tensile = 0;
+    for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
+        for (const Crack& crack : cracks) {
+            if (crack.mode != mode) continue;
+            draw_crack(map, specimen, crack, width);
+            if (mode == CrackMode::tensile) ++tensile;
+        }
+    }
+    map.draw_legend({{palette::tensile, 6, "tensile cracks: " + contacts_of(tensile)},
+                     {palette::shear, 6, "shear cracks: " + contacts_of(cracks.size() - tensile)}});
+    return map.drawing();
+}
+
+}  // namespace graincrack

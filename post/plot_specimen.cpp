@@ -1,0 +1,50 @@
+#include "post/plot_specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "post/map_view.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+std::vector<std::string> title(const Specimen& specimen) {
+    const MeshStatistics& mesh = specimen.statistics;
+    const bool disc = specimen.shape == "disc";
+    const std::string size = disc ? "⌀ " + format_number(specimen.width * 1e3, 4)
+                                  : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
+    std::string shape = specimen.shape;
+    if (!shape.empty() && shape[0] >= 'a' && shape[0] <= 'z') shape[0] = static_cast<char>(shape[0] - 'a' + 'A');
+    return {fmt::format("{} {} mm, {} grains", shape, size, specimen.n_grains()),
+            fmt::format("{}, seed {}: mean edge {:.4g} mm, variation {:.3g}, smallest angle {:.3g}°, ψ6 {:.2g}",
+                        specimen.tessellation, specimen.seed, mesh.mean_edge * 1e3, mesh.edge_variation,
+                        mesh.min_angle * 180 / std::numbers::pi, mesh.psi6)};
+}
+
+}  // namespace
+
+Drawing draw_specimen(const Specimen& specimen) {
+    MapView map(specimen, specimen.node_position, title(specimen));
+    map.draw_grains();
+    bool cracked = false;
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        if (specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        const auto& nodes = specimen.contact_nodes[c];
+        map.stroke(specimen.node_position[static_cast<std::size_t>(nodes[0])],
+                   specimen.node_position[static_cast<std::size_t>(nodes[1])], 4, palette::pre_existing);
+        cracked = true;
+    }
+    std::vector<LegendEntry> legend;
+    if (specimen.phase_names.size() > 1) {
+        for (std::size_t i = 0; i < specimen.phase_names.size(); ++i)
+            legend.push_back({palette::phase(i), 20, specimen.phase_names[i]});
+    }
+    if (cracked) legend.push_back({palette::pre_existing, 4, "pre-existing crack"});
+    map.draw_legend(legend);
+    return map.drawing();
+}
+
+}  // namespace graincrack

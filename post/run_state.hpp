@@ -1,0 +1,24 @@
+// States of a run in space: frames and cracks that are known to fit the specimen, and which frame is meant.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// The catalogue. \throws InputError if a row names a contact or point that the specimen does not have
+std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen);
+/// A frame. \throws InputError if its arrays do not fit the specimen
+Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t index);
+/// The cracks that are there at a time.
+std::vector<Crack> cracks_until(const std::vector<Crack>& cracks, double time);
+
+/// Index of the frame a user means: "last", "first", "peak" (the frame nearest in time to the peak of the curve), or a
+/// number from 0; a `time` in s, if given, wins: the frame nearest to it.
+/// \throws UsageError for another word or a number out of range, InputError for a run without frames
+std::size_t choose_frame(const RunReader& run, const std::string& word, const std::optional<double>& time);
+
+}  // namespace graincrack

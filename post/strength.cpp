@@ -1,0 +1,77 @@
+#include "post/strength.hpp"
+
+#include <cmath>
+
+namespace graincrack {
+
+namespace {
+
+const std::vector<std::string> columns{"file",
+                                       "test",
+                                       "seed",
+                                       "grains",
+                                       "mean_edge_mm",
+                                       "confining_pressure_MPa",
+                                       "peak_compressive_stress_MPa",
+                                       "tensile_strength_MPa",
+                                       "strain_at_peak",
+                                       "peak_kind",
+                                       "first_yield_MPa",
+                                       "tensile_cracks",
+                                       "shear_cracks",
+                                       "ledger_residual",
+                                       "platen_force_difference",
+                                       "steps",
+                                       "wall_time_s",
+                                       "ns_per_grain_step"};
+
+Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
+
+std::vector<Cell> strength_row(const std::string& path) {
+    const RunData run = read_run_data(path);
+    const Strength strength = measure_strength(run);
+    const double grain_steps = static_cast<double>(run.header.steps) * static_cast<double>(run.specimen.grains);
+    const bool timed = grain_steps > 0 && run.wall_time > 0;
+    return {run.name,
+            run.header.test,
+            run.specimen.seed,
+            run.specimen.grains,
+            run.specimen.mean_edge * 1e3,
+            run.header.confining_pressure * 1e-6,
+            megapascal(strength.peak_compressive_stress),
+            megapascal(strength.tensile_strength),
+            strength.strain_at_peak,
+            strength.peak_kind,
+            megapascal(strength.first_yield),
+            count_cell(strength.tensile_cracks),
+            count_cell(strength.shear_cracks),
+            run.header.ledger_residual,
+            run.header.platen_force_difference,
+            run.header.steps,
+            timed ? Cell(run.wall_time) : Cell(),
+            timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell()};
+}
+
+}  // namespace
+
+Strength measure_strength(const RunData& run) {
+    const LoadCurve curve = load_curve(run);
+    Strength strength;
+    const bool compression = run.header.test == "uniaxial" || run.header.test == "triaxial";
+    (compression ? strength.peak_compressive_stress : strength.tensile_strength) = curve.peak_stress();
+    strength.strain_at_peak = curve.axial_strain[curve.peak];
+    strength.peak_kind = peak_kind(run, curve);
+    strength.first_yield = first_yield(curve);
+    strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];
+    strength.shear_cracks = run.history[HistoryColumn::shear_cracks][curve.peak];
+    return strength;
+}
+
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
+    std::vector<std::vector<Cell>> rows;
+    for (const std::string& path : runs) rows.push_back(strength_row(path));
+    TableWriter table(out, columns, format);
+    for (const auto& row : rows) table.row(row);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,31 @@
+// Strength of a test and what a reader needs to trust it: one row a run.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/load_curve.hpp"
+#include "post/table.hpp"
+
+namespace graincrack {
+
+/// Strengths are positive; SI. Empty: the test does not measure it.
+struct Strength {
+    std::optional<double> peak_compressive_stress;  ///< uniaxial, triaxial: σ1 at the peak, confinement included
+    std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
+    double strain_at_peak = 0;                      ///< platen approach over height since the start of the test
+    std::string peak_kind;                          ///< see `peak_kind`
+    std::optional<double> first_yield;              ///< see `first_yield`
+    double tensile_cracks = 0;                      ///< contacts (points ÷ 2) failed by the time of the peak
+    double shear_cracks = 0;
+};
+
+/// \throws InputError if the run has no usable curve
+Strength measure_strength(const RunData& run);
+
+/// Writes the table `strength`, DESIGN's columns; all runs are measured before the first row is written.
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
+
+}  // namespace graincrack

@@ -1,0 +1,51 @@
+// Tables on stdout: TSV with one header line, or the same as JSON lines; numbers alike in every locale.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace graincrack {
+
+enum class TableFormat { tsv, jsonl };
+/// \throws UsageError for anything but "tsv" and "jsonl"
+TableFormat table_format(std::string_view name);
+
+/// One entry: nothing, a number or a word. Nothing, NaN and infinity are written empty (TSV) or null (JSON): the value
+/// does not apply. Reals carry 7 significant digits.
+class Cell {
+public:
+    Cell() = default;
+    Cell(double value);
+    Cell(std::int64_t value);
+    Cell(std::string words);
+    [[nodiscard]] bool empty() const { return text_.empty(); }
+    [[nodiscard]] bool is_number() const { return is_number_; }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+    bool is_number_ = false;
+};
+/// A cell from a value that may be missing.
+Cell cell(const std::optional<double>& value);
+/// A count as an integer cell, or as a number if it is a half.
+Cell count_cell(double count);
+
+/// Writes rows as they come.
+class TableWriter {
+public:
+    TableWriter(std::ostream& out, std::vector<std::string> columns, TableFormat format);
+    /// \pre one cell a column
+    void row(const std::vector<Cell>& cells);
+
+private:
+    std::ostream& out_;
+    std::vector<std::string> columns_;
+    TableFormat format_;
+};
+
+}  // namespace graincrack

@@ -1,0 +1,16 @@
+#include "post/test_words.hpp"
+
+#include <fmt/format.h>
+
+namespace graincrack {
+
+std::string test_title(const RunHeader& header) {
+    std::string test = header.test;
+    if (test == "uniaxial") test = "Uniaxial compression";
+    if (test == "triaxial") test = fmt::format("Compression under {:.4g} MPa", header.confining_pressure * 1e-6);
+    if (test == "brazilian") test = "Brazilian test";
+    if (test == "tension") test = "Direct tension";
+    return header.material.empty() ? test : test + ", " + header.material;
+}
+
+}  // namespace graincrack
