@@ -555,6 +555,7 @@ CLI::Option* add_fracture_energy(CLI::App& app, std::optional<FractureEnergyChoi
 CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& target, const std::vector<std::string>& choices,
                         const std::string& help) {
     std::vector<std::pair<std::string, std::string>> pairs;
+    pairs.reserve(choices.size());
     for (const std::string& choice : choices) pairs.emplace_back(choice, choice);
     return add_choice<std::string>(app, option, target, pairs, help);
 }

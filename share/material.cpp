@@ -28,6 +28,7 @@ using Table = std::pair<std::string, std::vector<Key>>;
 
 std::vector<std::string> names_of(const std::vector<Key>& keys) {
     std::vector<std::string> names;
+    names.reserve(keys.size());
     for (const Key& key : keys) names.push_back(key.name);
     return names;
 }
@@ -87,6 +88,7 @@ Material read_material_file(const fs::path& file) {
     material.file = file;
     std::vector<Table> tables = tables_of(material);
     std::vector<std::string> table_names;
+    table_names.reserve(tables.size());
     for (const Table& table : tables) table_names.push_back(table.first);
 
     const auto find_table = [&](const std::vector<std::string>& section) -> Table* {

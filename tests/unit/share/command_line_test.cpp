@@ -71,6 +71,7 @@ struct Tool {
     bool parse(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "graincrack-try");
         std::vector<const char*> argv;
+        argv.reserve(arguments.size() + 1);
         for (const std::string& argument : arguments) argv.push_back(argument.c_str());
         argv.push_back(nullptr);
         return parse_command_line(app, static_cast<int>(arguments.size()), argv.data());
