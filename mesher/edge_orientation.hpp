@@ -1,0 +1,33 @@
+// Six-fold order of edge directions: how much a mesh, or a neighbourhood in it, looks like a triangular lattice.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesher/geometry.hpp"
+#include "mesher/shape.hpp"
+#include "mesher/triangulation.hpp"
+
+namespace graincrack::mesher {
+
+/// Neighbours of each point in one compressed list: those of point i are items[start[i]] … items[start[i + 1] − 1].
+struct Neighbours {
+    std::vector<int> start;
+    std::vector<int> items;
+};
+Neighbours neighbours_of(std::span<const Edge> edges, std::size_t n_points);
+
+/// e^(6iθ) of a direction, as a point of the complex plane; (0, 0) for a zero vector.
+Point six_fold(Point direction);
+
+/// |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice.
+double psi6(std::span<const Point> points, std::span<const Edge> edges);
+
+/// The largest |⟨e^(6iθ)⟩| among eight equal parts of the shape: 2 × 4 blocks of a rectangle, octants of a disc. An edge
+/// belongs to the part of its midpoint.
+double largest_psi6_of_parts(const Shape& shape, std::span<const Point> points, std::span<const Edge> edges);
+
+/// ⟨e^(6iθ)⟩ around each point, averaged over its edges and smoothed over neighbours `n_smoothings` times.
+std::vector<Point> local_orientation(std::span<const Point> points, const Neighbours& neighbours, int n_smoothings);
+
+}  // namespace graincrack::mesher

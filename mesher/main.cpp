@@ -1,0 +1,79 @@
+// graincrack-mesh: from shapes to specimens of grains.
+//
+//     graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5
+//     graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesher/mesh_options.hpp"
+#include "mesher/mesh_report.hpp"
+#include "mesher/size_check.hpp"
+#include "mesher/specimen_maker.hpp"
+#include "mesher/triangulation.hpp"
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "share/material.hpp"
+#include "share/progress.hpp"
+#include "share/provenance.hpp"
+
+namespace {
+
+using namespace graincrack;
+using namespace graincrack::mesher;
+
+void print(std::ostream& stream, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) stream << line << '\n';
+}
+
+int run(int argc, char** argv) {
+    const auto start = std::chrono::steady_clock::now();
+    catch_stop_signals();
+
+    // Options and rock
+    const auto options = read_options(argc, argv);
+    if (!options) return 0;
+    std::optional<Material> material;
+    if (!options->material.empty()) material = read_material(options->material);
+    if (options->dry_run) {
+        print(std::cout, describe_plan(options->request));
+        if (material) print(std::cout, describe_size_check(*material, plan_mesh(options->request).edge));
+        return 0;
+    }
+    plan_mesh(options->request);  // complains before a file is opened
+
+    // Mesh
+    H5Output file(options->output, "specimen");
+    Progress progress("mesh", options->verbosity);
+    MeshReport report;
+    const Specimen specimen = make_specimen(
+        options->request, [&](double share) { progress.update(share, ""); }, &report);
+    progress.finish();
+
+    // File
+    write_specimen(file, specimen);
+    Provenance provenance;
+    provenance.tool = "graincrack-mesh";
+    provenance.command_line.assign(argv, argv + argc);
+    provenance.configuration = options->configuration;
+    provenance.libraries = library_versions();
+    provenance.libraries.push_back(triangulation_library());
+    provenance.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write_provenance(file, provenance);
+    file.commit();
+
+    // Report
+    if (options->verbosity != Verbosity::quiet) {
+        print(std::cerr, describe_mesh(specimen, options->request, report));
+        if (material) print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return graincrack::run_tool("graincrack-mesh", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,74 @@
+#include "mesher/mesh_options.hpp"
+
+#include <limits>
+
+#include "mesher/triangulation.hpp"
+#include "share/command_line.hpp"
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr const char* examples =
+    "  graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5\n"
+    "  graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5";
+
+/// Options of both shapes.
+void add_mesh_options(CLI::App& shape, MeshOptions& options) {
+    SpecimenRequest& request = options.request;
+    CLI::Option* edge =
+        add_quantity(shape, "--edge", request.edge, quantity::mean_edge, "wanted mean edge over all grain edges, rim included");
+    CLI::Option* grains =
+        add_integer<std::int64_t>(shape, "--grains", request.grains, "exact number of grains, instead of --edge", 1);
+    edge->excludes(grains);
+    add_quantity(shape, "--spread", request.spread, quantity::edge_spread,
+                 "coefficient of variation of the edges, at most 0.3; below about 0.1 it is met as far as edges without a "
+                 "preferred direction allow",
+                 "0.1");
+    add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
+    add_integer<int>(shape, "--elements-per-edge", request.elements_per_edge,
+                     "each grain becomes N x N constant-strain triangles", 1, max_elements_per_edge);
+    detail::add_value(
+        shape, "--material", [&options](const std::string& text) { options.material = text; },
+        "material (name or TOML file) whose bounds of the grain size are printed", "NAME|FILE", "");
+    detail::add_value(
+        shape, "-o,--output", [&options](const std::string& text) { options.output = text; },
+        "specimen file to write; - for stdout", "FILE|-", "");
+}
+
+}  // namespace
+
+std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
+    MeshOptions options;
+    CommonOptions common;
+    CLI::App app("Makes specimens: rectangles and discs of triangular grains of near-equal size without a preferred direction");
+    add_common_options(app, "graincrack-mesh", common, examples, {triangulation_library()});
+    add_dry_run(app, common, "print the expected counts and file size, make nothing");
+    app.require_subcommand(1);
+    Shape rectangle{ShapeKind::rectangle, 0, 0, Pole::facet};
+    CLI::App* rectangle_app = app.add_subcommand("rectangle", "a rectangle, loaded along its height");
+    add_quantity(*rectangle_app, "--width", rectangle.width, quantity::width, "width, across the load")->required();
+    add_quantity(*rectangle_app, "--height", rectangle.height, quantity::height, "height, along the load")->required();
+    add_mesh_options(*rectangle_app, options);
+
+    Shape disc{ShapeKind::disc, 0, 0, Pole::facet};
+    CLI::App* disc_app = app.add_subcommand("disc", "a disc, loaded along its vertical diameter");
+    add_quantity(*disc_app, "--diameter", disc.width, quantity::diameter, "diameter")->required();
+    add_choice<Pole>(*disc_app, "--pole", disc.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
+                     "what of the rim meets the platens");
+    add_mesh_options(*disc_app, options);
+
+    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    disc.height = disc.width;
+    options.request.shape = disc_app->parsed() ? disc : rectangle;
+    options.verbosity = common.verbosity;
+    options.dry_run = common.dry_run;
+    options.configuration = effective_configuration(app);
+    if (options.output.empty() && !options.dry_run) {
+        throw UsageError("-o: missing; give the specimen file to write, or - for stdout");
+    }
+    return options;
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,63 @@
+#include "mesher/mesh_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mesher/assemblage_builder.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double compressed_share = 0.42;  ///< of a file's arrays after shuffle and deflate 1, measured
+
+double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+
+std::string size_line(const char* what, double mean, double variation, double min, double max) {
+    const auto mm = [](double value) { return in_unit(value, Dimension::length, "mm"); };
+    return fmt::format("  {:<26} mean {:.4g} mm, CV {:.4f}, min {:.4g} mm, max {:.4g} mm", what, mm(mean), variation, mm(min),
+                       mm(max));
+}
+
+}  // namespace
+
+std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
+    const MeshStatistics& s = specimen.statistics;
+    std::vector<std::string> lines{
+        fmt::format("{} of {} grains: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape, specimen.n_grains(),
+                    specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts(), specimen.n_boundary_edges()),
+        size_line("edge", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge),
+        size_line("equal-area diameter", s.mean_diameter, s.diameter_variation, s.min_diameter, s.max_diameter),
+        fmt::format("  smallest angle {:.1f} deg, psi6 {:.3f} (at most {:.3f} in eight equal parts), area error {:.1e}",
+                    degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error),
+    };
+    if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
+    if (std::abs(s.edge_variation - request.spread) > 0.1 * request.spread) {
+        lines.push_back(fmt::format("  note: spread {:.3f} was wanted, {:.3f} was reached", request.spread, s.edge_variation));
+    }
+    if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
+        lines.push_back(
+            fmt::format("  note: after {} attempts parts of the mesh still have a preferred direction; parts of so few "
+                        "grains hardly avoid it",
+                        report.attempts));
+    }
+    return lines;
+}
+
+std::vector<std::string> describe_plan(const SpecimenRequest& request) {
+    const MeshPlan plan = plan_mesh(request);
+    const auto counts = assemblage_counts(plan.n_grains, plan.n_boundary, request.elements_per_edge);
+    const double megabytes = compressed_share * static_cast<double>(uncompressed_size(counts)) / 1e6;
+    return {
+        fmt::format("{} of {}{} grains, mean edge about {}", request.shape.name(), request.grains ? "" : "about ", counts.grains,
+                    format_quantity(plan.edge, Dimension::length, 3)),
+        fmt::format("  {} nodes, {} elements, {} contacts, {} boundary edges", counts.nodes, counts.elements, counts.contacts,
+                    counts.boundary_edges),
+        fmt::format("  file about {:.2g} MB, time about {:.2g} s", megabytes, 1.2e-5 * static_cast<double>(counts.grains)),
+    };
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,18 @@
+// What graincrack-mesh tells about a mesh on stderr.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/specimen_maker.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack::mesher {
+
+/// Statistics of a specimen, a line each. Lengths in mm, angles in degrees.
+std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report);
+
+/// Expected counts and file size of a request, a line each. \throws UsageError as `plan_mesh`
+std::vector<std::string> describe_plan(const SpecimenRequest& request);
+
+}  // namespace graincrack::mesher

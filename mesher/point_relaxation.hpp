@@ -1,0 +1,41 @@
+// Relaxation of the inner points of a mesh: near-equal edges without a preferred direction.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mesher/geometry.hpp"
+#include "mesher/random_numbers.hpp"
+#include "mesher/shape.hpp"
+#include "mesher/triangulation.hpp"
+
+namespace graincrack::mesher {
+
+/// What the mesh should become.
+struct RelaxationGoal {
+    double edge = 0;          ///< wanted mean edge, m; must fit the number of points
+    double spread = 0.1;      ///< wanted coefficient of variation of the edges
+    std::size_t n_inner = 0;  ///< wanted number of inner points, met exactly
+};
+
+/// Points (those of the outline first, in its order), their Delaunay triangles and edges.
+struct PlaneMesh {
+    std::vector<Point> points;
+    std::vector<Triangle> triangles;
+    std::vector<Edge> edges;
+};
+
+/// Called with the share of work done, 0 to 1; may throw to stop.
+using ProgressCallback = std::function<void(double)>;
+
+/// Moves, splits and merges the inner points until the edges are near the wanted length; the outline stays.
+///
+/// Each round: Delaunay triangulation; some sweeps of springs along the edges; a merge for each split, where edges are far
+/// too short or too long. Springs alone would crystallise into patches of a lattice, whose directions later steer cracks.
+/// Against that, (1) springs stop pulling within a range about the wanted length, adapted to reach the wanted spread, and
+/// (2) where the edges around a point share a six-fold direction, they are turned away from it.
+/// \throws NumericalError if the number of points cannot be met (a shape only a few edges wide)
+PlaneMesh relax_points(const Shape& shape, const Outline& outline, const std::vector<Point>& inner, const RelaxationGoal& goal,
+                       RandomNumbers& random, const ProgressCallback& progress = {});
+
+}  // namespace graincrack::mesher

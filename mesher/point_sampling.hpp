@@ -1,0 +1,19 @@
+// First positions of the inner points of a mesh: random, but not too close to each other (Poisson disc).
+#pragma once
+
+#include <vector>
+
+#include "mesher/geometry.hpp"
+#include "mesher/random_numbers.hpp"
+#include "mesher/shape.hpp"
+
+namespace graincrack::mesher {
+
+/// Points that are nowhere closer than `min_distance` to each other and than `margin` to the boundary, with no room left
+/// for one more (but for small gaps); along a Hilbert curve.
+///
+/// Bridson's dart throwing (SIGGRAPH 2007) on a grid. Near each right corner of a rectangle one point is placed on the
+/// bisector, so that corners are shared by two triangles.
+std::vector<Point> sample_points(const Shape& shape, double min_distance, double margin, RandomNumbers& random);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,35 @@
+// Random numbers that are the same with every compiler and standard library.
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace graincrack::mesher {
+
+/// Stream of random numbers of one seed. The engine is fixed by the C++ standard; the conversions are our own, because
+/// the standard's distributions differ between libraries.
+class RandomNumbers {
+public:
+    /// \param stream independent streams of the same seed (one an attempt, say)
+    explicit RandomNumbers(std::uint64_t seed, std::uint64_t stream = 0) : engine_(mix(seed, stream)) {}
+
+    /// Uniform in [0, 1), 53 bits.
+    double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
+    /// Uniform in [−1, 1).
+    double symmetric() { return 2 * uniform() - 1; }
+    /// Uniform in 0 … n − 1, n > 0.
+    std::uint64_t below(std::uint64_t n) { return static_cast<std::uint64_t>(uniform() * static_cast<double>(n)); }
+
+private:
+    /// Spreads seed and stream over 64 bits, so that neighbouring seeds start far apart (finaliser of splitmix64).
+    static std::uint64_t mix(std::uint64_t seed, std::uint64_t stream) {
+        std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (stream + 1);
+        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31U);
+    }
+
+    std::mt19937_64 engine_;
+};
+
+}  // namespace graincrack::mesher

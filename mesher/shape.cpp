@@ -1,0 +1,148 @@
+#include "mesher/shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int n_sides = 4;
+
+/// Shares 0 = s₀ < s₁ < … < s_n = 1 of a line cut into n pieces of random length.
+std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
+    // Uniform within ±√3 spread: that has the standard deviation asked for and no outliers.
+    const double half_range = std::min(std::numbers::sqrt3 * spread, 0.6);
+    std::vector<double> shares(static_cast<std::size_t>(n) + 1, 0.0);
+    for (std::size_t i = 1; i < shares.size(); ++i) shares[i] = shares[i - 1] + 1 + half_range * random.symmetric();
+    for (double& s : shares) s /= shares.back();
+    return shares;
+}
+
+/// Numbers of edges on bottom, right, top and left that add up to n, in proportion to the lengths.
+std::array<int, n_sides> edges_per_side(const Shape& shape, int n) {
+    const std::array<double, n_sides> lengths{shape.width, shape.height, shape.width, shape.height};
+    std::array<int, n_sides> edges{1, 1, 1, 1};
+    for (int placed = n_sides; placed < n; ++placed) {
+        std::size_t longest = 0;
+        for (std::size_t side = 1; side < n_sides; ++side) {
+            if (lengths[side] / edges[side] > lengths[longest] / edges[longest] * (1 + 1e-12)) longest = side;
+        }
+        ++edges[longest];
+    }
+    return edges;
+}
+
+Outline rectangle_outline(const Shape& shape, int n, double spread, RandomNumbers& random) {
+    const double x = shape.width / 2;
+    const double y = shape.height / 2;
+    const std::array<Point, n_sides> corners{Point{-x, -y}, Point{x, -y}, Point{x, y}, Point{-x, y}};
+    const auto edges = edges_per_side(shape, n);
+    Outline outline;
+    for (std::size_t side = 0; side < n_sides; ++side) {
+        const Point from = corners[side];
+        const Point to = corners[(side + 1) % n_sides];
+        const auto shares = cut_line(edges[side], spread, random);
+        outline.corners.push_back(static_cast<int>(outline.points.size()));
+        for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+            // The coordinate that does not change along the side stays exact, so that the side is straight.
+            Point p = from;
+            if (from.x != to.x) p.x += shares[i] * (to.x - from.x);
+            if (from.y != to.y) p.y += shares[i] * (to.y - from.y);
+            outline.points.push_back(p);
+            outline.parts.push_back(static_cast<BoundaryPart>(side));
+        }
+    }
+    return outline;
+}
+
+/// Polar angles of the rim points, counter-clockwise from just right of the upper pole's facet (or from the pole).
+std::vector<double> rim_angles(Pole pole, int n, double spread, RandomNumbers& random) {
+    const double half_facet = pole == Pole::facet ? pi / n : 0.0;
+    const int between = pole == Pole::facet ? n - 2 : n;  // edges beside the pole facets
+    std::vector<double> angles;
+    for (const int side : {0, 1}) {  // left half, then right half
+        const int edges = side == 0 ? (between + 1) / 2 : between / 2;
+        const double start = (side == 0 ? 0.5 : 1.5) * pi + half_facet;
+        const auto shares = cut_line(edges, spread, random);
+        const std::size_t n_points = shares.size() - (pole == Pole::facet ? 0 : 1);  // the next pole vertex opens the next half
+        for (std::size_t i = 0; i < n_points; ++i) angles.push_back(start + shares[i] * (pi - 2 * half_facet));
+    }
+    return angles;
+}
+
+double polygon_area(const std::vector<Point>& points) {
+    double doubled = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) doubled += cross(points[i], points[(i + 1) % points.size()]);
+    return doubled / 2;
+}
+
+/// Rim points at a radius, those at the poles moved onto y = ±height.
+std::vector<Point> rim_points(const std::vector<double>& angles, const std::vector<bool>& at_pole, double radius, double height) {
+    std::vector<Point> points(angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        points[i] = {radius * std::cos(angles[i]), radius * std::sin(angles[i])};
+        if (at_pole[i]) points[i].y = std::copysign(height, points[i].y);
+    }
+    return points;
+}
+
+Outline disc_outline(const Shape& shape, int n, double spread, RandomNumbers& random) {
+    const double radius = shape.width / 2;
+    const auto angles = rim_angles(shape.pole, n, spread, random);
+    const double reach = shape.pole == Pole::facet ? pi / n : 0.0;
+    std::vector<bool> at_pole(angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double from_pole = std::abs(std::remainder(angles[i] - pi / 2, pi));
+        at_pole[i] = from_pole < reach + 1e-9;
+    }
+    Outline outline;
+    double rim_radius = radius;
+    // The area grows almost as the square of the rim radius (the moved pole nodes spoil it a little): a few corrections do.
+    for (int i = 0; i < 100; ++i) {
+        outline.points = rim_points(angles, at_pole, rim_radius, radius);
+        const double ratio = shape.area() / polygon_area(outline.points);
+        if (std::abs(ratio - 1) < 4e-16) break;
+        rim_radius *= std::sqrt(ratio);
+    }
+    if (shape.pole == Pole::vertex) {
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            if (at_pole[i]) outline.points[i].x = 0;
+        }
+    }
+    outline.parts.assign(outline.points.size(), BoundaryPart::rim);
+    if (shape.pole == Pole::facet) {
+        const double half_length = std::abs(outline.points.front().x);
+        outline.loading_arc = 2 * std::atan2(half_length, radius);
+    }
+    return outline;
+}
+
+}  // namespace
+
+double Shape::area() const { return kind == ShapeKind::disc ? pi / 4 * width * width : width * height; }
+
+double Shape::perimeter() const { return kind == ShapeKind::disc ? pi * width : 2 * (width + height); }
+
+std::string Shape::name() const { return kind == ShapeKind::disc ? "disc" : "rectangle"; }
+
+int admissible_boundary_count(const Shape& shape, double wanted, bool odd) {
+    (void)shape;  // both shapes need four points and take any number above
+    const int parity = odd ? 1 : 0;
+    const int n = 2 * static_cast<int>(std::lround((wanted - parity) / 2)) + parity;
+    return std::max(n, 4 + parity);
+}
+
+Outline make_outline(const Shape& shape, int n, double spread, RandomNumbers& random) {
+    return shape.kind == ShapeKind::disc ? disc_outline(shape, n, spread, random) : rectangle_outline(shape, n, spread, random);
+}
+
+double depth_inside(const Shape& shape, Point p) {
+    if (shape.kind == ShapeKind::disc) return shape.width / 2 - length(p);
+    return std::min(shape.width / 2 - std::abs(p.x), shape.height / 2 - std::abs(p.y));
+}
+
+}  // namespace graincrack::mesher

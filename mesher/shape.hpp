@@ -1,0 +1,52 @@
+// Shapes of specimens and their outlines: where the boundary points of a mesh lie.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesher/geometry.hpp"
+#include "mesher/random_numbers.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack::mesher {
+
+enum class ShapeKind { rectangle, disc };
+/// What of a disc's rim meets the platens at (0, ±D/2): the middle of a facet, or a vertex.
+enum class Pole { facet, vertex };
+
+/// A shape centred on the origin, load along y. Sizes in m.
+struct Shape {
+    ShapeKind kind = ShapeKind::rectangle;
+    double width = 0;   ///< along x; of a disc the diameter
+    double height = 0;  ///< along y; of a disc the diameter
+    Pole pole = Pole::facet;
+
+    [[nodiscard]] double area() const;       ///< m²; of a disc that of the true circle
+    [[nodiscard]] double perimeter() const;  ///< m
+    [[nodiscard]] std::string name() const;  ///< as in the specimen file
+};
+
+/// Closed convex polygon with the boundary points of a mesh, counter-clockwise; edge i runs from point i to i + 1.
+struct Outline {
+    std::vector<Point> points;
+    std::vector<BoundaryPart> parts;  ///< of each edge
+    std::vector<int> corners;         ///< points with a right angle; their triangles need care
+    double loading_arc = 0;           ///< angle under which a pole facet is seen from the centre, rad; 0 without one
+};
+
+/// Number of boundary points nearest to `wanted` that the shape allows, of the parity asked for.
+/// \param odd true if the number must be odd
+int admissible_boundary_count(const Shape& shape, double wanted, bool odd);
+
+/// Places `n` boundary points. Spacings vary at random with coefficient of variation `spread`; pole facets do not.
+///
+/// A disc's points lie at the radius that gives the polygon the area of the circle; the pole facets' nodes (or the pole
+/// vertices) are moved along y to meet y = ±D/2 exactly.
+/// \param n from `admissible_boundary_count`
+Outline make_outline(const Shape& shape, int n, double spread, RandomNumbers& random);
+
+/// Distance of a point from the boundary, positive inside, m (of a disc: from the true circle).
+double depth_inside(const Shape& shape, Point p);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,162 @@
+#include "mesher/specimen_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "mesher/edge_orientation.hpp"
+#include "mesher/mesh_statistics.hpp"
+#include "mesher/point_sampling.hpp"
+#include "share/error.hpp"
+#include "share/quantities.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr int max_attempts = 40;
+constexpr int max_corrections = 4;
+constexpr double edge_tolerance = 0.005;
+constexpr double sampling_distance = 0.77;  ///< of the edge: gives about as many points as are wanted
+constexpr double sampling_margin = 0.7;     ///< of the edge: first row of inner points
+constexpr double outline_spread = 0.7;      ///< of the edges' spread: outline points do not relax
+
+struct Attempt {
+    Outline outline;
+    PlaneMesh mesh;
+    double excess = std::numeric_limits<double>::infinity();  ///< psi6 over its bound, 1 is at the bound
+    double psi6_of_parts = 0;
+};
+
+std::string metres(double value) { return format_quantity(value, Dimension::length); }
+
+/// Mean edge over that of equilateral triangles of the mean area; measured, good to 1 %.
+double edge_over_equilateral(double spread) {
+    const double s = std::clamp(spread, 0.1, 0.18);
+    return 1 + 1.15 * s * s - 0.4 * std::max(0.0, s - 0.11);
+}
+
+/// Edge of the equilateral triangle of the mean grain area, m.
+double equilateral_edge(const Shape& shape, double n_grains) { return std::sqrt(4 * shape.area() / (std::sqrt(3.0) * n_grains)); }
+
+void check_size(const char* option, double value) {
+    if (!(value > 0) || !std::isfinite(value)) throw UsageError(std::string(option) + ": must be a length above 0");
+}
+
+void check_request(const SpecimenRequest& request) {
+    const Shape& shape = request.shape;
+    if (shape.kind == ShapeKind::disc) {
+        check_size("--diameter", shape.width);
+    } else {
+        check_size("--width", shape.width);
+        check_size("--height", shape.height);
+    }
+    if (request.edge.has_value() == request.grains.has_value()) {
+        throw UsageError("give exactly one of --edge (wanted mean edge) and --grains (number of grains)");
+    }
+    if (!(request.spread >= 0 && request.spread <= max_spread)) {
+        throw UsageError("--spread: " + format_number(request.spread) + " is out of range; 0 to " + format_number(max_spread) +
+                         " would do");
+    }
+    if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
+        throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
+    }
+    const double smallest = std::min(shape.width, shape.height);
+    if (request.edge) {
+        check_size("--edge", *request.edge);
+        if (*request.edge > smallest / 2) {
+            throw UsageError("--edge: " + metres(*request.edge) + " is too large for a specimen " + metres(smallest) +
+                             " across; at most half of that would do");
+        }
+        // Numbers of grains beyond this do not fit the file's indices, whatever the number of elements.
+        if (shape.area() / (*request.edge * *request.edge) > 3e8) {
+            throw UsageError("--edge: " + metres(*request.edge) +
+                             " would make more than 700 million grains; choose a larger edge");
+        }
+    }
+}
+
+MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
+    MeshPlan plan;
+    plan.n_grains = n_grains;
+    plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(request.shape, static_cast<double>(n_grains));
+    plan.n_boundary = admissible_boundary_count(request.shape, request.shape.perimeter() / plan.edge, n_grains % 2 != 0);
+    plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - plan.n_boundary) / 2));
+    return plan;
+}
+
+Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int number, const ProgressCallback& progress) {
+    RandomNumbers random(request.seed, static_cast<std::uint64_t>(number));
+    Attempt attempt;
+    attempt.outline = make_outline(request.shape, plan.n_boundary, outline_spread * request.spread, random);
+    const auto inner = sample_points(request.shape, sampling_distance * plan.edge, sampling_margin * plan.edge, random);
+    attempt.mesh =
+        relax_points(request.shape, attempt.outline, inner, {plan.edge, request.spread, plan.n_inner}, random, progress);
+    attempt.psi6_of_parts = largest_psi6_of_parts(request.shape, attempt.mesh.points, attempt.mesh.edges);
+    const double whole = psi6(attempt.mesh.points, attempt.mesh.edges);
+    attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
+    return attempt;
+}
+
+/// The first mesh without a preferred direction, or the best of all attempts.
+Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
+    Attempt best;
+    for (int number = 0; number < max_attempts && best.excess > 1; ++number) {
+        throw_if_interrupted();
+        Attempt attempt = make_attempt(request, plan, number, progress);
+        ++report.attempts;
+        if (attempt.excess < best.excess) best = std::move(attempt);
+    }
+    report.psi6_of_parts = best.psi6_of_parts;
+    return best;
+}
+
+}  // namespace
+
+MeshPlan plan_mesh(const SpecimenRequest& request) {
+    check_request(request);
+    if (!request.grains) {
+        const double equilateral = *request.edge / edge_over_equilateral(request.spread);
+        const double n_grains = 4 * request.shape.area() / (std::sqrt(3.0) * equilateral * equilateral);
+        return plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains / 2)));
+    }
+    const double smallest = std::min(request.shape.width, request.shape.height);
+    // With at least two edges across the specimen (`check_request`), an equilateral mesh has this many grains.
+    const double fewest = std::ceil(16 * request.shape.area() / (std::sqrt(3.0) * smallest * smallest));
+    if (static_cast<double>(*request.grains) < fewest) {
+        throw UsageError("--grains: " + std::to_string(*request.grains) + " is too few for this shape; at least " +
+                         std::to_string(static_cast<std::int64_t>(fewest)) + " would do");
+    }
+    if (*request.grains > 700'000'000) throw UsageError("--grains: at most 700000000 fit a specimen file");
+    return plan_for(request, *request.grains);
+}
+
+Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& progress, MeshReport* report) {
+    MeshPlan plan = plan_mesh(request);
+    MeshReport made;
+    Attempt attempt = best_attempt(request, plan, progress, made);
+    MeshStatistics statistics = mesh_statistics(request.shape, attempt.mesh);
+    for (int i = 0; request.edge && i < max_corrections; ++i) {
+        const double ratio = statistics.mean_edge / *request.edge;
+        const auto n_grains = 2 * std::llround(static_cast<double>(plan.n_grains) * ratio * ratio / 2);
+        if (std::abs(ratio - 1) < edge_tolerance || n_grains == plan.n_grains) break;
+        const MeshPlan next_plan = plan_for(request, n_grains);
+        Attempt next = best_attempt(request, next_plan, progress, made);
+        const MeshStatistics next_statistics = mesh_statistics(request.shape, next.mesh);
+        if (std::abs(next_statistics.mean_edge / *request.edge - 1) >= std::abs(ratio - 1)) break;
+        plan = next_plan;
+        attempt = std::move(next);
+        statistics = next_statistics;
+    }
+    made.psi6_of_parts = attempt.psi6_of_parts;
+    Specimen specimen = build_assemblage(request.shape, attempt.outline, attempt.mesh, request.elements_per_edge);
+    specimen.seed = request.seed;
+    specimen.statistics = statistics;
+    if (report != nullptr) *report = made;
+    return specimen;
+}
+
+}  // namespace graincrack::mesher
