@@ -1,0 +1,102 @@
+#include "solver/assemblage.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t block_elements = 64;  // a block's nodes, elements and forces stay within a first-level cache
+constexpr std::int32_t block_contacts = 128;
+
+/// Nodes sorted by grain; nodes of no element come last.
+std::vector<std::int32_t> order_nodes(const Specimen& s) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    std::vector<std::int32_t> order(s.n_nodes());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&grain](std::int32_t i, std::int32_t j) {
+        return static_cast<std::uint32_t>(grain[i]) < static_cast<std::uint32_t>(grain[j]);
+    });
+    return order;
+}
+
+void add_elements(Assemblage& a, const Specimen& s, double density) {
+    a.mass.assign(s.n_nodes(), 0.0);
+    for (const auto& nodes : s.element_nodes) {
+        const std::array<std::int32_t, 3> n{a.node_of_specimen[nodes[0]], a.node_of_specimen[nodes[1]],
+                                            a.node_of_specimen[nodes[2]]};
+        a.element_nodes.push_back(n);
+        a.element_geometry.push_back(make_triangle_geometry(a.position[n[0]], a.position[n[1]], a.position[n[2]]));
+        for (const std::int32_t node : n) {
+            a.mass[node] += density * a.element_geometry.back().area / 3;
+        }
+    }
+    a.inverse_mass.resize(a.mass.size());
+    std::transform(a.mass.begin(), a.mass.end(), a.inverse_mass.begin(), [](double m) { return m > 0 ? 1 / m : 0.0; });
+}
+
+void add_contacts(Assemblage& a, const Specimen& s) {
+    std::vector<std::int32_t> count(s.n_nodes() + 1, 0);
+    for (const auto& nodes : s.contact_nodes) {
+        ContactGeometry g{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            g.nodes[k] = a.node_of_specimen[nodes[k]];
+            ++count[g.nodes[k] + 1];
+        }
+        g.edge = a.position[g.nodes[1]] - a.position[g.nodes[0]];
+        g.point_area = 0.5 * length(g.edge);
+        a.contact_length += length(g.edge);
+        a.contacts.push_back(g);
+    }
+    std::partial_sum(count.begin(), count.end(), count.begin());
+    a.slot_begin = count;
+    a.slots.resize(4 * s.n_contacts());
+    for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
+        for (std::int32_t k = 0; k < 4; ++k) {
+            a.slots[count[a.contacts[c].nodes[k]]++] = 4 * c + k;
+        }
+    }
+}
+
+/// Cuts grains into blocks of about `block_elements` elements; nodes follow their grains.
+void cut_blocks(Assemblage& a, const Specimen& s) {
+    std::int32_t begin = 0;
+    std::int32_t node_begin = 0;
+    const std::int32_t n = a.n_elements();
+    for (std::int32_t e = 1; e <= n; ++e) {
+        const bool grain_ends = e == n || s.element_grain[e] != s.element_grain[e - 1];
+        if (!grain_ends || (e < n && e - begin < block_elements)) {
+            continue;
+        }
+        std::int32_t node_end = node_begin;
+        for (std::int32_t i = begin; i < e; ++i) {
+            node_end = std::max({node_end, a.element_nodes[i][0] + 1, a.element_nodes[i][1] + 1, a.element_nodes[i][2] + 1});
+        }
+        a.grain_blocks.push_back({{begin, e}, {node_begin, node_end}});
+        begin = e;
+        node_begin = node_end;
+    }
+    for (std::int32_t c = 0; c < a.n_contacts(); c += block_contacts) {
+        a.contact_blocks.push_back({c, std::min(c + block_contacts, a.n_contacts())});
+    }
+}
+
+}  // namespace
+
+Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane) {
+    Assemblage a;
+    a.elasticity = make_plane_elasticity(rock.young_modulus, rock.poisson_ratio, plane);
+    const std::vector<std::int32_t> order = order_nodes(specimen);
+    a.node_of_specimen.resize(order.size());
+    a.position.resize(order.size());
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(order.size()); ++i) {
+        a.node_of_specimen[order[i]] = i;
+        a.position[i] = {specimen.node_position[order[i]][0], specimen.node_position[order[i]][1]};
+    }
+    add_elements(a, specimen, rock.density);
+    add_contacts(a, specimen);
+    cut_blocks(a, specimen);
+    return a;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,69 @@
+#include "solver/boundary.hpp"
+
+#include <tuple>
+
+namespace graincrack {
+namespace {
+
+/// Half of the boundary edges at each node, m; 0 for inner nodes.
+std::vector<double> boundary_length(const Assemblage& a, const Specimen& s) {
+    std::vector<double> tributary(a.position.size(), 0.0);
+    for (const auto& edge : s.boundary_edges) {
+        const std::int32_t i = a.node_of_specimen[edge[0]];
+        const std::int32_t j = a.node_of_specimen[edge[1]];
+        const double half = 0.5 * length(a.position[j] - a.position[i]);
+        tributary[i] += half;
+        tributary[j] += half;
+    }
+    return tributary;
+}
+
+/// Ranges of `nodes` (sorted) that fall into the node range of each block.
+template <class NodeOf>
+std::vector<Range> ranges_by_block(const Assemblage& a, std::int32_t count, NodeOf&& node_of) {
+    std::vector<Range> ranges;
+    std::int32_t i = 0;
+    for (const GrainBlock& block : a.grain_blocks) {
+        Range range{i, i};
+        while (range.end < count && node_of(range.end) < block.nodes.end) {
+            ++range.end;
+        }
+        i = range.end;
+        ranges.push_back(range);
+    }
+    return ranges;
+}
+
+}  // namespace
+
+Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<Platen, 2>& platens, double reach,
+                       const std::vector<std::uint8_t>& membrane_parts) {
+    Boundary b;
+    b.platens = platens;
+    const std::vector<double> on_boundary = boundary_length(a, s);
+    const double inner_tributary = a.contacts.empty() ? 0 : a.contact_length / static_cast<double>(a.contacts.size());
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        for (std::int32_t p = 0; p < 2; ++p) {
+            const double gap = platens[p].side * (a.position[i].y - platens[p].position);
+            const bool outer = on_boundary[i] > 0;
+            // A glued cap holds the face it is glued to; a platen may be met by anything near.
+            const bool candidate = platens[p].bonded ? outer && gap > -1e-9 * s.height : gap > -reach;
+            if (candidate) {
+                b.platen_points.push_back({i, p, outer ? on_boundary[i] : inner_tributary, std::min(gap, 0.0), 0, 0, outer});
+            }
+        }
+    }
+    b.platen_points_of_block = ranges_by_block(a, static_cast<std::int32_t>(b.platen_points.size()),
+                                               [&](std::int32_t i) { return b.platen_points[i].node; });
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        if (std::find(membrane_parts.begin(), membrane_parts.end(), s.boundary_part[e]) != membrane_parts.end()) {
+            b.membrane_edges.push_back({a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]});
+        }
+    }
+    std::sort(b.membrane_edges.begin(), b.membrane_edges.end());
+    b.membrane_edges_of_block = ranges_by_block(a, static_cast<std::int32_t>(b.membrane_edges.size()),
+                                                [&](std::int32_t i) { return b.membrane_edges[i][0]; });
+    return b;
+}
+
+}  // namespace graincrack

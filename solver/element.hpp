@@ -1,0 +1,99 @@
+// The constant-strain triangle: displacements in, Biot strain, stress and nodal forces out; free of rigid rotation.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "share/fracture_process_zone.hpp"
+#include "solver/vector2.hpp"
+
+namespace graincrack {
+
+/// Isotropic elasticity in the plane: σxx = c11 εxx + c12 εyy, σxy = 2μ εxy, σzz = czz (σxx + σyy).
+struct PlaneElasticity {
+    double c11, c12;
+    double mu;
+    double czz;  ///< ν in plane strain, 0 in plane stress
+};
+inline PlaneElasticity make_plane_elasticity(double young_modulus, double poisson_ratio, PlaneCondition plane) {
+    const double mu = young_modulus / (2 * (1 + poisson_ratio));
+    const double lambda = plane == PlaneCondition::strain
+                              ? young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio))
+                              : young_modulus * poisson_ratio / (1 - poisson_ratio * poisson_ratio);
+    return {lambda + 2 * mu, lambda, mu, plane == PlaneCondition::strain ? poisson_ratio : 0.0};
+}
+
+/// Reference geometry: rows of the inverse edge matrix are the gradients of the shape functions of nodes 1 and 2.
+struct TriangleGeometry {
+    Vector2 gradient1, gradient2;  ///< 1/m; that of node 0 is −(gradient1 + gradient2)
+    double area = 0;               ///< m²
+};
+inline TriangleGeometry make_triangle_geometry(const Vector2& p0, const Vector2& p1, const Vector2& p2) {
+    const Vector2 d1 = p1 - p0;
+    const Vector2 d2 = p2 - p0;
+    const double det = d1.x * d2.y - d2.x * d1.y;
+    return {{d2.y / det, -d2.x / det}, {-d1.y / det, d1.x / det}, 0.5 * det};
+}
+
+/// Polar decomposition F = R U of a triangle and its Biot stress T = C : (U − I).
+struct TriangleState {
+    double cosine, sine;   ///< of the rigid rotation R
+    double exx, eyy, exy;  ///< Biot strain U − I
+    double txx, tyy, txy;  ///< Biot stress in the unrotated frame, Pa
+};
+/// \param u0,u1,u2 nodal displacements, m
+inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& u0, const Vector2& u1,
+                                    const Vector2& u2) {
+    const Vector2 a = u1 - u0;
+    const Vector2 b = u2 - u0;
+    // H = ∇u = F − I
+    const double hxx = a.x * g.gradient1.x + b.x * g.gradient2.x;
+    const double hxy = a.x * g.gradient1.y + b.x * g.gradient2.y;
+    const double hyx = a.y * g.gradient1.x + b.y * g.gradient2.x;
+    const double hyy = a.y * g.gradient1.y + b.y * g.gradient2.y;
+    // R from the part of F that is a rotation times a stretch: tan θ = (Fyx − Fxy)/(Fxx + Fyy).
+    const double p = 2 + hxx + hyy;
+    const double q = hyx - hxy;
+    const double inv = 1 / std::sqrt(p * p + q * q);
+    const double cosine = p * inv;
+    const double sine = q * inv;
+    // cos θ − 1 without cancellation for small rotations.
+    const double cosine_less_1 = p > 0 ? -sine * sine / (1 + cosine) : cosine - 1;
+    TriangleState s{cosine, sine, 0, 0, 0, 0, 0, 0};
+    s.exx = cosine_less_1 + cosine * hxx + sine * hyx;
+    s.eyy = cosine_less_1 + cosine * hyy - sine * hxy;
+    s.exy = 0.5 * (cosine * (hxy + hyx) + sine * (hyy - hxx));
+    s.txx = c.c11 * s.exx + c.c12 * s.eyy;
+    s.tyy = c.c12 * s.exx + c.c11 * s.eyy;
+    s.txy = 2 * c.mu * s.exy;
+    return s;
+}
+
+/// Forces of the triangle on its nodes, −A P ∇N with P = R T, N per metre of thickness.
+inline std::array<Vector2, 3> triangle_forces(const TriangleGeometry& g, const TriangleState& s) {
+    const double pxx = s.cosine * s.txx - s.sine * s.txy;
+    const double pxy = s.cosine * s.txy - s.sine * s.tyy;
+    const double pyx = s.sine * s.txx + s.cosine * s.txy;
+    const double pyy = s.sine * s.txy + s.cosine * s.tyy;
+    const Vector2 f1{-g.area * (pxx * g.gradient1.x + pxy * g.gradient1.y),
+                     -g.area * (pyx * g.gradient1.x + pyy * g.gradient1.y)};
+    const Vector2 f2{-g.area * (pxx * g.gradient2.x + pxy * g.gradient2.y),
+                     -g.area * (pyx * g.gradient2.x + pyy * g.gradient2.y)};
+    return {Vector2{-(f1.x + f2.x), -(f1.y + f2.y)}, f1, f2};
+}
+
+/// Strain energy ½ A T : (U − I), J per metre of thickness.
+inline double triangle_energy(const TriangleGeometry& g, const TriangleState& s) {
+    return 0.5 * g.area * (s.txx * s.exx + s.tyy * s.eyy + 2 * s.txy * s.exy);
+}
+
+/// Stress turned into the present directions: xx yy xy zz, Pa.
+inline std::array<double, 4> triangle_stress(const PlaneElasticity& c, const TriangleState& s) {
+    const double cc = s.cosine * s.cosine;
+    const double ss = s.sine * s.sine;
+    const double cs = s.cosine * s.sine;
+    return {cc * s.txx + ss * s.tyy - 2 * cs * s.txy, ss * s.txx + cc * s.tyy + 2 * cs * s.txy,
+            cs * (s.txx - s.tyy) + (cc - ss) * s.txy, c.czz * (s.txx + s.tyy)};
+}
+
+}  // namespace graincrack

@@ -1,0 +1,67 @@
+// graincrack-solve: a laboratory test on a specimen of grains.
+//
+//     graincrack-solve uniaxial specimen.h5 --material augig-granite -o uniaxial.h5
+//     graincrack-mesh disc --diameter 80mm --grains 452 -o - | graincrack-solve brazilian - --material augig-granite -o
+//     brazilian.h5
+#include <fmt/format.h>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "share/units.hpp"
+#include "solver/solve_options.hpp"
+
+namespace {
+
+using namespace graincrack;
+
+void print_plan(const SimulationPlan& plan) {
+    constexpr double assumed_ns_per_grain_step = 60;
+    fmt::print("grains\t{}\nelements\t{}\nnodes\t{}\ncontacts\t{}\n", plan.grains, plan.elements, plan.nodes, plan.contacts);
+    fmt::print("stable_time_step_s\t{:.4g}\ntime_step_s\t{:.4g}\nmax_steps\t{}\n", plan.stable_time_step, plan.time_step,
+               plan.max_steps);
+    fmt::print("memory_MB\t{:.4g}\nfile_size_at_most_MB\t{:.4g}\n", static_cast<double>(plan.memory) * 1e-6,
+               static_cast<double>(plan.file_size) * 1e-6);
+    fmt::print("estimated_time_at_most_s\t{:.0f}\n",
+               static_cast<double>(plan.max_steps) * static_cast<double>(plan.grains) * assumed_ns_per_grain_step * 1e-9);
+}
+
+void print_summary(const SimulationSummary& s) {
+    const RunHeader& h = s.header;
+    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; peak {:.2f} MPa; micro-cracks {} tensile, {} shear\n", h.test,
+               h.stop_reason, h.steps, h.time_step, h.peak_axial_stress * 1e-6, s.tensile_cracks, s.shear_cracks);
+    fmt::print(
+        stderr,
+        "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work\n",
+        h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share);
+    fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns a grain-step\n", h.test, s.wall_time, s.ns_per_grain_step);
+}
+
+int solve(int argc, char** argv) {
+    const auto options = read_solve_options(argc, argv);
+    if (!options) {
+        return 0;
+    }
+    catch_stop_signals();
+    const H5Input input(options->specimen, "specimen");
+    const Specimen specimen = read_specimen(input);
+    if (options->dry_run) {
+        print_plan(plan_simulation(specimen, options->request));
+        return 0;
+    }
+    Provenance provenance;
+    provenance.tool = "graincrack-solve";
+    provenance.command_line.assign(argv, argv + argc);
+    provenance.configuration = options->configuration;
+    provenance.input_digest = input.digest();
+    const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
+    if (options->verbosity != Verbosity::quiet) {
+        print_summary(summary);
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return graincrack::run_tool("graincrack-solve", [&] { return solve(argc, argv); });
+}

@@ -1,0 +1,338 @@
+#include "solver/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "solver/catalogue.hpp"
+#include "solver/measure.hpp"
+#include "solver/step.hpp"
+#include "solver/time_step.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double history_rows = 8000;      // to the strain cap: enough to resolve a brittle peak
+constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
+constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
+
+/// Axial stress of a test: load over the specimen's width (brazilian: over its diameter).
+double axial_stress(const Specimen& s, double force_bottom, double force_top) {
+    return 0.5 * (force_bottom + force_top) / s.width;
+}
+
+RunHeader make_header(const SimulationRequest& r) {
+    RunHeader h;
+    h.test = name_of(r.loading.test);
+    h.material = r.material.name;
+    h.contact_law = name_of(r.law);
+    h.coupling = name_of(r.coupling);
+    h.fracture_energy_choice = r.fracture_energy_choice;
+    h.plane = r.plane;
+    h.rock = r.material.rock;
+    h.contact = r.contact;
+    h.platen_friction = r.loading.platen_friction;
+    h.confining_pressure = r.loading.confining_pressure;
+    h.platen_speed = r.loading.platen_speed;
+    h.damping = r.damping;
+    h.peak_drop = r.peak_drop;
+    h.max_strain = r.loading.max_strain;
+    return h;
+}
+
+/// Steps between two rows of the history.
+std::int64_t batch_steps(const Specimen& s, const SimulationRequest& r, double time_step) {
+    const double time_to_cap = r.loading.max_strain * s.height / (2 * r.loading.platen_speed);
+    return std::max<std::int64_t>(10, static_cast<std::int64_t>(time_to_cap / time_step / history_rows));
+}
+
+/// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
+class FrameKeeper {
+public:
+    FrameKeeper(int wanted, double first_interval, RunWriter& writer)
+        : wanted_(wanted), interval_(first_interval), writer_(writer) {}
+    void regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
+        if (wanted_ == 0 || strain < next_) {
+            return;
+        }
+        writer_.add_frame(make_frame(a, law, state), false);
+        ++regular_;
+        if (regular_ >= 2 * wanted_) {
+            writer_.thin_frames();
+            regular_ = (regular_ + 1) / 2;
+            interval_ *= 2;
+        }
+        next_ = interval_ * (std::floor(strain / interval_) + 1);
+    }
+    /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.
+    void peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaw& law, const State& state) {
+        if (wanted_ == 0) {
+            return;
+        }
+        if (is_highest) {
+            peak_ = make_frame(a, law, state);
+        } else if (has_fallen && peak_) {
+            writer_.add_frame(*peak_, true);
+            peak_.reset();
+        }
+    }
+    void last(const Assemblage& a, const ContactLaw& law, const State& state) {
+        if (peak_ && peak_->step < state.step) {
+            writer_.add_frame(*peak_, true);
+        }
+        writer_.add_frame(make_frame(a, law, state), true);
+    }
+
+private:
+    int wanted_;
+    double interval_;
+    RunWriter& writer_;
+    double next_ = 0;
+    int regular_ = 0;
+    std::optional<Frame> peak_;
+};
+
+/// The run: everything that lives as long as it does.
+class Simulation {
+public:
+    Simulation(const Specimen& specimen, const SimulationRequest& request, const std::string& output, Verbosity verbosity)
+        : specimen_(specimen),
+          request_(request),
+          assemblage_(make_assemblage(specimen, request.material.rock, request.plane)),
+          boundary_(make_test_boundary(assemblage_, specimen, request.loading, request.contact)),
+          gauges_(make_gauges(assemblage_, specimen)),
+          parameters_{make_contact_law(request.contact, request.law, request.coupling), 0, request.damping},
+          loading_(request.loading, specimen, request.material.rock, request.plane),
+          state_(make_state(assemblage_, boundary_, specimen)),
+          catalogue_(state_.points.size()),
+          header_(make_header(request)),
+          progress_(header_.test, verbosity) {
+        header_.stable_time_step = stable_time_step(assemblage_, boundary_, parameters_.law);
+        header_.time_step = parameters_.time_step = request.time_step_fraction * header_.stable_time_step;
+        steps_per_batch_ = batch_steps(specimen, request, parameters_.time_step);
+        H5Output file(output, "run");
+        const bool pipe = file.is_pipe();
+        writer_.emplace(std::move(file), specimen, header_);
+        frames_.emplace(pipe && request.frames < 0 ? 0 : std::abs(request.frames), request.loading.max_strain / 64, *writer_);
+    }
+
+    RunHeader run() {
+        start(assemblage_, parameters_, state_);
+        record();
+        while (header_.stop_reason.empty()) {
+            throw_if_interrupted();
+            const double duration = static_cast<double>(steps_per_batch_) * parameters_.time_step;
+            const BatchLoading batch =
+                loading_.next({state_.time, -last_axial_stress_, history_[HistoryColumn::unbalanced_ratio].back()}, duration);
+            advance(assemblage_, boundary_, parameters_, batch, steps_per_batch_, request_.threads, state_);
+            record();
+            show_progress();
+            decide_stop();
+        }
+        progress_.finish();
+        finish_header();
+        return header_;
+    }
+
+    void write(const Provenance& provenance) {
+        frames_->last(assemblage_, parameters_.law, state_);
+        writer_->append_history(history_);
+        writer_->finish(header_, catalogue_.rows(state_), provenance);
+    }
+    [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
+
+private:
+    void push(HistoryColumn column, double value) { history_[column].push_back(value); }
+    /// The stress that the test drives up, positive.
+    [[nodiscard]] double driven_stress() const {
+        return request_.loading.test == TestKind::tension ? last_axial_stress_ : -last_axial_stress_;
+    }
+    [[nodiscard]] double axial_strain() const {
+        return (state_.loading.platen_displacement[top_platen] - state_.loading.platen_displacement[bottom_platen]) /
+               specimen_.height;
+    }
+
+    void record() {
+        catalogue_.collect(assemblage_, parameters_.time_step, state_);
+        const Measurement m = measure(assemblage_, boundary_, parameters_, state_);
+        check_stability(m.energies);
+        last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
+        push_row(m);
+        const bool counts = !loading_.is_isotropic() && !catalogue_.empty();
+        const bool is_highest = counts && driven_stress() > peak_;
+        peak_ = is_highest ? driven_stress() : peak_;
+        frames_->peak(is_highest, counts && driven_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
+                      state_);
+        frames_->regular(std::abs(axial_strain()), assemblage_, parameters_.law, state_);
+        if (history_.size() % 500 == 0) {
+            writer_->append_history(history_);
+        }
+    }
+
+    void check_stability(const Energies& energies) {
+        header_.energy_scale = std::max(header_.energy_scale, energies.stored());
+        const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
+        if (!std::isfinite(residual) || std::abs(residual) > unstable_residual) {
+            throw NumericalError(
+                fmt::format("the run became unstable at step {} (energy balance off by {:.0f} %); use a smaller "
+                            "--time-step-fraction than {} or a slower --rate",
+                            state_.step, 100 * std::abs(residual), request_.time_step_fraction));
+        }
+        header_.ledger_residual = std::max(header_.ledger_residual, std::abs(energies.imbalance()));
+    }
+
+    void push_row(const Measurement& m) {
+        using enum HistoryColumn;
+        const Energies& e = m.energies;
+        const double strain = this->axial_strain();
+        push(time, state_.time);
+        push(step, static_cast<double>(state_.step));
+        push(HistoryColumn::axial_strain, strain);
+        push(lateral_strain, gauges_.widening.strain(state_.displacement));
+        push(gauge_axial_strain, gauges_.axial.strain(state_.displacement));
+        push(gauge_lateral_strain, gauges_.lateral.strain(state_.displacement));
+        push(HistoryColumn::axial_stress, last_axial_stress_);
+        push(force_top, m.force_top);
+        push(force_bottom, -m.force_bottom);
+        push(confining_pressure, m.membrane_force / (specimen_.height * (1 + strain)));
+        push(energy_external, e.external);
+        push(energy_kinetic, e.kinetic);
+        push(energy_strain, e.strain);
+        push(energy_contact, e.contact);
+        push(energy_fracture_tension, e.fracture_tension);
+        push(energy_fracture_shear, e.fracture_shear);
+        push(energy_friction, e.friction);
+        push(energy_damping, e.damping);
+        push(energy_platen, e.platen);
+        push(law_mismatch, e.mismatch);
+        push(ledger_residual, header_.energy_scale > 0 ? e.imbalance() / header_.energy_scale : 0);
+        push(unbalanced_ratio, m.unbalanced_ratio);
+        push(tensile_cracks, 0.5 * static_cast<double>(catalogue_.tensile_points()));
+        push(shear_cracks, 0.5 * static_cast<double>(catalogue_.shear_points()));
+        push(platen_speed, loading_.platen_speed());
+    }
+
+    void show_progress() {
+        progress_.update(std::abs(axial_strain()) / request_.loading.max_strain,
+                         fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", driven_stress() * 1e-6,
+                                     catalogue_.tensile_points() / 2, catalogue_.shear_points() / 2));
+    }
+
+    void decide_stop() {
+        if (loading_.is_isotropic()) {
+            return;
+        }
+        if (!catalogue_.empty() && driven_stress() < (1 - request_.peak_drop) * peak_) {
+            header_.stop_reason = "peak drop";
+        } else if (std::abs(axial_strain()) >= request_.loading.max_strain) {
+            header_.stop_reason = "strain cap";
+        }
+    }
+
+    /// Largest difference of the platen forces over their mean, on the way up from half the peak to the peak.
+    [[nodiscard]] double platen_force_difference(std::size_t peak_row, double sign) const {
+        double worst = 0;
+        for (std::size_t i = 0; i < peak_row; ++i) {
+            const double top = history_[HistoryColumn::force_top][i];
+            const double bottom = history_[HistoryColumn::force_bottom][i];
+            const double mean = 0.5 * sign * (top + bottom);
+            if (mean / specimen_.width > 0.5 * header_.peak_axial_stress) {
+                worst = std::max(worst, std::abs(top - bottom) / mean);
+            }
+        }
+        return worst;
+    }
+
+    void finish_header() {
+        header_.steps = state_.step;
+        header_.isotropic_end_time = loading_.isotropic_end_time();
+        const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
+        const std::vector<double>& stress = history_[HistoryColumn::axial_stress];
+        const auto peak =
+            std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
+        header_.peak_axial_stress = sign * *peak;
+        header_.platen_force_difference = platen_force_difference(static_cast<std::size_t>(peak - stress.begin()), sign);
+        header_.ledger_residual = header_.energy_scale > 0 ? header_.ledger_residual / header_.energy_scale : 0;
+        const double external = history_[HistoryColumn::energy_external].back();
+        header_.damping_share = external > 0 ? history_[HistoryColumn::energy_damping].back() / external : 0;
+        double sum = 0;
+        double squares = 0;
+        double n = 0;
+        for (std::size_t i = 0; i < history_.size(); ++i) {
+            if (history_[HistoryColumn::time][i] >= header_.isotropic_end_time) {
+                const double p = history_[HistoryColumn::confining_pressure][i];
+                sum += p;
+                squares += p * p;
+                n += 1;
+            }
+        }
+        header_.confinement_mean = sum / n;
+        header_.confinement_deviation =
+            std::sqrt(std::max(0.0, squares / n - header_.confinement_mean * header_.confinement_mean));
+    }
+
+    const Specimen& specimen_;
+    const SimulationRequest& request_;
+    Assemblage assemblage_;
+    Boundary boundary_;
+    Gauges gauges_;
+    StepParameters parameters_;
+    Loading loading_;
+    State state_;
+    CrackCatalogue catalogue_;
+    RunHeader header_;
+    Progress progress_;
+    History history_;
+    std::int64_t steps_per_batch_ = 0;
+    double last_axial_stress_ = 0;  ///< tension positive, Pa
+    double peak_ = 0;               ///< of the driven stress, Pa
+    std::optional<RunWriter> writer_;
+    std::optional<FrameKeeper> frames_;
+};
+
+}  // namespace
+
+SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request) {
+    const Assemblage a = make_assemblage(specimen, request.material.rock, request.plane);
+    const Boundary boundary = make_test_boundary(a, specimen, request.loading, request.contact);
+    SimulationPlan plan;
+    plan.grains = specimen.n_grains();
+    plan.elements = specimen.n_elements();
+    plan.nodes = specimen.n_nodes();
+    plan.contacts = specimen.n_contacts();
+    plan.stable_time_step = stable_time_step(a, boundary, make_contact_law(request.contact, request.law, request.coupling));
+    plan.time_step = request.time_step_fraction * plan.stable_time_step;
+    plan.max_steps = static_cast<std::int64_t>(request.loading.max_strain * specimen.height / (2 * request.loading.platen_speed) /
+                                               plan.time_step);
+    plan.memory = plan.nodes * (5 * sizeof(Vector2) + 2 * sizeof(double)) + plan.elements * (sizeof(TriangleGeometry) + 16) +
+                  plan.contacts * (sizeof(ContactGeometry) + 4 * sizeof(Vector2) + 2 * sizeof(ContactHistory) +
+                                   4 * sizeof(std::int32_t) + 16);
+    const std::size_t frame = plan.nodes * 32 + plan.elements * 32 + plan.contacts * 82;
+    plan.file_size = plan.nodes * 40 + plan.elements * 60 + plan.contacts * 21 + static_cast<std::size_t>(history_rows) * 200 +
+                     static_cast<std::size_t>(2 * std::abs(request.frames) + 2) * frame;
+    return plan;
+}
+
+SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& request, const std::string& output,
+                           Verbosity verbosity, Provenance provenance) {
+    const auto begin = std::chrono::steady_clock::now();
+    Simulation simulation(specimen, request, output, verbosity);
+    SimulationSummary summary;
+    summary.header = simulation.run();
+    summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    summary.ns_per_grain_step =
+        1e9 * summary.wall_time / (static_cast<double>(summary.header.steps) * static_cast<double>(specimen.n_grains()));
+    summary.tensile_cracks = simulation.catalogue().tensile_points() / 2;
+    summary.shear_cracks = simulation.catalogue().shear_points() / 2;
+    provenance.wall_time = summary.wall_time;
+    provenance.threads = request.threads;
+    simulation.write(provenance);
+    return summary;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,58 @@
+// A run from specimen to run file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "share/material.hpp"
+#include "share/progress.hpp"
+#include "share/provenance.hpp"
+#include "share/run_file.hpp"
+#include "solver/contact_law.hpp"
+#include "solver/loading.hpp"
+
+namespace graincrack {
+
+/// Everything a run is made of, besides the specimen.
+struct SimulationRequest {
+    LoadingRequest loading;
+    Material material;          ///< with the contact parameters to use
+    ContactParameters contact;  ///< derived from it, validated
+    std::string fracture_energy_choice = "mode-i";
+    PlaneCondition plane = PlaneCondition::strain;
+    LawVariant law = LawVariant::scaled;
+    Coupling coupling = Coupling::full;
+    double peak_drop = 0.3;
+    double damping = 0.8;
+    double time_step_fraction = 0.7;
+    int frames = 20;
+    int threads = 1;
+};
+
+/// Size and length of a run before it is started.
+struct SimulationPlan {
+    std::size_t grains = 0, elements = 0, nodes = 0, contacts = 0;
+    double stable_time_step = 0;  ///< s
+    double time_step = 0;         ///< s
+    std::int64_t max_steps = 0;   ///< to the strain cap, without an isotropic stage
+    std::size_t memory = 0;       ///< of the state and the assemblage, bytes
+    std::size_t file_size = 0;    ///< at most, before compression, bytes
+};
+
+SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request);
+
+/// What a finished run tells its user.
+struct SimulationSummary {
+    RunHeader header;
+    std::size_t tensile_cracks = 0;  ///< contacts
+    std::size_t shear_cracks = 0;
+    double wall_time = 0;  ///< s
+    double ns_per_grain_step = 0;
+};
+
+/// Runs the test and writes the run file to `output` ("-": stdout).
+/// \throws NumericalError if the run becomes unstable, Interrupted on a signal, OutputError
+SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& request, const std::string& output,
+                           Verbosity verbosity, Provenance provenance);
+
+}  // namespace graincrack

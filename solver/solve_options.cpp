@@ -1,0 +1,132 @@
+#include "solver/solve_options.hpp"
+
+#include "share/command_line.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+namespace {
+
+const char* const examples =
+    "  graincrack-solve uniaxial specimen.h5 --material augig-granite -o uniaxial.h5\n"
+    "  graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 4MPa --rate 5mm/s -o triaxial.h5";
+
+/// Values of options that end in a request only together with the material.
+struct RawOptions {
+    std::string material;
+    std::optional<double> contact_tensile_strength, contact_cohesion, contact_friction_angle, platen_friction, confining_pressure;
+    std::optional<FractureEnergyChoice> fracture_energy;
+    std::string plane;
+};
+
+void add_material_options(CLI::App& command, RawOptions& raw) {
+    command.add_option("--material", raw.material, "material: a name of share/materials or a TOML file")
+        ->required()
+        ->type_name("NAME");
+    add_quantity(command, "--contact-tensile-strength", raw.contact_tensile_strength, quantity::contact_tensile_strength,
+                 "tensile strength tc of the contacts instead of the material's");
+    add_quantity(command, "--contact-cohesion", raw.contact_cohesion, quantity::contact_cohesion,
+                 "cohesion cc of the contacts instead of the material's");
+    add_quantity(command, "--contact-friction-angle", raw.contact_friction_angle, quantity::contact_friction_angle,
+                 "friction angle of failed contacts instead of the material's");
+    add_fracture_energy(
+        command, raw.fracture_energy,
+        "fracture energy of the contacts: mixed (Eq 32), mode-i (K_IC^2/E~) or a value; mode-i unless the material has one");
+}
+
+void add_law_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
+    add_choice<LawVariant>(
+        command, "--contact-law", request.law,
+        {{"scaled", LawVariant::scaled}, {"literal", LawVariant::literal}, {"continuous", LawVariant::continuous}},
+        "reading of the contact law; see share/doc/laws.md");
+    add_choice<Coupling>(command, "--coupling", request.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
+                         "full: failure in one mode takes the cohesion in both; none: each mode for itself");
+    add_choice(command, "--plane", raw.plane, {"strain", "stress"}, "plane condition");
+}
+
+void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
+    LoadingRequest& loading = request.loading;
+    if (confined) {
+        add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
+                     "pressure of the membrane on the lateral edges")
+            ->required();
+    }
+    add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
+                 "friction angle between rock and platens instead of the material's");
+    add_quantity(command, "--rate", loading.platen_speed, quantity::platen_speed, "speed of each platen", "5mm/s");
+    add_quantity(command, "--peak-drop", request.peak_drop, quantity::peak_drop,
+                 "fall below the peak that ends the test, share of it", "0.3");
+    add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
+                 "platen travel over specimen height that ends the test", "0.015");
+    add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
+    add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
+                 "time step over the stable step", "0.7");
+    add_integer(command, "--frames", request.frames,
+                "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
+    add_threads(command, request.threads);
+}
+
+CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common, TestKind test,
+                   const std::string& help) {
+    CLI::App* command = app.add_subcommand(std::string(name_of(test)), help);
+    command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
+    add_material_options(*command, raw);
+    add_law_options(*command, options.request, raw);
+    add_run_options(*command, options.request, raw, test == TestKind::triaxial);
+    command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
+    add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
+    return command;
+}
+
+void complete_request(SimulationRequest& request, const RawOptions& raw) {
+    Material material = read_material(raw.material);
+    material.contact.tensile_strength = raw.contact_tensile_strength.value_or(material.contact.tensile_strength);
+    material.contact.cohesion = raw.contact_cohesion.value_or(material.contact.cohesion);
+    material.contact.friction_angle = raw.contact_friction_angle.value_or(material.contact.friction_angle);
+    const bool brazilian = request.loading.test == TestKind::brazilian;
+    request.plane = raw.plane.empty() ? (brazilian ? PlaneCondition::stress : PlaneCondition::strain)
+                                      : (raw.plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain);
+    request.contact = contact_parameters(material, request.plane, raw.fracture_energy);
+    using Kind = FractureEnergyChoice::Kind;
+    const Kind kind =
+        raw.fracture_energy ? raw.fracture_energy->kind : (material.contact.fracture_energy ? Kind::value : Kind::mode_i);
+    request.fracture_energy_choice = kind == Kind::mixed ? "mixed" : (kind == Kind::mode_i ? "mode-i" : "value");
+    request.loading.platen_friction = raw.platen_friction.value_or(material.platen_friction_angle);
+    request.loading.confining_pressure = raw.confining_pressure.value_or(0);
+    request.material = std::move(material);
+}
+
+}  // namespace
+
+std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
+    SolveOptions options;
+    RawOptions raw;
+    CommonOptions common;
+    CLI::App app("Runs laboratory tests on an assemblage of grains by the cohesive discrete element method");
+    add_common_options(app, "graincrack-solve", common, examples);
+    app.require_subcommand(1);
+    const auto add = [&](TestKind test, const std::string& help) { return add_test(app, options, raw, common, test, help); };
+    const std::vector<std::pair<CLI::App*, TestKind>> tests{
+        {add(TestKind::uniaxial, "compression between platens"), TestKind::uniaxial},
+        {add(TestKind::triaxial, "compression between platens under lateral pressure"), TestKind::triaxial},
+        {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
+        {add(TestKind::tension, "direct tension between glued caps"), TestKind::tension},
+    };
+    if (!parse_command_line(app, argc, argv)) {
+        return std::nullopt;
+    }
+    for (const auto& [command, test] : tests) {
+        if (command->parsed()) {
+            options.request.loading.test = test;
+        }
+    }
+    options.dry_run = common.dry_run;
+    options.verbosity = common.verbosity;
+    options.configuration = effective_configuration(app);
+    if (options.output.empty() && !options.dry_run) {
+        throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
+    }
+    complete_request(options.request, raw);
+    return options;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,26 @@
+// The command line of graincrack-solve.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/progress.hpp"
+#include "solver/simulation.hpp"
+
+namespace graincrack {
+
+struct SolveOptions {
+    SimulationRequest request;
+    std::string specimen;  ///< file or "-"
+    std::string output;    ///< file or "-"
+    Verbosity verbosity = Verbosity::normal;
+    bool dry_run = false;
+    std::string configuration;  ///< effective options as TOML
+};
+
+/// Reads options, configuration and material; empty if the call was answered (--help, --version, --print-config).
+/// \throws UsageError, InputError
+std::optional<SolveOptions> read_solve_options(int argc, char** argv);
+
+}  // namespace graincrack

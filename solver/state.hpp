@@ -1,0 +1,61 @@
+// Everything that changes during a run.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/assemblage.hpp"
+#include "solver/boundary.hpp"
+#include "solver/contact_law.hpp"
+
+namespace graincrack {
+
+/// A contact point that failed or separated during a step.
+struct ContactEvent {
+    std::int64_t step = 0;
+    std::int32_t contact = 0;
+    std::uint8_t point = 0;
+    bool is_separation = false;
+    CrackMode mode = CrackMode::tensile;
+    ContactMotion motion;
+    ContactTraction peak_traction;  ///< of the step before, still short of the peak
+    Vector2 tangent;
+    Vector2 position;  ///< middle of the half-edge the point stands for
+};
+
+/// Energies summed over the contacts of a block since the start, J.
+struct ContactSums {
+    double fracture_tension = 0;
+    double fracture_shear = 0;
+    double friction = 0;
+    double mismatch = 0;
+};
+/// Energies summed over the grains of a block since the start, J.
+struct GrainSums {
+    double damping = 0;
+    double platen_work = 0;
+    double membrane_work = 0;
+    double platen_friction = 0;
+};
+
+struct State {
+    std::int64_t step = 0;
+    double time = 0;
+    std::vector<Vector2> displacement;    ///< [n] m, at `time`
+    std::vector<Vector2> velocity;        ///< [n] m/s, half a step before `time`
+    std::vector<Vector2> force;           ///< [n] N, scratch of the node stage
+    std::vector<Vector2> contact_force;   ///< [4 c] slots, N, at `time`
+    std::vector<ContactHistory> points;   ///< [2 c], at `time`
+    std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
+    std::vector<PlatenPoint> platen_points;
+    std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
+    std::vector<GrainSums> grain_sums;              ///< by block of grains
+    std::vector<ContactSums> contact_sums;          ///< by block of contacts
+    std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
+    StepLoading loading;                            ///< at `time`
+};
+
+/// The state at rest; pre-existing cracks start broken.
+State make_state(const Assemblage& assemblage, const Boundary& boundary, const Specimen& specimen);
+
+}  // namespace graincrack

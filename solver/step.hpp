@@ -1,0 +1,47 @@
+// The explicit step: contact law → nodal forces (elements, contacts, platens, membrane) → damping → integration.
+#pragma once
+
+#include <cmath>
+
+#include "solver/assemblage.hpp"
+#include "solver/boundary.hpp"
+#include "solver/contact_law.hpp"
+#include "solver/state.hpp"
+
+namespace graincrack {
+
+/// Constants of a run that the step needs.
+struct StepParameters {
+    ContactLaw law;
+    double time_step = 0;  ///< s
+    double damping = 0;    ///< α of local damping, Fd = −α |F| sign(v) per component
+};
+
+/// Local damping, per component: a share α of the unbalanced force against the motion.
+inline Vector2 damping_force(double alpha, const Vector2& force, const Vector2& velocity) {
+    const auto against = [alpha](double f, double v) { return v == 0 ? 0.0 : -std::copysign(alpha * std::abs(f), v); };
+    return {against(force.x, velocity.x), against(force.y, velocity.y)};
+}
+
+/// Advances the contacts of a block to the present displacements: histories, slots, energies, events.
+void advance_contacts(const Assemblage& assemblage, const ContactLaw& law, std::int32_t block, std::int64_t step, State& state);
+
+/// Sums the forces on the nodes of a block into `state.force`: elements, contact slots, platens, membrane, in this order.
+/// With `commit` the platen points remember their friction and the sums take it in; without it nothing but `force` changes.
+void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t block,
+                      bool commit, State& state);
+
+/// Damps and integrates the nodes of a block by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of
+/// damping, platens and membrane, each force over the mean of the displacements before and after it.
+void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
+                     State& state);
+
+/// Advances the state by `n_steps` steps under `loading` with a team of threads. On entry and on return contact forces
+/// and histories belong to the present displacements (see `start`). Results do not depend on `n_threads`.
+void advance(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters,
+             const BatchLoading& loading, std::int64_t n_steps, int n_threads, State& state);
+
+/// Evaluates the contacts at the start, so that `advance` and `measure` find forces of the present displacements.
+void start(const Assemblage& assemblage, const StepParameters& parameters, State& state);
+
+}  // namespace graincrack

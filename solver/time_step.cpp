@@ -1,0 +1,143 @@
+#include "solver/time_step.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr int max_iterations = 400;
+constexpr int check_every = 10;
+constexpr double wanted_residual = 0.01;  // of the eigenvalue: half of it in the step
+
+void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
+    for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
+        const auto [n0, n1, n2] = a.element_nodes[e];
+        const TriangleGeometry& g = a.element_geometry[e];
+        const Vector2 d1 = x[n1] - x[n0];
+        const Vector2 d2 = x[n2] - x[n0];
+        const double exx = d1.x * g.gradient1.x + d2.x * g.gradient2.x;
+        const double eyy = d1.y * g.gradient1.y + d2.y * g.gradient2.y;
+        const double gxy = d1.x * g.gradient1.y + d2.x * g.gradient2.y + d1.y * g.gradient1.x + d2.y * g.gradient2.x;
+        const PlaneElasticity& c = a.elasticity;
+        const TriangleState unrotated{1,         0, exx, eyy, 0.5 * gxy, c.c11 * exx + c.c12 * eyy, c.c12 * exx + c.c11 * eyy,
+                                      c.mu * gxy};
+        const std::array<Vector2, 3> forces = triangle_forces(g, unrotated);
+        y[n0] -= forces[0];
+        y[n1] -= forces[1];
+        y[n2] -= forces[2];
+    }
+}
+
+void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
+    const double shear_stiffness = std::max(law.ks, law.w * law.kt);
+    for (const ContactGeometry& g : a.contacts) {
+        const Vector2 t = (1 / (2 * g.point_area)) * g.edge;
+        const Vector2 n{t.y, -t.x};
+        for (int p = 0; p < 2; ++p) {
+            const std::int32_t on_a = g.nodes[p];
+            const std::int32_t on_b = g.nodes[2 + p];
+            const Vector2 jump = x[on_b] - x[on_a];
+            const Vector2 force =
+                (g.point_area * law.kt * dot(jump, n)) * n + (g.point_area * shear_stiffness * dot(jump, t)) * t;
+            y[on_b] += force;
+            y[on_a] -= force;
+        }
+    }
+}
+
+void add_platens(const Boundary& boundary, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
+    for (const PlatenPoint& point : boundary.platen_points) {
+        if (point.on_boundary) {
+            const Platen& platen = boundary.platens[point.platen];
+            y[point.node].x += platen.shear_stiffness * point.tributary * x[point.node].x;
+            y[point.node].y += platen.normal_stiffness * point.tributary * x[point.node].y;
+        }
+    }
+}
+
+double dot(const std::vector<Vector2>& a, const std::vector<Vector2>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += graincrack::dot(a[i], b[i]);
+    }
+    return sum;
+}
+
+/// A start vector with a part in every mode: a fixed sequence without pattern.
+std::vector<Vector2> start_vector(std::size_t n) {
+    std::vector<Vector2> v(n);
+    std::uint64_t state = 0x9e3779b97f4a7c15ULL;
+    const auto next = [&state] {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<double>(state >> 11) * 0x1p-53 - 0.5;
+    };
+    for (Vector2& x : v) {
+        x.x = next();
+        x.y = next();
+    }
+    return v;
+}
+
+}  // namespace
+
+void apply_stiffness(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,
+                     std::vector<Vector2>& y) {
+    std::fill(y.begin(), y.end(), Vector2{});
+    add_elements(a, x, y);
+    add_contacts(a, law, x, y);
+    add_platens(boundary, x, y);
+}
+
+double stable_time_step(const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {
+    const std::size_t n = a.position.size();
+    std::vector<double> root(n);  // M^(−1/2)
+    std::transform(a.inverse_mass.begin(), a.inverse_mass.end(), root.begin(), [](double m) { return std::sqrt(m); });
+    std::vector<Vector2> current = start_vector(n);
+    std::vector<Vector2> previous(n);
+    std::vector<Vector2> scaled(n);
+    std::vector<Vector2> next(n);
+    std::vector<double> diagonal;
+    std::vector<double> beside;
+    double beta = std::sqrt(dot(current, current));
+    for (Vector2& x : current) {
+        x = (1 / beta) * x;
+    }
+    beta = 0;
+    for (int k = 1; k <= max_iterations; ++k) {
+        for (std::size_t i = 0; i < n; ++i) {
+            scaled[i] = root[i] * current[i];
+        }
+        apply_stiffness(a, boundary, law, scaled, next);
+        for (std::size_t i = 0; i < n; ++i) {
+            next[i] = root[i] * next[i] - beta * previous[i];
+        }
+        diagonal.push_back(dot(next, current));
+        for (std::size_t i = 0; i < n; ++i) {
+            next[i] -= diagonal.back() * current[i];
+        }
+        beta = std::sqrt(dot(next, next));
+        const bool exhausted = beta <= 1e-12 * diagonal.front() || k == static_cast<int>(2 * n);
+        if (k % check_every == 0 || exhausted) {
+            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+            solver.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(diagonal.data(), k),
+                                          Eigen::Map<Eigen::VectorXd>(beside.data(), k - 1));
+            const double eigenvalue = solver.eigenvalues()(k - 1);
+            const double residual = beta * std::abs(solver.eigenvectors()(k - 1, k - 1));
+            if (residual < wanted_residual * eigenvalue || exhausted) {
+                return 2 / std::sqrt(eigenvalue + residual);
+            }
+        }
+        beside.push_back(beta);
+        std::swap(previous, current);
+        for (std::size_t i = 0; i < n; ++i) {
+            current[i] = (1 / beta) * next[i];
+        }
+    }
+    throw NumericalError("the stable time step was not found: the stiffness of the specimen is not finite; check the material");
+}
+
+}  // namespace graincrack

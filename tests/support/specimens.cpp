@@ -1,0 +1,153 @@
+#include "tests/support/specimens.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace graincrack::test {
+namespace {
+
+std::vector<Point> grid_points(int nx, int ny, double width, double height, double jitter) {
+    std::vector<Point> points;
+    for (int j = 0; j <= ny; ++j) {
+        for (int i = 0; i <= nx; ++i) {
+            const bool inner = i > 0 && j > 0 && i < nx && j < ny;
+            const double dx = inner ? jitter * std::sin(12.9898 * i + 78.233 * j) : 0;
+            const double dy = inner ? jitter * std::sin(39.425 * i + 11.135 * j) : 0;
+            points.push_back({width * ((i + dx) / nx - 0.5), height * ((j + dy) / ny - 0.5)});
+        }
+    }
+    return points;
+}
+
+std::vector<Triangle> grid_triangles(int nx, int ny, bool alternate) {
+    std::vector<Triangle> triangles;
+    const auto at = [nx](int i, int j) { return j * (nx + 1) + i; };
+    for (int j = 0; j < ny; ++j) {
+        for (int i = 0; i < nx; ++i) {
+            if (alternate && (i + j) % 2 == 1) {
+                triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+                triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+            } else {
+                triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+                triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            }
+        }
+    }
+    return triangles;
+}
+
+double area(const Point& a, const Point& b, const Point& c) {
+    return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+}
+
+/// An edge of a grain's outline: its shared points and its own nodes.
+struct Side {
+    int grain;
+    std::int32_t first;
+    std::int32_t second;
+};
+
+BoundaryPart part_of(const Specimen& s, const Point& p, const Point& q) {
+    const double small = 1e-9 * (s.width + s.height);
+    const auto both = [&](std::size_t axis, double value) {
+        return std::abs(p[axis] - value) < small && std::abs(q[axis] - value) < small;
+    };
+    if (both(1, -s.height / 2)) {
+        return BoundaryPart::bottom;
+    }
+    if (both(0, s.width / 2)) {
+        return BoundaryPart::right;
+    }
+    if (both(1, s.height / 2)) {
+        return BoundaryPart::top;
+    }
+    return both(0, -s.width / 2) ? BoundaryPart::left : BoundaryPart::rim;
+}
+
+void add_sides(Specimen& s, const std::map<std::pair<int, int>, std::vector<Side>>& sides) {
+    double edges = 0;
+    for (const auto& [key, both] : sides) {
+        const Side& a = both.front().grain < both.back().grain ? both.front() : both.back();
+        const Side& b = both.front().grain < both.back().grain ? both.back() : both.front();
+        const Point& p = s.node_position[a.first];
+        const Point& q = s.node_position[a.second];
+        edges += std::hypot(p[0] - q[0], p[1] - q[1]);
+        if (both.size() == 2) {
+            s.contact_nodes.push_back({a.first, a.second, b.second, b.first});
+            s.contact_grain_boundary.push_back(static_cast<std::int32_t>(s.contact_grain_boundary.size()));
+            s.contact_kind.push_back(static_cast<std::uint8_t>(ContactKind::grain_boundary));
+        } else {
+            s.boundary_edges.push_back({a.first, a.second});
+            s.boundary_part.push_back(static_cast<std::uint8_t>(part_of(s, p, q)));
+        }
+    }
+    s.statistics.mean_edge = edges / static_cast<double>(sides.size());
+}
+
+}  // namespace
+
+Specimen specimen_of_grains(const std::vector<Point>& points, const std::vector<Triangle>& triangles,
+                            const std::vector<int>& grain) {
+    Specimen s;
+    s.shape = "rectangle";
+    s.tessellation = "test";
+    const auto [left, right] =
+        std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a[0] < b[0]; });
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a[1] < b[1]; });
+    s.width = (*right)[0] - (*left)[0];
+    s.height = (*high)[1] - (*low)[1];
+    s.grain_phase.assign(static_cast<std::size_t>(grain.back()) + 1, 0);
+    s.grain_area.assign(s.grain_phase.size(), 0.0);
+    std::map<std::pair<int, int>, std::int32_t> node;  // of (grain, point)
+    std::map<std::pair<int, int>, std::vector<Side>> sides;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        std::array<std::int32_t, 3> nodes{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [at, is_new] =
+                node.try_emplace({grain[t], triangles[t][k]}, static_cast<std::int32_t>(s.node_position.size()));
+            if (is_new) {
+                s.node_position.push_back(points[triangles[t][k]]);
+            }
+            nodes[k] = at->second;
+        }
+        s.element_nodes.push_back(nodes);
+        s.element_grain.push_back(grain[t]);
+        s.grain_area[grain[t]] += area(points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto key = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+            sides[key].push_back({grain[t], nodes[k], nodes[(k + 1) % 3]});
+        }
+    }
+    std::erase_if(sides,
+                  [](const auto& item) { return item.second.size() == 2 && item.second[0].grain == item.second[1].grain; });
+    add_sides(s, sides);
+    return s;
+}
+
+Specimen specimen_of_triangles(const std::vector<Point>& points, const std::vector<Triangle>& triangles) {
+    std::vector<int> grain(triangles.size());
+    std::iota(grain.begin(), grain.end(), 0);
+    return specimen_of_grains(points, triangles, grain);
+}
+
+Specimen one_diagonal_grid(int nx, int ny, double width, double height) {
+    return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, false));
+}
+Specimen union_jack_grid(int nx, int ny, double width, double height) {
+    return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, true));
+}
+Specimen jittered_grid(int nx, int ny, double width, double height, double jitter) {
+    return specimen_of_triangles(grid_points(nx, ny, width, height, jitter), grid_triangles(nx, ny, true));
+}
+
+Specimen rotated(Specimen s, double angle) {
+    for (auto& p : s.node_position) {
+        p = {std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1]};
+    }
+    return s;
+}
+
+}  // namespace graincrack::test
