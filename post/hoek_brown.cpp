@@ -105,8 +105,9 @@ std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::
     const int status = gsl_multifit_nlinear_driver(500, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, work.get());
     const double sigma_ci = gsl_vector_get(work->x, 0);
     const double mi = gsl_vector_get(work->x, 1);
-    // GSL_ENOPROG: no further progress is possible, as for data without scatter.
-    if ((status != GSL_SUCCESS && status != GSL_ENOPROG) || !(sigma_ci > 1e-5) || !std::isfinite(mi)) return std::nullopt;
+    // A start that cannot be improved, as for data without scatter, is reported as EMAXITER with the reason ENOPROG.
+    const bool settled = status == GSL_SUCCESS || status == GSL_ENOPROG || reason == GSL_ENOPROG;
+    if (!settled || !(sigma_ci > 1e-5) || !std::isfinite(mi)) return std::nullopt;
 
     const int freedom = static_cast<int>(n - n_parameters);
     std::array<double, 4> variances{};

@@ -133,9 +133,8 @@ void MapView::draw_grains() {
 }
 
 void MapView::draw_platen(double y, bool above, double half_width) {
-    const double middle = (low_[0] + high_[0]) / 2;
-    const Pixel left = pixel({middle - half_width, y});
-    const Pixel right = pixel({middle + half_width, y});
+    const Pixel left = pixel({-half_width, y});
+    const Pixel right = pixel({half_width, y});
     const double outside = left.y + (above ? -platen_height : platen_height);
     drawing_.rectangle({left.x, std::min(left.y, outside)}, {right.x, std::max(left.y, outside)}, palette::platen);
 }
@@ -147,9 +146,9 @@ void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
     for (const LegendEntry& entry : entries) {
         drawing_.line({x, y - 8}, {x + 44, y - 8}, entry.width, entry.colour);
         drawing_.text({{x + 58, y}, entry.words, size});
-        x += 58 + 0.6 * size * static_cast<double>(entry.words.size()) + 40;
+        x += 58 + 0.56 * size * static_cast<double>(entry.words.size()) + 30;
     }
-    const double length = round_length(0.25 * (high_[0] - low_[0]));
+    const double length = round_length(0.2 * (high_[0] - low_[0]));
     const double right = drawing_.width() - margin;
     const double left = right - length * scale_;
     drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);

@@ -30,7 +30,7 @@ public:
     void draw_grains();
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
-    /// A rigid platen: a bar across the page of the specimen's width, outside (above or below) of height y, m.
+    /// A rigid platen on the specimen's axis: a bar from −half_width to half_width, above or below the height y; m.
     void draw_platen(double y, bool above, double half_width);
     /// Legend and a scale bar below the map.
     void draw_legend(const std::vector<LegendEntry>& entries);

@@ -37,7 +37,7 @@ Standing standing(const RunData& run, const Frame& frame, double magnification) 
     const bool disc = run.header.test == "brazilian";
     std::string words = fmt::format("strain {:.3f} %, {} {:.1f} MPa", curve.axial_strain[row] * 100,
                                     disc ? "tensile stress 2F/(πtD)" : "axial stress", curve.stress[row] * 1e-6);
-    if (row == curve.peak) {
+    if (curve.stress[row] > 0.9995 * curve.peak_stress()) {
         words += " (peak)";
     } else {
         words += fmt::format(" ({:.0f} % of the peak, {} it)", 100 * curve.stress[row] / curve.peak_stress(),

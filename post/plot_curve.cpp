@@ -15,7 +15,8 @@ namespace graincrack {
 namespace {
 
 constexpr double left_margin = 130;
-constexpr double right_margin = 130;
+constexpr double right_margin = 60;
+constexpr double right_margin_with_counts = 130;
 constexpr double top_margin = 110;
 constexpr double plot_width = 1140;
 constexpr double plot_height = 760;
@@ -68,7 +69,7 @@ double largest(const std::vector<double>& values) { return *std::max_element(val
 class CurvePage {
 public:
     CurvePage(const std::vector<Run>& runs, std::size_t legend_lines)
-        : drawing_(static_cast<int>(left_margin + plot_width + right_margin),
+        : drawing_(static_cast<int>(left_margin + plot_width + (runs.size() == 1 ? right_margin_with_counts : right_margin)),
                    static_cast<int>(top_margin + plot_height + bottom_margin + legend_line * static_cast<double>(legend_lines))) {
         double stress = 0;
         double strain = 0;
@@ -144,10 +145,13 @@ public:
         drawing_.text({{left_margin, 90}, second, label_size});
     }
 
-    void legend(std::size_t line, Colour colour, double width, const std::string& words) {
-        const double y = y_.from + bottom_margin - 8 + legend_line * static_cast<double>(line);
-        drawing_.line({left_margin, y - 8}, {left_margin + 50, y - 8}, width, colour);
-        drawing_.text({{left_margin + 66, y}, words, tick_size});
+    /// An entry of the legend in a line and, where entries share one, a column of `column_width` pixels.
+    void legend(std::size_t line, std::size_t column, Colour colour, double width, const std::string& words) {
+        constexpr double column_width = 300;
+        const double x = left_margin + column_width * static_cast<double>(column);
+        const double y = y_.from + bottom_margin - 2 + legend_line * static_cast<double>(line);
+        drawing_.line({x, y - 8}, {x + 50, y - 8}, width, colour);
+        drawing_.text({{x + 66, y}, words, tick_size});
     }
 
 private:
@@ -200,13 +204,15 @@ Drawing draw_curves(const std::vector<RunData>& data) {
                                run.specimen.grains, run.specimen.mean_edge * 1e3, 1e-6 * runs[0].curve.peak_stress(),
                                100 * runs[0].curve.axial_strain[runs[0].curve.peak]));
         page.draw_cracks(runs[0]);
-        page.legend(0, palette::series(0), 4, "stress");
+        page.legend(0, 0, palette::series(0), 4, "stress");
+        page.legend(0, 1, palette::tensile, 2.4, "tensile cracks");
+        page.legend(0, 2, palette::shear, 2.4, "shear cracks");
     } else {
         page.title(header.material.empty() ? "Stress and strain" : header.material, fmt::format("{} runs", runs.size()));
     }
     for (std::size_t i = 0; i < runs.size(); ++i) {
         page.draw_run(runs[i], palette::series(i));
-        if (!single) page.legend(i, palette::series(i), 4, legend_words(runs[i]));
+        if (!single) page.legend(i, 0, palette::series(i), 4, legend_words(runs[i]));
     }
     page.draw_frame();
     return page.drawing();

@@ -1,0 +1,181 @@
+#include "post/commands.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+class Commands : public ::testing::Test {
+protected:
+    void SetUp() override {
+        test::write_run(folder_.file("run.h5"), {});
+        H5Output file(folder_.file("specimen.h5"), "specimen");
+        write_specimen(file, test::grid_specimen(2, 2, 0.1, 0.1));
+        file.commit();
+    }
+    std::string output_of(PostOptions options) {
+        std::ostringstream out;
+        run_command(options, out);
+        return out.str();
+    }
+    PostOptions call(const std::string& command, const std::vector<std::string>& files) {
+        PostOptions options;
+        options.command = command;
+        options.verbosity = Verbosity::quiet;
+        for (const std::string& file : files) options.files.push_back(file == "-" ? file : folder_.file(file));
+        return options;
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(Commands, InfoNamesKindCountsAndDatasets) {
+    const std::string run = output_of(call("info", {"run.h5"}));
+    for (const char* words : {"run, schema 1", "uniaxial", "Augig granite", "/contacts/nodes", "/history/axial_stress"}) {
+        EXPECT_NE(run.find(words), std::string::npos) << words;
+    }
+    PostOptions options = call("info", {"specimen.h5"});
+    options.check = true;
+    const std::string specimen = output_of(options);
+    EXPECT_NE(specimen.find("specimen, schema 1"), std::string::npos);
+    EXPECT_NE(specimen.find("every dataset was read"), std::string::npos);
+}
+
+TEST_F(Commands, DigestIsThatOfTheContent) {
+    PostOptions options = call("info", {"run.h5"});
+    options.digest = true;
+    const std::string first = output_of(options);
+    EXPECT_EQ(first.find("  "), 64U);
+    test::write_run(folder_.file("run.h5"), {});
+    EXPECT_EQ(output_of(options), first);
+    test::Recipe other;
+    other.peak *= 1.0000001;
+    test::write_run(folder_.file("run.h5"), other);
+    EXPECT_NE(output_of(options), first);
+}
+
+TEST_F(Commands, HistoryHasUnitsAndTheSignsOfTheFile) {
+    const std::string table = output_of(call("history", {"run.h5"}));
+    EXPECT_EQ(test::parse_tsv(table).size(), 112U);
+    EXPECT_EQ(test::field(table, "time_s", 100), "1");
+    EXPECT_EQ(test::field(table, "axial_stress_Pa", 100), "-1.25e+08");  // compression is negative here
+    EXPECT_EQ(test::field(table, "tensile_cracks", 100), "20");
+}
+
+TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
+    PostOptions options;
+    options.command = "fpz";
+    options.material = std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml";
+    const auto rows = test::parse_tsv(output_of(options));
+    ASSERT_EQ(rows[0], (std::vector<std::string>{"quantity", "plane", "value", "unit", "equation"}));
+    const auto value = [&](const std::string& quantity, const std::string& plane) {
+        for (const auto& row : rows) {
+            EXPECT_EQ(row.size(), 5U);
+            EXPECT_NE(row[4], "") << row[0];
+            if (row[0] == quantity && row[1] == plane) return std::stod(row[2]);
+        }
+        ADD_FAILURE() << "no row " << quantity << " " << plane;
+        return 0.0;
+    };
+    // MODEL's table for Augig granite, printed to three or four digits.
+    EXPECT_NEAR(value("contact_normal_stiffness", "stress"), 6.51e5, 0.01e5);
+    EXPECT_NEAR(value("contact_normal_stiffness", "strain"), 6.87e5, 0.01e5);
+    EXPECT_NEAR(value("contact_shear_stiffness", "strain"), 6.98e4, 0.01e4);
+    EXPECT_NEAR(value("mixed_mode_fracture_energy", "stress"), 436.0, 0.1);
+    EXPECT_NEAR(value("mode_i_fracture_energy", "strain"), 82.6, 0.1);
+    EXPECT_NEAR(value("min_grain_size", ""), 0.4, 0.01);
+    EXPECT_NEAR(value("min_grain_size_shear", ""), 1.59, 0.01);
+    EXPECT_NEAR(value("max_grain_size", ""), 8.6, 0.1);
+    EXPECT_NEAR(value("mixed_mode_contact_zone_length", "strain"), 17.0, 0.1);
+    EXPECT_NEAR(value("mode_i_contact_zone_length", "strain"), 3.4, 0.1);
+    EXPECT_NEAR(value("lennard_jones_b(8,13)", ""), 0.298187, 1e-6);
+    EXPECT_NEAR(value("contact_tensile_strength_from_toughness(4 mm)", ""), 26.8, 0.05);
+    EXPECT_NEAR(value("contact_tensile_strength_from_toughness(5.13 mm)", ""), 23.6, 0.05);
+    EXPECT_NEAR(value("tensile_strength_from_toughness", ""), 10.3, 0.05);
+}
+
+TEST_F(Commands, WrongUseIsRefused) {
+    EXPECT_THROW((void)output_of(call("strength", {"-", "-"})), UsageError);
+    EXPECT_THROW((void)output_of(call("history", {"run.h5", "run.h5"})), UsageError);
+    EXPECT_THROW((void)output_of(call("strength", {"specimen.h5"})), InputError);
+    PostOptions options = call("plot", {"run.h5"});
+    options.picture = "curve";
+    options.output = folder_.file("curve.gif");
+    EXPECT_THROW((void)output_of(options), UsageError);
+}
+
+/// Runs the built tool; stdout and stderr end up in one text.
+class Tool : public Commands {
+protected:
+    void SetUp() override {
+        Commands::SetUp();
+        if (!std::filesystem::exists(tool)) GTEST_SKIP() << tool << " is not built";
+    }
+    std::pair<int, std::string> shell(const std::string& command) {
+        const std::string text = folder_.file("text");
+        const int status =
+            std::system(("cd " + folder_.file("") + " && export DISPLAY= && (" + command + ") > " + text + " 2>&1").c_str());
+        return {WEXITSTATUS(status), test::read_text(text)};
+    }
+    void expect_one_line(const std::string& command, int code, const std::string& words) {
+        const auto [status, text] = shell(command);
+        EXPECT_EQ(status, code) << command << "\n" << text;
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << command << "\n" << text;
+        EXPECT_EQ(text.find("graincrack-post: "), 0U) << text;
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+    }
+    const std::string tool = std::string(GRAINCRACK_BIN) + "/graincrack-post";
+};
+
+TEST_F(Tool, ErrorsAreOneLineWithTheirExitCode) {
+    expect_one_line(tool + " strength missing.h5", 3, "missing.h5");
+    expect_one_line(tool + " strength specimen.h5", 3, "specimen");
+    expect_one_line("head -c 3000 run.h5 > short.h5; " + tool + " strength short.h5", 3, "short.h5");
+    expect_one_line("echo no > text.h5; " + tool + " info text.h5", 3, "text.h5");
+    expect_one_line(tool + " strength", 2, "run");
+    expect_one_line(tool + " smash run.h5", 2, "smash");
+    expect_one_line(tool + " strength run.h5 --format csv", 2, "csv");
+    expect_one_line(tool + " plot cracks run.h5 --frame 99 -o a.png", 2, "--frame");
+    expect_one_line(tool + " plot cracks run.h5 -o a.bmp", 2, ".png");
+    expect_one_line(tool + " plot cracks run.h5 -o missing/a.png", 5, "missing/a.png");
+    expect_one_line(tool + " history run.h5 > /dev/full", 5, "stdout");
+    expect_one_line(tool + " strength - < /dev/null", 3, "stdin");
+}
+
+TEST_F(Tool, PipesIn) {
+    const auto [status, text] = shell("cat run.h5 | " + tool + " strength -");
+    EXPECT_EQ(status, 0) << text;
+    EXPECT_EQ(test::field(text, "peak_compressive_stress_MPa"), "125");
+}
+
+TEST_F(Tool, AReaderThatHasEnoughEndsItQuietly) {
+    const auto [status, text] = shell(tool + " history run.h5 | head -n 1 | cut -f 1");
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(text, "time_s\n");
+}
+
+TEST_F(Tool, PicturesSayNothing) {
+    const auto [status, text] = shell(tool + " plot cracks run.h5 --frame peak --magnify 10 -o cracks.png");
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(text, "");
+    EXPECT_TRUE(std::filesystem::exists(folder_.file("cracks.png")));
+}
+
+TEST_F(Tool, ExamplesOfTheHelpRun) {
+    const auto [status, text] =
+        shell("cp run.h5 uniaxial.h5; cp run.h5 brazilian.h5; PATH=" + std::string(GRAINCRACK_BIN) + ":$PATH; " + tool +
+              " --help | sed -n '/^Examples/,$p' | grep graincrack-post > examples; sh -e ./examples");
+    EXPECT_EQ(status, 0) << text;
+    EXPECT_EQ(test::parse_tsv(text).size(), 3U) << text;
+    EXPECT_TRUE(std::filesystem::exists(folder_.file("cracks.png")));
+}
+
+}  // namespace
+}  // namespace graincrack

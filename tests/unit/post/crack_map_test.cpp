@@ -1,0 +1,152 @@
+#include "post/crack_map.hpp"
+
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/run_state.hpp"
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+class CrackMap : public ::testing::Test {
+protected:
+    void SetUp() override {
+        test::write_run(folder_.file("run.h5"), recipe_);
+        export_crack_map(RunReader(folder_.file("run.h5")), folder_.file("map"), Verbosity::quiet);
+    }
+    std::string map(const std::string& name) const { return folder_.file("map/" + name); }
+    test::Recipe recipe_;
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(CrackMap, SeriesNamesEveryFrameWithItsTime) {
+    for (const std::string stem : {"grains", "cracks"}) {
+        const std::string pvd = test::read_text(map(stem + ".pvd"));
+        const std::string suffix = stem == "grains" ? ".vtu" : ".vtp";
+        EXPECT_NE(pvd.find("timestep=\"0\" part=\"0\" file=\"" + stem + "_0000" + suffix), std::string::npos) << pvd;
+        EXPECT_NE(pvd.find("timestep=\"1.25\" part=\"0\" file=\"" + stem + "_0002" + suffix), std::string::npos) << pvd;
+        EXPECT_TRUE(std::filesystem::exists(map(stem + "_0001" + suffix)));
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.file("map"))) {
+        EXPECT_NE(entry.path().extension(), ".part");
+    }
+}
+
+TEST_F(CrackMap, GrainsReadBackWithStressAndDisplacement) {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName(map("grains_0001.vtu").c_str());
+    reader->Update();
+    vtkUnstructuredGrid* grid = reader->GetOutput();
+    const Specimen& specimen = recipe_.specimen;
+    ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(specimen.n_elements()));
+    ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(specimen.n_nodes()));
+    EXPECT_DOUBLE_EQ(grid->GetPoint(5)[1], specimen.node_position[5][1]);
+    const Frame frame = test::synthetic_frame(specimen, 1, 0.005, 0);
+    vtkDataArray* displacement = grid->GetPointData()->GetArray("displacement");
+    ASSERT_NE(displacement, nullptr);
+    ASSERT_EQ(displacement->GetNumberOfComponents(), 3);
+    EXPECT_DOUBLE_EQ(displacement->GetComponent(5, 1), frame.displacement[5][1]);
+    EXPECT_NE(frame.displacement[5][1], 0);
+    EXPECT_EQ(displacement->GetComponent(5, 2), 0);
+    ASSERT_NE(grid->GetPointData()->GetArray("velocity"), nullptr);
+    vtkDataArray* stress = grid->GetCellData()->GetArray("stress");
+    ASSERT_NE(stress, nullptr);
+    EXPECT_DOUBLE_EQ(stress->GetComponent(3, 0), 1e6);     // XX
+    EXPECT_DOUBLE_EQ(stress->GetComponent(3, 1), -100e6);  // YY
+    EXPECT_DOUBLE_EQ(stress->GetComponent(3, 2), -20e6);   // ZZ
+    EXPECT_DOUBLE_EQ(stress->GetComponent(3, 3), 5e6);     // XY
+    const double radius = std::hypot(101e6 / 2, 5e6);
+    EXPECT_NEAR(grid->GetCellData()->GetArray("principal_stress_1")->GetComponent(3, 0), -99e6 / 2 + radius, 1);
+    EXPECT_NEAR(grid->GetCellData()->GetArray("principal_stress_2")->GetComponent(3, 0), -99e6 / 2 - radius, 1);
+    EXPECT_EQ(grid->GetCellData()->GetArray("grain")->GetComponent(3, 0), 3);
+    EXPECT_NE(grid->GetCellData()->GetArray("phase"), nullptr);
+}
+
+TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
+    const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
+    for (const auto& [file, time] : {std::pair{"cracks_0000.vtp", 0.0}, {"cracks_0001.vtp", 1.0}, {"cracks_0002.vtp", 1.25}}) {
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(map(file).c_str());
+        reader->Update();
+        vtkPolyData* lines = reader->GetOutput();
+        const std::vector<Crack> present = cracks_until(all, time);
+        ASSERT_EQ(lines->GetNumberOfLines(), static_cast<vtkIdType>(present.size())) << file;
+        for (std::size_t i = 0; i < present.size(); ++i) {
+            double a[3];
+            double b[3];
+            lines->GetPoint(static_cast<vtkIdType>(2 * i), a);
+            lines->GetPoint(static_cast<vtkIdType>(2 * i + 1), b);
+            EXPECT_NEAR((a[0] + b[0]) / 2, present[i].position[0], 1e-12);
+            EXPECT_NEAR(std::hypot(b[0] - a[0], b[1] - a[1]), present[i].length, 1e-12);
+            const auto data = [&](const char* name) {
+                return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
+            };
+            EXPECT_EQ(data("mode"), static_cast<double>(present[i].mode));
+            EXPECT_EQ(data("time"), present[i].time);
+            EXPECT_EQ(data("mode_angle"), present[i].mode_angle);
+            EXPECT_EQ(data("separated"), present[i].time_separated <= time ? 1 : 0);
+            EXPECT_EQ(data("contact"), present[i].contact);
+        }
+    }
+    ASSERT_TRUE(cracks_until(all, 0).empty());
+    ASSERT_LT(cracks_until(all, 1).size(), all.size());
+}
+
+TEST_F(CrackMap, WarpedCracksLieOnWarpedFacets) {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(map("cracks_0002.vtp").c_str());
+    reader->Update();
+    vtkPolyData* lines = reader->GetOutput();
+    const Frame frame = test::synthetic_frame(recipe_.specimen, 1.25, 0.006, 0.001);
+    const std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+        // Middle of the half facet, mean of both sides, displaced: by hand from the four nodes.
+        const auto& nodes = recipe_.specimen.contact_nodes[static_cast<std::size_t>(cracks[i].contact)];
+        const auto place = [&](std::size_t k) {
+            const auto node = static_cast<std::size_t>(nodes[k]);
+            return recipe_.specimen.node_position[node][0] + frame.displacement[node][0];
+        };
+        const double first = (place(0) + place(2)) / 2;
+        const double second = (place(1) + place(3)) / 2;
+        const double expected = cracks[i].point == 0 ? 0.75 * first + 0.25 * second : 0.25 * first + 0.75 * second;
+        const auto id = static_cast<vtkIdType>(2 * i);
+        const double warped = (lines->GetPoint(id)[0] + lines->GetPoint(id + 1)[0]) / 2 +
+                              lines->GetPointData()->GetArray("displacement")->GetComponent(id, 0);
+        EXPECT_NEAR(warped, expected, 1e-12);
+    }
+}
+
+TEST_F(CrackMap, CatalogueAndRosetteAreTables) {
+    const std::string catalogue = test::read_text(map("cracks.tsv"));
+    const std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
+    EXPECT_EQ(test::parse_tsv(catalogue).size(), cracks.size() + 1);
+    EXPECT_EQ(test::field(catalogue, "mode", 0), cracks[0].mode == CrackMode::tensile ? "tensile" : "shear");
+    EXPECT_EQ(test::field(catalogue, "time_separated_s", 1), "");  // not separated
+    EXPECT_EQ(test::parse_tsv(test::read_text(map("rosette.tsv"))).size(), 19U);
+}
+
+TEST_F(CrackMap, CatalogueThatNamesMissingContactsIsRefused) {
+    std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
+    cracks[3].contact = static_cast<std::int32_t>(recipe_.specimen.n_contacts());
+    test::write_run(folder_.file("bad.h5"), recipe_, cracks);
+    EXPECT_THROW(export_crack_map(RunReader(folder_.file("bad.h5")), folder_.file("bad"), Verbosity::quiet), InputError);
+}
+
+TEST_F(CrackMap, FolderThatCannotBeMadeIsAnOutputError) {
+    EXPECT_THROW(export_crack_map(RunReader(folder_.file("run.h5")), folder_.file("run.h5"), Verbosity::quiet), OutputError);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,162 @@
+#include "post/envelope.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+double mohr_coulomb(double cohesion, double friction_angle, double confining) {
+    const double b = (1 + std::sin(friction_angle)) / (1 - std::sin(friction_angle));
+    return 2 * cohesion * std::sqrt(b) + b * confining;
+}
+double hoek_brown(double sigma_ci, double mi, double confining) {
+    return confining + sigma_ci * std::sqrt(mi * confining / sigma_ci + 1);
+}
+
+/// Normal numbers without std::*_distribution, whose output is not fixed by the standard.
+class Normal {
+public:
+    double operator()() {
+        const double u = (static_cast<double>(engine_()) + 1) / 4294967297.0;
+        const double v = static_cast<double>(engine_()) / 4294967296.0;
+        return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
+    }
+
+private:
+    std::mt19937 engine_{20140402};
+};
+
+TEST(Envelope, RecoversPlantedCohesionAndFriction) {
+    const std::vector<double> confining{0, 4e6, 8e6};
+    std::vector<double> strength;
+    for (double s : confining) strength.push_back(mohr_coulomb(21e6, 53 / degrees, s));
+    const Envelope envelope = fit_envelope(confining, strength);
+    EXPECT_NEAR(envelope.cohesion.value, 21e6, 1);
+    EXPECT_NEAR(envelope.friction_angle.value * degrees, 53, 1e-7);
+    EXPECT_NEAR(*envelope.cohesion.low, 21e6, 10);  // no scatter: no width
+    EXPECT_NEAR(*envelope.friction_angle.high * degrees, 53, 1e-5);
+}
+
+TEST(Envelope, RecoversPlantedHoekBrown) {
+    const std::vector<double> confining{0, 2e6, 4e6, 8e6, 20e6};
+    std::vector<double> strength;
+    for (double s : confining) strength.push_back(hoek_brown(122e6, 28, s));
+    const auto fit = fit_hoek_brown(confining, strength);
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_NEAR(fit->sigma_ci.value, 122e6, 100);
+    EXPECT_NEAR(fit->mi.value, 28, 1e-4);
+    EXPECT_NEAR(*fit->mi.low, 28, 1e-3);
+}
+
+TEST(Envelope, TwoTestsGiveValuesWithoutIntervals) {
+    const std::vector<double> confining{0, 8e6};
+    const std::vector<double> strength{hoek_brown(122e6, 28, 0), hoek_brown(122e6, 28, 8e6)};
+    const Envelope envelope = fit_envelope(confining, strength);
+    EXPECT_FALSE(envelope.cohesion.low.has_value());
+    EXPECT_FALSE(envelope.friction_angle.high.has_value());
+    ASSERT_TRUE(envelope.hoek_brown.has_value());
+    EXPECT_FALSE(envelope.hoek_brown->mi.low.has_value());
+    EXPECT_NEAR(envelope.hoek_brown->mi.value, 28, 1e-3);
+}
+
+TEST(Envelope, CurvedUpwardsStillGivesARow) {  // run 5 of the paper's Table 7, far from any Hoek–Brown curve
+    const std::vector<double> confining{0, 4e6, 8e6};
+    const std::vector<double> strength{35.87e6, 183.62e6, 287.03e6};
+    const Envelope envelope = fit_envelope(confining, strength);
+    EXPECT_NEAR(envelope.cohesion.value * 1e-6, 3.9, 0.05);
+    EXPECT_NEAR(envelope.friction_angle.value * degrees, 69.8, 0.05);
+    if (envelope.hoek_brown) {
+        EXPECT_GT(envelope.hoek_brown->sigma_ci.value, 0);
+        EXPECT_TRUE(std::isfinite(envelope.hoek_brown->mi.value));
+    }
+}
+
+TEST(Envelope, IntervalsCoverPlantedParameters) {
+    Normal normal;
+    const std::vector<double> confining{0, 0, 0, 4e6, 4e6, 4e6, 8e6, 8e6, 8e6};
+    constexpr int sets = 2000;
+    int cohesion = 0;
+    int friction = 0;
+    int mi = 0;
+    for (int i = 0; i < sets; ++i) {
+        std::vector<double> line;
+        std::vector<double> curve;
+        for (double s : confining) {
+            const double noise = 3e6 * normal();
+            line.push_back(mohr_coulomb(21e6, 53 / degrees, s) + noise);
+            curve.push_back(hoek_brown(122e6, 28, s) + noise);
+        }
+        const Envelope envelope = fit_envelope(confining, line);
+        cohesion += *envelope.cohesion.low <= 21e6 && 21e6 <= *envelope.cohesion.high ? 1 : 0;
+        friction += *envelope.friction_angle.low <= 53 / degrees && 53 / degrees <= *envelope.friction_angle.high ? 1 : 0;
+        const auto fit = fit_hoek_brown(confining, curve);
+        ASSERT_TRUE(fit.has_value());
+        mi += *fit->mi.low <= 28 && 28 <= *fit->mi.high ? 1 : 0;
+    }
+    // 95 % with a standard error of 0.5 %
+    for (int covered : {cohesion, friction, mi}) {
+        EXPECT_GT(covered, 0.935 * sets);
+        EXPECT_LT(covered, 0.965 * sets);
+    }
+}
+
+class EnvelopeTable : public ::testing::Test {
+protected:
+    std::string run(const std::string& name, double confining, const std::string& test = "", double peak = 0) {
+        Recipe recipe;
+        recipe.test = !test.empty() ? test : confining > 0 ? "triaxial" : "uniaxial";
+        recipe.confining_pressure = confining;
+        recipe.peak = peak > 0 ? peak : mohr_coulomb(21e6, 53 / degrees, confining);
+        test::write_run(folder_.file(name), recipe);
+        return folder_.file(name);
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(EnvelopeTable, RowOfThreeRuns) {
+    std::ostringstream out;
+    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv);
+    EXPECT_EQ(field(out.str(), "runs"), "3");
+    EXPECT_EQ(field(out.str(), "capped_runs"), "0");
+    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
+    EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_deg")), 53, 1e-4);
+    EXPECT_NE(field(out.str(), "hoek_brown_mi"), "");
+}
+
+TEST_F(EnvelopeTable, OtherTestsAndOneConfiningPressureAreRefused) {
+    std::ostringstream out;
+    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("b", 0, "brazilian", 8e6)}, TableFormat::tsv), InputError);
+    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("1", 0)}, TableFormat::tsv), InputError);
+    EXPECT_EQ(out.str(), "");
+}
+
+TEST_F(EnvelopeTable, AnotherPlaneConditionIsRefused) {
+    Recipe recipe;
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 4e6;
+    recipe.plane = PlaneCondition::stress;
+    test::write_run(folder_.file("stress"), recipe);
+    std::ostringstream out;
+    try {
+        write_envelope_table(out, {run("0", 0), folder_.file("stress")}, TableFormat::tsv);
+        FAIL() << "was accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("plane condition"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,96 @@
+#include "post/moduli.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+std::string table_of(const Recipe& recipe) {
+    const test::TemporaryFolder folder;
+    test::write_run(folder.file("run.h5"), recipe);
+    std::ostringstream out;
+    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv);
+    return out.str();
+}
+double value(const std::string& table, const std::string& column) { return std::stod(field(table, column)); }
+
+TEST(Moduli, HasTheColumnsScriptsRelyOn) {
+    const std::string table = table_of({});
+    EXPECT_EQ(table.substr(0, table.find('\n')),
+              "file\tyoung_modulus_GPa\tpoisson_ratio\tplane_young_modulus_GPa\tplane_poisson_ratio\tplaten_young_modulus_GPa\t"
+              "predicted_young_modulus_GPa\tpredicted_poisson_ratio");
+}
+
+TEST(Moduli, PlaneStrainIsConverted) {
+    Recipe recipe;
+    recipe.yield_share = 0.6;  // what happens beyond half the peak does not matter
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+    EXPECT_NEAR(value(table, "poisson_ratio"), 0.3 / 1.3, 1e-6);                              // ν = ν'/(1+ν')
+    EXPECT_NEAR(value(table, "young_modulus_GPa"), 26 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);  // E = E'(1−ν²)
+    EXPECT_NEAR(value(table, "platen_young_modulus_GPa"), 26 / 1.02 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);
+}
+
+TEST(Moduli, PlaneStressIsNot) {
+    Recipe recipe;
+    recipe.plane = PlaneCondition::stress;
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "young_modulus_GPa"), field(table, "plane_young_modulus_GPa"));
+    EXPECT_EQ(field(table, "poisson_ratio"), field(table, "plane_poisson_ratio"));
+}
+
+TEST(Moduli, TriaxialLeavesTheIsotropicStageOut) {
+    Recipe recipe;
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 20e6;  // its isotropic stage has another slope: 20 MPa over 1e-4
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+}
+
+TEST(Moduli, TensionHasPositiveModuli) {
+    Recipe recipe;
+    recipe.test = "tension";
+    recipe.peak = 6e6;
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+}
+
+TEST(Moduli, BrazilianHasNoneButAPrediction) {
+    Recipe recipe;
+    recipe.test = "brazilian";
+    recipe.peak = 8.8e6;
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "young_modulus_GPa"), "");
+    EXPECT_EQ(field(table, "platen_young_modulus_GPa"), "");
+    EXPECT_NE(field(table, "predicted_young_modulus_GPa"), "");
+}
+
+TEST(Moduli, PredictionUsesTheContactLengthOfTheSpecimen) {
+    const Specimen specimen = test::grid_specimen(4, 4, 0.04, 0.04);
+    // 3 inner lines each way of 0.04 m, and 16 diagonals of √2 cm
+    const double density = (6 * 0.04 + 16 * std::sqrt(2) * 0.01) / (0.04 * 0.04);
+    EXPECT_NEAR(contact_length_per_area(specimen), density, 1e-9 * density);
+    Recipe recipe;
+    recipe.plane = PlaneCondition::stress;
+    const RunHeader header = test::synthetic_header(recipe);
+    const fpz::AssemblageModuli moduli = predict_moduli(header, specimen);
+    const double kn = header.contact.normal_stiffness;
+    const double ks = header.contact.shear_stiffness;
+    const double expected = 1 / (1 / 25.8e9 + density * (3 / (8 * kn) + 1 / (8 * ks)));
+    EXPECT_NEAR(moduli.young_modulus, expected, 1e-9 * expected);
+    EXPECT_LT(expected, 25.8e9);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,114 @@
+#include "post/picture.hpp"
+
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <cstdlib>
+
+#include "post/plot_cracks.hpp"
+#include "post/plot_curve.hpp"
+#include "post/plot_specimen.hpp"
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Pixels of exactly one colour in a PNG.
+int pixels_of(const std::string& path, Colour colour) {
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    const int* size = image->GetDimensions();
+    int count = 0;
+    for (int y = 0; y < size[1]; ++y) {
+        for (int x = 0; x < size[0]; ++x) {
+            const auto* p = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
+            if (p[0] == colour.red && p[1] == colour.green && p[2] == colour.blue) ++count;
+        }
+    }
+    return count;
+}
+
+class Picture : public ::testing::Test {
+protected:
+    void SetUp() override {
+        ::unsetenv("DISPLAY");
+        ::unsetenv("WAYLAND_DISPLAY");
+        test::write_run(path("run.h5"), recipe_);
+    }
+    std::string path(const std::string& name) const { return folder_.file(name); }
+    Drawing cracks(const std::string& frame) const { return draw_cracks(RunReader(path("run.h5")), {frame, std::nullopt, 1}); }
+    test::Recipe recipe_;
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(Picture, LaterShapesCoverEarlierOnesAtTheirPlace) {
+    Drawing drawing(60, 40);
+    drawing.rectangle({0, 0}, {30, 40}, palette::grain);
+    drawing.rectangle({10, 10}, {20, 30}, palette::tensile);
+    write_picture(drawing, path("shapes.png"));
+    EXPECT_EQ(pixels_of(path("shapes.png"), palette::tensile), 10 * 20);
+    EXPECT_EQ(pixels_of(path("shapes.png"), palette::grain), 30 * 40 - 10 * 20);
+    EXPECT_EQ(pixels_of(path("shapes.png"), palette::white), 30 * 40);
+}
+
+TEST_F(Picture, CrackMapShowsRedAndBlackWithoutADisplay) {
+    write_picture(cracks("last"), path("last.png"));
+    write_picture(cracks("first"), path("first.png"));
+    // Before any crack only the legend has them.
+    EXPECT_GT(pixels_of(path("last.png"), palette::tensile), 10 * pixels_of(path("first.png"), palette::tensile));
+    EXPECT_GT(pixels_of(path("last.png"), palette::shear), 10 * pixels_of(path("first.png"), palette::shear));
+    EXPECT_GT(pixels_of(path("first.png"), palette::tensile), 0);
+    EXPECT_GT(pixels_of(path("last.png"), palette::grain), 200000);
+    EXPECT_FALSE(std::filesystem::exists(path("last.png.part")));
+}
+
+TEST_F(Picture, CrackMapCountsContactsAndNamesTheTest) {
+    const std::string svg = to_svg(cracks("last"));
+    std::size_t tensile = 0;
+    const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
+    for (const Crack& crack : all) tensile += crack.mode == CrackMode::tensile ? 1 : 0;
+    EXPECT_NE(svg.find("tensile cracks: " + std::to_string(tensile / 2)), std::string::npos);
+    EXPECT_NE(svg.find("shear cracks: " + std::to_string((all.size() - tensile) / 2)), std::string::npos);
+    EXPECT_NE(svg.find("Uniaxial compression, Augig granite"), std::string::npos);
+    EXPECT_NE(svg.find("seed 7"), std::string::npos);
+    EXPECT_NE(to_svg(cracks("peak")).find("(peak)"), std::string::npos);
+}
+
+TEST_F(Picture, FramesAreChosenByWordNumberOrTime) {
+    EXPECT_EQ(to_svg(cracks("peak")), to_svg(cracks("1")));
+    EXPECT_EQ(to_svg(cracks("last")), to_svg(cracks("2")));
+    EXPECT_EQ(to_svg(draw_cracks(RunReader(path("run.h5")), {"last", 0.9, 1})), to_svg(cracks("1")));
+    EXPECT_THROW((void)cracks("3"), UsageError);
+    EXPECT_THROW((void)cracks("middle"), UsageError);
+}
+
+TEST_F(Picture, CurveAndSpecimenAreDrawn) {
+    write_picture(draw_curves({read_run_data(path("run.h5"))}), path("curve.png"));
+    EXPECT_GT(pixels_of(path("curve.png"), palette::series(0)), 2000);
+    EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 500);  // counts of cracks
+    write_picture(draw_specimen(recipe_.specimen), path("specimen.png"));
+    EXPECT_GT(pixels_of(path("specimen.png"), palette::grain), 200000);
+}
+
+TEST_F(Picture, CurvesOfDifferentTestsDoNotShareAPlot) {
+    test::Recipe other;
+    other.test = "brazilian";
+    other.peak = 8e6;
+    test::write_run(path("brazilian.h5"), other);
+    EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}), InputError);
+}
+
+TEST_F(Picture, NamesAndPlacesThatCannotBeAreOneError) {
+    const Drawing drawing(10, 10);
+    EXPECT_THROW(write_picture(drawing, path("picture.jpg")), UsageError);
+    EXPECT_THROW(write_picture(drawing, path("no/such/folder.png")), OutputError);
+    EXPECT_THROW(write_picture(drawing, path("no/such/folder.svg")), OutputError);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,91 @@
+#include "post/strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <sstream>
+
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+class StrengthTable : public ::testing::Test {
+protected:
+    std::string table_of(const Recipe& recipe) {
+        test::write_run(folder_.file("run.h5"), recipe);
+        std::ostringstream out;
+        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv);
+        return out.str();
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
+    const std::string table = table_of({});
+    EXPECT_EQ(table.substr(0, table.find('\n')),
+              "file\ttest\tseed\tgrains\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\t"
+              "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
+              "ledger_residual\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step");
+}
+
+TEST_F(StrengthTable, UniaxialRow) {
+    const std::string table = table_of({});
+    EXPECT_EQ(field(table, "test"), "uniaxial");
+    EXPECT_EQ(field(table, "seed"), "7");
+    EXPECT_EQ(field(table, "grains"), "256");
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "125");
+    EXPECT_EQ(field(table, "tensile_strength_MPa"), "");
+    EXPECT_NEAR(std::stod(field(table, "strain_at_peak")), 1.02 * 125e6 / 26e9, 1e-9);
+    EXPECT_EQ(field(table, "peak_kind"), "drop");
+    EXPECT_EQ(field(table, "first_yield_MPa"), "");
+    EXPECT_EQ(field(table, "tensile_cracks"), "20");  // at the peak (t = 1 s), not at the end
+    EXPECT_EQ(field(table, "shear_cracks"), "5");
+    EXPECT_EQ(field(table, "steps"), "200000");
+    EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
+}
+
+TEST_F(StrengthTable, BrazilianIsEquation18OfTheForces) {
+    Recipe recipe;
+    recipe.test = "brazilian";
+    recipe.peak = 8.7e6;
+    recipe.specimen = test::grid_specimen(6, 6, 0.08, 0.08);
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "");
+    EXPECT_EQ(field(table, "tensile_strength_MPa"), "8.7");
+    // The same from the largest force of the history: 2 Fmax/(π t D), t = 1 m.
+    double largest = 0;
+    const History history = test::synthetic_history(recipe);
+    for (std::size_t i = 0; i < history.size(); ++i) {
+        largest = std::max(largest, -(history[HistoryColumn::force_top][i] + history[HistoryColumn::force_bottom][i]) / 2);
+    }
+    EXPECT_NEAR(std::stod(field(table, "tensile_strength_MPa")), 2 * largest / (std::numbers::pi * 0.08) * 1e-6, 1e-5);
+}
+
+TEST_F(StrengthTable, TensionIsTheLargestTensileStress) {
+    Recipe recipe;
+    recipe.test = "tension";
+    recipe.peak = 6e6;
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "tensile_strength_MPa"), "6");
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "");
+    EXPECT_GT(std::stod(field(table, "strain_at_peak")), 0);
+}
+
+TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
+    test::write_run(folder_.file("a.h5"), {});
+    test::write_run(folder_.file("b.h5"), {});
+    std::ostringstream out;
+    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv);
+    EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U);
+    std::ostringstream nothing;
+    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv), InputError);
+    EXPECT_EQ(nothing.str(), "");
+}
+
+}  // namespace
+}  // namespace graincrack
