@@ -243,6 +243,25 @@ public:
         return text + CLI::Formatter::make_subcommands(app, mode);
     }
 
+    /// Descriptions in lines of a readable length.
+    std::string make_option_desc(const CLI::Option* option) const override {
+        constexpr std::size_t width = 88;
+        std::istringstream words(CLI::Formatter::make_option_desc(option));
+        std::string text;
+        std::size_t length = 0;
+        for (std::string word; words >> word; length += word.size()) {
+            if (length > 0 && length + 1 + word.size() > width) {
+                text += '\n';
+                length = 0;
+            } else if (length > 0) {
+                text += ' ';
+                ++length;
+            }
+            text += word;
+        }
+        return text;
+    }
+
     std::string make_option_opts(const CLI::Option* option) const override {
         std::string text;
         if (option->get_type_size() != 0) {
@@ -280,7 +299,9 @@ std::string type_name(Dimension dimension) {
 /// "mean edge [above 0 m and at most 1 km; m, mm, cm, um, km]"
 std::string help_of(const std::string& help, const Quantity& quantity) {
     std::vector<std::string_view> symbols;
-    for (const Unit& unit : units_of(quantity.dimension)) symbols.push_back(unit.symbol);
+    for (const Unit& unit : units_of(quantity.dimension)) {
+        if (unit.symbol != "1") symbols.push_back(unit.symbol);
+    }
     return fmt::format("{} [{}; {}]", help, bounds_text(quantity), fmt::join(symbols, ", "));
 }
 
