@@ -22,18 +22,24 @@ std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
     return shares;
 }
 
-/// Numbers of edges on bottom, right, top and left that add up to n, in proportion to the lengths.
+/// Numbers of edges on bottom, right, top and left that add up to n, in proportion to the lengths; opposite sides have
+/// the same number, but for one edge more on a long side if n is odd.
 std::array<int, n_sides> edges_per_side(const Shape& shape, int n) {
-    const std::array<double, n_sides> lengths{shape.width, shape.height, shape.width, shape.height};
-    std::array<int, n_sides> edges{1, 1, 1, 1};
-    for (int placed = n_sides; placed < n; ++placed) {
-        std::size_t longest = 0;
-        for (std::size_t side = 1; side < n_sides; ++side) {
-            if (lengths[side] / edges[side] > lengths[longest] / edges[longest] * (1 + 1e-12)) longest = side;
+    const bool upright = shape.height >= shape.width;
+    const double long_length = upright ? shape.height : shape.width;
+    const double short_length = upright ? shape.width : shape.height;
+    int on_long = 1;
+    int on_short = 1;
+    while (2 * (on_long + on_short) + 1 < n) {
+        if (long_length / on_long > short_length / on_short * (1 - 1e-12)) {
+            ++on_long;
+        } else {
+            ++on_short;
         }
-        ++edges[longest];
     }
-    return edges;
+    const int one_more = n % 2;
+    if (upright) return {on_short, on_long + one_more, on_short, on_long};
+    return {on_long + one_more, on_short, on_long, on_short};
 }
 
 Outline rectangle_outline(const Shape& shape, int n, double spread, RandomNumbers& random) {

@@ -1,0 +1,161 @@
+// graincrack-mesh as a user meets it: the executable, its files, messages and exit codes.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "share/h5_file.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Answer {
+    int code = 0;
+    std::string text;
+    [[nodiscard]] bool has(const std::string& words) const { return text.find(words) != std::string::npos; }
+};
+
+/// Runs a shell command with `mesh` standing for the tool; stderr and stdout together unless redirected.
+Answer run(const std::string& arguments) {
+    const std::string command = "(" GRAINCRACK_BIN "/graincrack-mesh " + arguments + ") 2>&1";
+    Answer answer;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return {-1, "no shell"};
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) answer.text.append(buffer.data(), n);
+    answer.code = WEXITSTATUS(pclose(pipe));
+    return answer;
+}
+
+class GraincrackMesh : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(fs::exists(GRAINCRACK_BIN "/graincrack-mesh")) << "build graincrack-mesh first";
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::temp_directory_path() / ("graincrack_mesh_" + std::string(test->name()) + std::to_string(getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+    [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    fs::path folder_;
+};
+
+const std::string small = "rectangle --width 40mm --height 60mm --grains 200 ";
+
+TEST_F(GraincrackMesh, WritesASpecimenAndItsStatistics) {
+    const Answer answer = run("rectangle --width 80mm --height 160mm --grains 1122 --material augig-granite -o " + file("a.h5"));
+    ASSERT_EQ(answer.code, 0) << answer.text;
+    EXPECT_TRUE(answer.has("rectangle of 1122 grains"));
+    EXPECT_TRUE(answer.has("psi6"));
+    EXPECT_TRUE(answer.has("contact zone"));
+    const Specimen s = read_specimen(H5Input(file("a.h5"), "specimen"));
+    EXPECT_EQ(s.n_grains(), 1122U);
+    EXPECT_EQ(s.shape, "rectangle");
+    EXPECT_DOUBLE_EQ(s.width, 0.08);
+    EXPECT_GT(s.statistics.mean_edge, 0.005);
+}
+
+TEST_F(GraincrackMesh, SameSeedSameDigest) {
+    for (const char* name : {"a.h5", "b.h5"}) {
+        EXPECT_EQ(run("disc --diameter 80mm --grains 452 --seed 3 --elements-per-edge 2 -q -o " + file(name)).text, "");
+    }
+    EXPECT_EQ(run("disc --diameter 80mm --grains 452 --seed 4 --elements-per-edge 2 -q -o " + file("c.h5")).code, 0);
+    const std::string digest = H5Input(file("a.h5")).digest();
+    EXPECT_EQ(H5Input(file("b.h5")).digest(), digest);
+    EXPECT_NE(H5Input(file("c.h5")).digest(), digest);
+}
+
+TEST_F(GraincrackMesh, WritesToStdout) {
+    EXPECT_EQ(run(small + "--quiet -o - > " + file("piped.h5")).text, "");
+    EXPECT_EQ(run(small + "--quiet -o " + file("file.h5")).code, 0);
+    EXPECT_EQ(H5Input(file("piped.h5")).digest(), H5Input(file("file.h5")).digest());
+}
+
+TEST_F(GraincrackMesh, DryRunTellsCountsAndWritesNothing) {
+    const Answer answer = run(small + "--dry-run -o " + file("a.h5"));
+    EXPECT_EQ(answer.code, 0);
+    EXPECT_TRUE(answer.has("200 grains"));
+    EXPECT_TRUE(answer.has("600 nodes"));
+    EXPECT_TRUE(answer.has("MB"));
+    EXPECT_FALSE(fs::exists(file("a.h5")));
+    EXPECT_EQ(run("disc --diameter 80mm --edge 5mm --dry-run").code, 0) << "needs no output";
+}
+
+TEST_F(GraincrackMesh, PrintedConfigurationLoadsAgain) {
+    ASSERT_EQ(run(small + "--seed 9 -o " + file("a.h5") + " --print-config > " + file("a.toml")).code, 0);
+    EXPECT_FALSE(fs::exists(file("a.h5")));
+    ASSERT_EQ(run("rectangle --quiet --config " + file("a.toml")).text, "");
+    ASSERT_EQ(run(small + "--seed 9 --quiet -o " + file("b.h5")).text, "");
+    EXPECT_EQ(H5Input(file("a.h5")).digest(), H5Input(file("b.h5")).digest());
+}
+
+TEST_F(GraincrackMesh, UnknownKeyIsAnError) {
+    std::ofstream(file("bad.toml")) << "[rectangle]\ngrain = 7\n";
+    const Answer answer = run(small + "-o " + file("a.h5") + " --config " + file("bad.toml"));
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_TRUE(answer.has("grain")) << answer.text;
+    EXPECT_FALSE(fs::exists(file("a.h5")));
+}
+
+TEST_F(GraincrackMesh, BadInputGivesOneLineAndItsCode) {
+    const std::string out = " -o " + file("never.h5");
+    const std::string size = "rectangle --width 80mm --height 160mm ";
+    const std::vector<std::tuple<std::string, int, std::string>> cases{
+        {"", 2, "subcommand"},
+        {"rectangle --width -80mm --height 160mm --edge 4mm" + out, 2, "--width"},
+        {"rectangle --height 160mm --edge 4mm" + out, 2, "--width"},
+        {size + "--edge 4kg" + out, 2, "--edge"},
+        {size + "--edge 4" + out, 2, "--edge"},  // 4 m
+        {size + "--edge 90mm" + out, 2, "--edge"},
+        {size + "--grains 0" + out, 2, "--grains"},
+        {size + "--grains 4.5" + out, 2, "--grains"},
+        {size + "--grains 3" + out, 2, "--grains"},
+        {size + out, 2, "--grains"},
+        {size + "--edge 4mm --grains 1122" + out, 2, "--grains"},
+        {size + "--edge 4mm --spread 0.9" + out, 2, "--spread"},
+        {size + "--edge 4mm --spread 0.4" + out, 2, "--spread"},
+        {size + "--edge 4mm --elements-per-edge 0" + out, 2, "--elements-per-edge"},
+        {size + "--edge 4mm --tessellation voronoi" + out, 2, "--tessellation"},
+        {size + "--edge 4mm", 2, "-o"},
+        {"disc --diameter 80mm --edge 4mm --pole corner" + out, 2, "--pole"},
+        {"disc --diameter 80mm --edge 4mm --material no-such-rock" + out, 3, "no-such-rock"},
+        {"disc --diameter 80mm --edge 4mm -o " + file("no/such/folder/a.h5"), 5, "a.h5"},
+    };
+    for (const auto& [arguments, code, words] : cases) {
+        const Answer answer = run(arguments);
+        EXPECT_EQ(answer.code, code) << arguments << "\n" << answer.text;
+        EXPECT_TRUE(answer.has(words)) << arguments << "\n" << answer.text;
+        EXPECT_EQ(answer.text.rfind("graincrack-mesh: ", 0), 0U) << answer.text;
+        EXPECT_EQ(std::count(answer.text.begin(), answer.text.end(), '\n'), 1) << answer.text;
+    }
+    EXPECT_TRUE(fs::is_empty(folder_)) << "failed calls leave nothing";
+}
+
+TEST_F(GraincrackMesh, HelpNamesUnitsAndExamplesRun) {
+    const Answer help = run("--help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_TRUE(run("rectangle --help").has("mm"));
+    EXPECT_TRUE(run("--version").has("CGAL"));
+    int n_examples = 0;
+    const std::string tool = "  graincrack-mesh ";
+    for (std::size_t at = help.text.find(tool); at != std::string::npos; at = help.text.find(tool, at + 1)) {
+        const std::string line = help.text.substr(at + tool.size(), help.text.find('\n', at) - at - tool.size());
+        if (line.find("-o ") == std::string::npos) continue;
+        ++n_examples;
+        EXPECT_EQ(run(line.substr(0, line.find("-o ")) + "-q -o " + file("example.h5")).text, "") << line;
+    }
+    EXPECT_EQ(n_examples, 2);
+}
+
+}  // namespace
+}  // namespace graincrack
