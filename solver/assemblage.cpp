@@ -7,7 +7,6 @@ namespace graincrack {
 namespace {
 
 constexpr std::int32_t block_elements = 64;  // a block's nodes, elements and forces stay within a first-level cache
-constexpr std::int32_t block_contacts = 128;
 
 /// Nodes sorted by grain; nodes of no element come last.
 std::vector<std::int32_t> order_nodes(const Specimen& s) {
@@ -76,8 +75,8 @@ void cut_blocks(Assemblage& a, const Specimen& s) {
         begin = e;
         node_begin = node_end;
     }
-    for (std::int32_t c = 0; c < a.n_contacts(); c += block_contacts) {
-        a.contact_blocks.push_back({c, std::min(c + block_contacts, a.n_contacts())});
+    for (std::int32_t c = 0; c < a.n_contacts(); c += contacts_per_block) {
+        a.contact_blocks.push_back({c, std::min(c + contacts_per_block, a.n_contacts())});
     }
 }
 

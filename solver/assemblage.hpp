@@ -13,6 +13,9 @@
 
 namespace graincrack {
 
+/// Most contacts in a block.
+inline constexpr std::int32_t contacts_per_block = 128;
+
 /// A half-open range of indices.
 struct Range {
     std::int32_t begin = 0;
@@ -57,22 +60,8 @@ struct Assemblage {
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);
 
-/// Local frame of a contact from its present mid-edge m: tangent t = m/|m|, normal n = t turned by −90°.
-struct ContactFrame {
-    Vector2 tangent;
-    Vector2 normal;
-    double inv_length;  ///< 1/|m|, 1/m; 0 if the edges have turned so far that they face each other no more
-};
-/// \param ua1… displacements of the four nodes, m
-inline ContactFrame contact_frame(const ContactGeometry& g, const Vector2& ua1, const Vector2& ua2, const Vector2& ub1,
-                                  const Vector2& ub2) {
-    const Vector2 m = g.edge + 0.5 * ((ua2 - ua1) + (ub2 - ub1));
-    const double squared = dot(m, m);
-    // Below a fifth of its length the mid-edge has lost its direction: the grains have turned by over 150° to each other.
-    const bool lost = squared < 0.04 * dot(g.edge, g.edge);
-    const double inv = lost ? 0.0 : 1 / std::sqrt(squared);
-    const Vector2 t = inv * m;
-    return {t, {t.y, -t.x}, inv};
-}
+/// Below a fifth of its length a mid-edge (of the two facing edges) has lost its direction: the grains have turned by over
+/// 150° to each other and face each other no more. Compared as squares.
+inline constexpr double lost_frame = 0.04;
 
 }  // namespace graincrack

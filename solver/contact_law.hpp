@@ -404,6 +404,39 @@ inline ContactResponse update_contact(const ContactLaw& law, const ContactMotion
     return r;
 }
 
+// --- the same law for intact points, without a branch, for vector units -----------------------------------------------------
+
+/// Constants of the intact law: one formula for all readings.
+struct IntactLaw {
+    double kt, ks, open_ks;          ///< normal stiffness; shear stiffness closed and open
+    double open_normal, open_shear;  ///< weights of δn², δs² in the squared load of the open branch
+    double closed_shear;             ///< weight of δs² in that of the closed branch
+    double follows_open;             ///< 0 if open points need `update_contact` (they book mismatch), else 1
+};
+inline IntactLaw make_intact_law(const ContactLaw& law) {
+    const bool continuous = law.variant == LawVariant::continuous;
+    return {law.kt,
+            law.ks,
+            continuous ? law.ks : law.w * law.kt,
+            law.inv_dct * law.inv_dct,
+            continuous ? law.inv_dcs * law.inv_dcs : law.w * law.inv_dct * law.inv_dct,
+            law.inv_dcs * law.inv_dcs,
+            continuous ? 0.0 : 1.0};
+}
+struct IntactTraction {
+    double normal, shear;  ///< Pa
+    double load;           ///< δeff/δct, λ or |δs|/δcs: 1 at the peak
+};
+/// What `update_contact` gives while the point stays on its branch and `load` ≤ 1.
+inline IntactTraction intact_traction(const IntactLaw& law, double opening, double sliding) {
+    const bool open = opening >= 0;
+    const double squared =
+        (open ? law.open_normal : 0.0) * opening * opening + (open ? law.open_shear : law.closed_shear) * sliding * sliding;
+    const double load = std::sqrt(squared);
+    const double decay = exp_of_minus(load);
+    return {law.kt * (open ? decay : 1.0) * opening, (open ? law.open_ks : law.ks) * decay * sliding, load};
+}
+
 /// Name of a reading as options and files spell it.
 constexpr std::string_view name_of(LawVariant variant) {
     switch (variant) {

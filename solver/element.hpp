@@ -41,11 +41,8 @@ struct TriangleState {
     double exx, eyy, exy;  ///< Biot strain U − I
     double txx, tyy, txy;  ///< Biot stress in the unrotated frame, Pa
 };
-/// \param u0,u1,u2 nodal displacements, m
-inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& u0, const Vector2& u1,
-                                    const Vector2& u2) {
-    const Vector2 a = u1 - u0;
-    const Vector2 b = u2 - u0;
+/// \param a,b displacements of nodes 1 and 2 less that of node 0, m
+inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& a, const Vector2& b) {
     // H = ∇u = F − I
     const double hxx = a.x * g.gradient1.x + b.x * g.gradient2.x;
     const double hxy = a.x * g.gradient1.y + b.x * g.gradient2.y;
@@ -70,7 +67,11 @@ inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasti
 }
 
 /// Forces of the triangle on its nodes, −A P ∇N with P = R T, N per metre of thickness.
-inline std::array<Vector2, 3> triangle_forces(const TriangleGeometry& g, const TriangleState& s) {
+struct TriangleForces {
+    Vector2 on_node1, on_node2;
+    [[nodiscard]] Vector2 on_node0() const { return {-(on_node1.x + on_node2.x), -(on_node1.y + on_node2.y)}; }
+};
+inline TriangleForces triangle_forces(const TriangleGeometry& g, const TriangleState& s) {
     const double pxx = s.cosine * s.txx - s.sine * s.txy;
     const double pxy = s.cosine * s.txy - s.sine * s.tyy;
     const double pyx = s.sine * s.txx + s.cosine * s.txy;
@@ -79,7 +80,7 @@ inline std::array<Vector2, 3> triangle_forces(const TriangleGeometry& g, const T
                      -g.area * (pyx * g.gradient1.x + pyy * g.gradient1.y)};
     const Vector2 f2{-g.area * (pxx * g.gradient2.x + pxy * g.gradient2.y),
                      -g.area * (pyx * g.gradient2.x + pyy * g.gradient2.y)};
-    return {Vector2{-(f1.x + f2.x), -(f1.y + f2.y)}, f1, f2};
+    return {f1, f2};
 }
 
 /// Strain energy ½ A T : (U − I), J per metre of thickness.

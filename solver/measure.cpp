@@ -78,11 +78,11 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
         const auto [n0, n1, n2] = a.element_nodes[e];
         const TriangleGeometry& g = a.element_geometry[e];
-        const TriangleState t = triangle_state(g, a.elasticity, s.displacement[n0], s.displacement[n1], s.displacement[n2]);
+        const TriangleState t =
+            triangle_state(g, a.elasticity, s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0]);
         energy += triangle_energy(g, t);
-        for (const Vector2& f : triangle_forces(g, t)) {
-            element_force += length(f);
-        }
+        const TriangleForces f = triangle_forces(g, t);
+        element_force += length(f.on_node0()) + length(f.on_node1) + length(f.on_node2);
     }
     return energy;
 }
@@ -90,7 +90,7 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
 void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         energies.contact +=
-            a.contacts[c].point_area * (stored_energy(law, s.points[2 * c]) + stored_energy(law, s.points[2 * c + 1]));
+            a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
     }
     for (const ContactSums& sums : s.contact_sums) {
         energies.fracture_tension += sums.fracture_tension;
@@ -175,12 +175,12 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
         const auto [n0, n1, n2] = a.element_nodes[e];
         frame.element_stress.push_back(triangle_stress(
-            a.elasticity,
-            triangle_state(a.element_geometry[e], a.elasticity, s.displacement[n0], s.displacement[n1], s.displacement[n2])));
+            a.elasticity, triangle_state(a.element_geometry[e], a.elasticity, s.displacement[n1] - s.displacement[n0],
+                                         s.displacement[n2] - s.displacement[n0])));
     }
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        const ContactHistory& h0 = s.points[2 * c];
-        const ContactHistory& h1 = s.points[2 * c + 1];
+        const ContactHistory h0 = history_of(s, 2 * c);
+        const ContactHistory h1 = history_of(s, 2 * c + 1);
         const ContactTraction t0 = update_contact(law, h0.motion, h0).traction;
         const ContactTraction t1 = update_contact(law, h1.motion, h1).traction;
         frame.opening.push_back({h0.motion.opening, h1.motion.opening});

@@ -13,6 +13,7 @@
 #include "solver/measure.hpp"
 #include "solver/step.hpp"
 #include "solver/time_step.hpp"
+#include "solver/vector_targets.hpp"
 
 namespace graincrack {
 namespace {
@@ -112,6 +113,7 @@ public:
           catalogue_(state_.points.size()),
           header_(make_header(request)),
           progress_(header_.test, verbosity) {
+        header_.vector_target = vector_target();
         header_.stable_time_step = stable_time_step(assemblage_, boundary_, parameters_.law);
         header_.time_step = parameters_.time_step = request.time_step_fraction * header_.stable_time_step;
         steps_per_batch_ = batch_steps(specimen, request, parameters_.time_step);

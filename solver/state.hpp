@@ -45,7 +45,10 @@ struct State {
     std::vector<Vector2> velocity;        ///< [n] m/s, half a step before `time`
     std::vector<Vector2> force;           ///< [n] N, scratch of the node stage
     std::vector<Vector2> contact_force;   ///< [4 c] slots, N, at `time`
-    std::vector<ContactHistory> points;   ///< [2 c], at `time`
+    std::vector<double> opening;          ///< [2 c] m, at `time`
+    std::vector<double> sliding;          ///< [2 c] m, at `time`
+    std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
+    std::vector<ContactHistory> points;   ///< [2 c] what failed points remember; see `history_of`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     std::vector<PlatenPoint> platen_points;
     std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
@@ -54,6 +57,13 @@ struct State {
     std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
     StepLoading loading;                            ///< at `time`
 };
+
+/// History of contact point 2 c + p with its present motion.
+inline ContactHistory history_of(const State& state, std::size_t point) {
+    ContactHistory history = state.points[point];
+    history.motion = {state.opening[point], state.sliding[point]};
+    return history;
+}
 
 /// The state at rest; pre-existing cracks start broken.
 State make_state(const Assemblage& assemblage, const Boundary& boundary, const Specimen& specimen);

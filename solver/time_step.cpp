@@ -25,10 +25,10 @@ void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vecto
         const PlaneElasticity& c = a.elasticity;
         const TriangleState unrotated{1,         0, exx, eyy, 0.5 * gxy, c.c11 * exx + c.c12 * eyy, c.c12 * exx + c.c11 * eyy,
                                       c.mu * gxy};
-        const std::array<Vector2, 3> forces = triangle_forces(g, unrotated);
-        y[n0] -= forces[0];
-        y[n1] -= forces[1];
-        y[n2] -= forces[2];
+        const TriangleForces forces = triangle_forces(g, unrotated);
+        y[n0] -= forces.on_node0();
+        y[n1] -= forces.on_node1;
+        y[n2] -= forces.on_node2;
     }
 }
 

@@ -1,0 +1,143 @@
+// The node stage of a step: forces of elements, contacts, platens and membrane summed in a fixed order, then damping and
+// integration, block by block.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver/step.hpp"
+#include "solver/vector_targets.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t batch_elements = 64;
+
+/// Elements side by side: edge displacements in, nodal forces out.
+struct Batch {
+    alignas(64) double a_x[batch_elements], a_y[batch_elements], b_x[batch_elements], b_y[batch_elements];
+    alignas(64) double f1_x[batch_elements], f1_y[batch_elements], f2_x[batch_elements], f2_y[batch_elements];
+};
+
+GRAINCRACK_VECTOR_TARGETS void find_element_forces(const TriangleGeometry* geometry, const PlaneElasticity& elasticity,
+                                                   std::int32_t count, Batch& b) {
+    const PlaneElasticity c = elasticity;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const TriangleState t = triangle_state(geometry[i], c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]});
+        const TriangleForces f = triangle_forces(geometry[i], t);
+        b.f1_x[i] = f.on_node1.x;
+        b.f1_y[i] = f.on_node1.y;
+        b.f2_x[i] = f.on_node2.x;
+        b.f2_y[i] = f.on_node2.y;
+    }
+}
+
+void add_elements(const Assemblage& a, Range range, State& s) {
+    Batch batch;
+    for (std::int32_t begin = range.begin; begin < range.end; begin += batch_elements) {
+        const std::int32_t count = std::min(batch_elements, range.end - begin);
+        for (std::int32_t i = 0; i < count; ++i) {
+            const auto [n0, n1, n2] = a.element_nodes[begin + i];
+            const Vector2 u0 = s.displacement[n0];
+            batch.a_x[i] = s.displacement[n1].x - u0.x;
+            batch.a_y[i] = s.displacement[n1].y - u0.y;
+            batch.b_x[i] = s.displacement[n2].x - u0.x;
+            batch.b_y[i] = s.displacement[n2].y - u0.y;
+        }
+        find_element_forces(&a.element_geometry[begin], a.elasticity, count, batch);
+        for (std::int32_t i = 0; i < count; ++i) {
+            const auto [n0, n1, n2] = a.element_nodes[begin + i];
+            s.force[n0] -= {batch.f1_x[i] + batch.f2_x[i], batch.f1_y[i] + batch.f2_y[i]};
+            s.force[n1] += {batch.f1_x[i], batch.f1_y[i]};
+            s.force[n2] += {batch.f2_x[i], batch.f2_y[i]};
+        }
+    }
+}
+
+void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit, State& s) {
+    const Range points = boundary.platen_points_of_block[block];
+    for (std::int32_t i = points.begin; i < points.end; ++i) {
+        PlatenPoint& point = s.platen_points[i];
+        const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
+                                                 loading.platen_displacement[point.platen]);
+        s.force[point.node] += r.force;
+        if (commit) {
+            point.anchor = r.anchor;
+            point.shear = r.shear;
+            s.grain_sums[block].platen_friction += r.friction;
+            s.grain_sums[block].platen_work +=
+                0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
+        }
+    }
+}
+
+void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure, std::int32_t block, State& s) {
+    const double half_pressure = 0.5 * pressure;
+    const Range edges = boundary.membrane_edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        const auto [first, second] = boundary.membrane_edges[i];
+        const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
+        s.membrane_force[i] = {-half_pressure * along.y, half_pressure * along.x};
+        s.force[first] += s.membrane_force[i];
+        s.force[second] += s.membrane_force[i];
+    }
+}
+
+/// Work of the membrane over half a step at the present velocities.
+double membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, const State& s) {
+    double work = 0;
+    const Range edges = boundary.membrane_edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        const auto [first, second] = boundary.membrane_edges[i];
+        work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
+    }
+    return work;
+}
+
+/// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
+GRAINCRACK_VECTOR_TARGETS double move_nodes(std::int32_t count, double time_step, double alpha, const double* inverse_mass,
+                                            const Vector2* force, Vector2* velocity, Vector2* displacement) {
+    double absorbed = 0;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const Vector2 old_velocity = velocity[i];
+        const Vector2 drag = damping_force(alpha, force[i], old_velocity);
+        const double rate = time_step * inverse_mass[i];
+        const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + drag.x), old_velocity.y + rate * (force[i].y + drag.y)};
+        velocity[i] = new_velocity;
+        displacement[i].x += time_step * new_velocity.x;
+        displacement[i].y += time_step * new_velocity.y;
+        absorbed -= drag.x * (old_velocity.x + new_velocity.x) + drag.y * (old_velocity.y + new_velocity.y);
+    }
+    return 0.5 * time_step * absorbed;
+}
+
+}  // namespace
+
+void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit,
+                      State& s) {
+    const GrainBlock& range = a.grain_blocks[block];
+    for (std::int32_t i = range.nodes.begin; i < range.nodes.end; ++i) {
+        s.force[i] = {};
+    }
+    add_elements(a, range.elements, s);
+    for (std::int32_t i = range.nodes.begin; i < range.nodes.end; ++i) {
+        for (std::int32_t k = a.slot_begin[i]; k < a.slot_begin[i + 1]; ++k) {
+            s.force[i] += s.contact_force[a.slots[k]];
+        }
+    }
+    add_platens(boundary, loading, block, commit, s);
+    add_membrane(a, boundary, loading.pressure, block, s);
+}
+
+void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
+                     State& s) {
+    const Range nodes = a.grain_blocks[block].nodes;
+    GrainSums& sums = s.grain_sums[block];
+    const double dt = parameters.time_step;
+    sums.membrane_work += membrane_half_work(boundary, block, dt, s);
+    const std::int32_t n = nodes.size();
+    sums.damping += move_nodes(n, dt, parameters.damping, &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
+                               &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
+    sums.membrane_work += membrane_half_work(boundary, block, dt, s);
+}
+
+}  // namespace graincrack
