@@ -1,0 +1,56 @@
+# Sourced by share/quickstart, tests/run and .ci/run: the Debian 12 packages of the project and its build folders.
+# shellcheck shell=bash disable=SC2034
+
+# What the three tools are built from, with what draws pictures without a display.
+build_packages=(
+    cmake g++ ninja-build
+    libcgal-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libssl-dev libtomlplusplus-dev
+    libvtk9-dev nlohmann-json3-dev
+    libegl-mesa0 libgl1-mesa-dri
+)
+# What the tests add: their framework, and the reader that share/doc/file-format.md shows.
+test_packages=(libgtest-dev python3-h5py)
+# What the build with the other compiler adds.
+clang_packages=(clang libomp-dev)
+
+say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
+
+# have_packages PACKAGE…: installs what is missing if it may; ends the script with exit code 3 if it may not.
+have_packages() {
+    local package status missing=()
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "this is no Debian; going on with what is here. Needed are, by their Debian 12 names: $*"
+        return 0
+    fi
+    for package in "$@"; do
+        status=$(dpkg-query --show --showformat='${db:Status-Status} ' "$package" 2>/dev/null) || status=
+        [[ $status == *installed\ * ]] || missing+=("$package")
+    done
+    if ((${#missing[@]} == 0)); then
+        say "packages: all there"
+        return 0
+    fi
+    if ((EUID != 0)); then
+        say "packages are missing: ${missing[*]}"
+        say "with root rights: apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+        exit 3
+    fi
+    say "packages: installing ${missing[*]} and what they need; this takes some minutes"
+    export DEBIAN_FRONTEND=noninteractive
+    if ! { apt-get update -qq && apt-get install -qq -y --no-install-recommends "${missing[@]}"; } </dev/null >/dev/null; then
+        say "packages could not be installed: ${missing[*]}"
+        exit 3
+    fi
+}
+
+# configure_build FOLDER PRESET [CMAKE OPTION…]: the build that is there, or a new one by its preset. From the top folder.
+configure_build() {
+    local folder=$1 preset=$2 launcher=()
+    shift 2
+    if [[ -f $folder/CMakeCache.txt ]]; then
+        cmake -S . -B "$folder" "$@"
+    else
+        if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+        cmake --preset "$preset" "${launcher[@]}" "$@"
+    fi
+}
