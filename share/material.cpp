@@ -141,12 +141,14 @@ Material read_material_file(const fs::path& file) {
     return material;
 }
 
-/// Folders in which a name is looked up.
+/// Folders in which a name is looked up. An installed program finds its materials wherever the installation was moved.
 std::vector<fs::path> material_folders() {
     std::vector<fs::path> folders;
     if (const char* own = std::getenv("GRAINCRACK_MATERIALS"); own != nullptr && *own != '\0') folders.emplace_back(own);
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    if (!unknown) folders.push_back((program.parent_path() / GRAINCRACK_MATERIALS_FROM_PROGRAM).lexically_normal());
     folders.emplace_back(GRAINCRACK_SOURCE_MATERIALS);
-    folders.emplace_back(GRAINCRACK_INSTALLED_MATERIALS);
     return folders;
 }
 
