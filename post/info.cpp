@@ -15,7 +15,9 @@ namespace graincrack {
 
 namespace {
 
-void line(std::ostream& out, const std::string& key, const std::string& value) { out << fmt::format("  {:<24} {}\n", key, value); }
+void line(std::ostream& out, const std::string& key, const std::string& value) {
+    out << fmt::format("  {:<24} {}\n", key, value);
+}
 
 void write_counts(std::ostream& out, const H5Input& file) {
     const auto rows = [&](const char* path) { return file.has(path) ? std::to_string(file.extents(path).at(0)) : "0"; };
