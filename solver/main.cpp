@@ -5,6 +5,8 @@
 //     brazilian.h5
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/units.hpp"
@@ -25,10 +27,15 @@ void print_plan(const SimulationPlan& plan) {
                static_cast<double>(plan.max_steps) * static_cast<double>(plan.grains) * assumed_ns_per_grain_step * 1e-9);
 }
 
+/// The strength a test is made for, from its largest axial stress (brazilian: load over D t).
+double strength_of(const RunHeader& h) {
+    return h.test == name_of(TestKind::brazilian) ? 2 / std::numbers::pi * h.peak_axial_stress : h.peak_axial_stress;
+}
+
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
-    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; peak {:.2f} MPa; micro-cracks {} tensile, {} shear\n", h.test,
-               h.stop_reason, h.steps, h.time_step, h.peak_axial_stress * 1e-6, s.tensile_cracks, s.shear_cracks);
+    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; strength {:.2f} MPa; micro-cracks {} tensile, {} shear\n", h.test,
+               h.stop_reason, h.steps, h.time_step, strength_of(h) * 1e-6, s.tensile_cracks, s.shear_cracks);
     fmt::print(
         stderr,
         "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work\n",
