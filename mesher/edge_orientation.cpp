@@ -20,9 +20,19 @@ std::size_t interval(double coordinate, double extent, std::size_t n) {
     return std::min(static_cast<std::size_t>(std::max(place, 0.0)), n - 1);
 }
 
-std::size_t part_of(const Shape& shape, Point p) {
-    if (shape.kind == ShapeKind::disc) return interval(std::atan2(p.y, p.x), 2 * std::numbers::pi, n_parts);
-    const std::size_t n_x = shape.width > shape.height ? 4 : 2;
+std::size_t part_of_disc(const Shape& shape, Partition partition, Point p) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const double angle = std::atan2(p.y, p.x);
+    if (partition == Partition::blocks) return interval(angle, turn, n_parts);
+    if (partition == Partition::turned) return interval(std::remainder(angle + turn / 16, turn), turn, n_parts);
+    const bool inner = squared_length(p) < shape.width * shape.width / 8;
+    return 2 * interval(angle, turn, n_parts / 2) + (inner ? 1 : 0);
+}
+
+std::size_t part_of_rectangle(const Shape& shape, Partition partition, Point p) {
+    const bool upright = shape.height >= shape.width;
+    const std::size_t n_long = partition == Partition::blocks ? 4 : partition == Partition::turned ? 2 : 8;
+    const std::size_t n_x = upright ? n_parts / n_long : n_long;
     return n_x * interval(p.y, shape.height, n_parts / n_x) + interval(p.x, shape.width, n_x);
 }
 
@@ -62,13 +72,15 @@ double psi6(std::span<const Point> points, std::span<const Edge> edges) {
     return edges.empty() ? 0.0 : length(sum) / static_cast<double>(edges.size());
 }
 
-double largest_psi6_of_parts(const Shape& shape, std::span<const Point> points, std::span<const Edge> edges) {
+double largest_psi6_of_parts(const Shape& shape, Partition partition, std::span<const Point> points,
+                             std::span<const Edge> edges) {
+    const auto part_of = shape.kind == ShapeKind::disc ? part_of_disc : part_of_rectangle;
     std::array<Point, n_parts> sums{};
     std::array<int, n_parts> counts{};
     for (const Edge& e : edges) {
         const Point p = points[static_cast<std::size_t>(e[0])];
         const Point q = points[static_cast<std::size_t>(e[1])];
-        const std::size_t part = part_of(shape, midpoint(p, q));
+        const std::size_t part = part_of(shape, partition, midpoint(p, q));
         sums[part] = sums[part] + six_fold(q - p);
         ++counts[part];
     }

@@ -23,9 +23,15 @@ Point six_fold(Point direction);
 /// |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice.
 double psi6(std::span<const Point> points, std::span<const Edge> edges);
 
-/// The largest |⟨e^(6iθ)⟩| among eight equal parts of the shape: 2 × 4 blocks of a rectangle, octants of a disc. An edge
-/// belongs to the part of its midpoint.
-double largest_psi6_of_parts(const Shape& shape, std::span<const Point> points, std::span<const Edge> edges);
+/// Ways to cut a shape into eight equal parts.
+enum class Partition {
+    blocks,  ///< rectangle: 2 × 4 blocks, 4 along the longer side; disc: octants
+    turned,  ///< rectangle: 4 × 2 blocks; disc: octants turned by 22.5°
+    bands,   ///< rectangle: 8 bands across the longer side; disc: quadrants cut into halves of equal area by a circle
+};
+
+/// The largest |⟨e^(6iθ)⟩| among eight equal parts of a shape. An edge belongs to the part of its midpoint.
+double largest_psi6_of_parts(const Shape& shape, Partition partition, std::span<const Point> points, std::span<const Edge> edges);
 
 /// ⟨e^(6iθ)⟩ around each point, averaged over its edges and smoothed over neighbours `n_smoothings` times.
 std::vector<Point> local_orientation(std::span<const Point> points, const Neighbours& neighbours, int n_smoothings);

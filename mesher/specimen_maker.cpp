@@ -17,7 +17,8 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int max_attempts = 40;
+constexpr int max_attempts = 100;
+constexpr int attempts_to_promise = 20;  ///< if the best of so many is far over the bounds, more are of no use
 constexpr int max_corrections = 4;
 constexpr double edge_tolerance = 0.005;
 constexpr double sampling_distance = 0.77;  ///< of the edge: gives about as many points as are wanted
@@ -95,7 +96,10 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     const auto inner = sample_points(request.shape, sampling_distance * plan.edge, sampling_margin * plan.edge, random);
     attempt.mesh =
         relax_points(request.shape, attempt.outline, inner, {plan.edge, request.spread, plan.n_inner}, random, progress);
-    attempt.psi6_of_parts = largest_psi6_of_parts(request.shape, attempt.mesh.points, attempt.mesh.edges);
+    for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
+        const double largest = largest_psi6_of_parts(request.shape, partition, attempt.mesh.points, attempt.mesh.edges);
+        attempt.psi6_of_parts = std::max(attempt.psi6_of_parts, largest);
+    }
     const double whole = psi6(attempt.mesh.points, attempt.mesh.edges);
     attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
     return attempt;
@@ -105,6 +109,7 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
 Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
     Attempt best;
     for (int number = 0; number < max_attempts && best.excess > 1; ++number) {
+        if (number >= attempts_to_promise && best.excess > 1.5) break;
         throw_if_interrupted();
         Attempt attempt = make_attempt(request, plan, number, progress);
         ++report.attempts;

@@ -25,7 +25,8 @@ struct SpecimenRequest {
 inline constexpr double max_spread = 0.3;
 /// Largest number of elements along a grain edge.
 inline constexpr int max_elements_per_edge = 100;
-/// A mesh has no preferred direction if |⟨e^(6iθ)⟩| stays below these, as a whole and in each of eight equal parts.
+/// A mesh has no preferred direction if |⟨e^(6iθ)⟩| stays below these, as a whole and in each of eight equal parts, whichever
+/// `Partition` makes them.
 inline constexpr double max_psi6 = 0.15;
 inline constexpr double max_psi6_of_parts = 0.30;
 
@@ -44,13 +45,13 @@ MeshPlan plan_mesh(const SpecimenRequest& request);
 
 /// How the wish was met.
 struct MeshReport {
-    double psi6_of_parts = 0;  ///< largest among eight equal parts
+    double psi6_of_parts = 0;  ///< largest in eight equal parts, cut in three ways (`Partition`)
     int attempts = 0;          ///< meshes made until one had no preferred direction
 };
 
 /// Makes the specimen. The same request gives the same specimen, bit by bit.
 ///
-/// Meshes whose psi6 is above the bounds are made again from further random numbers, up to 40 times; the best one is kept.
+/// Meshes whose psi6 is above the bounds are made again from further random numbers, up to 100 times; the best one is kept.
 /// With a wanted edge the number of grains is corrected until the mean is within 0.5 %, or as near as whole grains allow.
 /// \param report filled if given
 /// \throws UsageError as `plan_mesh`; Interrupted on a signal

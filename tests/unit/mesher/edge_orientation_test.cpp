@@ -64,7 +64,7 @@ TEST(EdgeOrientation, PartsShowWhatTheWholeHides) {
         }
     }
     EXPECT_NEAR(psi6(points, edges), 0, 1e-12);
-    EXPECT_NEAR(largest_psi6_of_parts(shape, points, edges), 1, 1e-12);
+    EXPECT_NEAR(largest_psi6_of_parts(shape, Partition::blocks, points, edges), 1, 1e-12);
 }
 
 TEST(EdgeOrientation, LocalOrientationOfALatticeIsUniform) {
