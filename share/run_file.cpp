@@ -211,12 +211,13 @@ void link_last_frame(H5Output& file, const std::string& frame) {
 struct RunWriter::State {
     struct Slot {
         std::string group;
+        double time;
         bool keep;
     };
     H5Output file;
     std::size_t rows = 0;        // of the history, written
     std::size_t next_frame = 0;  // running number while the run goes on
-    std::vector<Slot> frames;    // in time order
+    std::vector<Slot> frames;    // in time order: the frame of a peak comes after later ones
 };
 
 RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header)
@@ -257,7 +258,10 @@ void RunWriter::add_frame(const Frame& frame, bool keep) {
     });
     file.attribute(group + "/" + schema::frame_state.path, "names",
                    std::vector<std::string>{"intact", "failed in tension", "failed in shear", "separated"});
-    state_->frames.push_back({group, keep});
+    std::vector<State::Slot>& frames = state_->frames;
+    const auto after =
+        std::find_if(frames.begin(), frames.end(), [&](const State::Slot& slot) { return slot.time > frame.time; });
+    frames.insert(after, {group, frame.time, keep});
     file.flush();
 }
 
