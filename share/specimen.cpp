@@ -116,7 +116,22 @@ void check_elements(const Specimen& s, const Checker& check) {
     }
 }
 
-void check_contacts(const Specimen& s, const Checker& check) {
+/// Sides of the elements from node to node, counter-clockwise, sorted.
+using Sides = std::vector<std::array<std::int32_t, 2>>;
+Sides element_sides(const Specimen& s) {
+    Sides sides;
+    sides.reserve(3 * s.n_elements());
+    for (const auto& [i, j, k] : s.element_nodes) {
+        sides.insert(sides.end(), {{i, j}, {j, k}, {k, i}});
+    }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+bool has_side(const Sides& sides, std::int32_t from, std::int32_t to) {
+    return std::binary_search(sides.begin(), sides.end(), std::array{from, to});
+}
+
+void check_contacts(const Specimen& s, const Sides& sides, const Checker& check) {
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     const double tolerance = conformity * std::max(s.width, s.height);
     const auto apart = [&s](std::int32_t i, std::int32_t j) {
@@ -129,14 +144,18 @@ void check_contacts(const Specimen& s, const Checker& check) {
                       "contact must join an edge of grain a to one of grain b > a", c);
         check.require(a1 != a2 && apart(a1, b1) <= tolerance && apart(a2, b2) <= tolerance && apart(a1, a2) > tolerance,
                       "contact edges do not conform: a1 must lie on b1 and a2 on b2", c);
+        check.require(has_side(sides, a1, a2) && has_side(sides, b2, b1),
+                      "a1 to a2 must be the side of an element counter-clockwise around grain a, b2 to b1 one around b", c);
         check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::pre_existing_crack), "unknown kind of contact",
                       c);
     }
 }
 
-void check_boundary(const Specimen& s, const Checker& check) {
+void check_boundary(const Specimen& s, const Sides& sides, const Checker& check) {
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
         check.require(all_below(s.boundary_edges[b], s.n_nodes()), "boundary edge names a node that does not exist", b);
+        check.require(has_side(sides, s.boundary_edges[b][0], s.boundary_edges[b][1]),
+                      "boundary edge is no side of an element with the solid on its left", b);
         check.require(s.boundary_part[b] < s.part_names.size(), "boundary edge names a part that does not exist", b);
     }
 }
@@ -208,8 +227,9 @@ void validate(const Specimen& specimen, const std::string& where) {
     const Checker check(where);
     check_sizes(specimen, check);
     check_elements(specimen, check);
-    check_contacts(specimen, check);
-    check_boundary(specimen, check);
+    const Sides sides = element_sides(specimen);
+    check_contacts(specimen, sides, check);
+    check_boundary(specimen, sides, check);
 }
 
 void write_specimen(H5Output& file, const Specimen& s) {

@@ -70,7 +70,8 @@ struct Specimen {
 
 /// Checks that the arrays fit each other and the conventions of the schema: lengths, index ranges, counter-clockwise
 /// elements of positive area, elements of a grain contiguous and ascending, nodes of one grain only, contacts conforming
-/// (a1 on b1, a2 on b2 within 1e-9 of the specimen's size) with grain(a) < grain(b), known kinds and parts.
+/// (a1 on b1, a2 on b2 within 1e-9 of the specimen's size) with grain(a) < grain(b), their edges and those of the boundary
+/// sides of elements in the right sense, known kinds and parts.
 /// \throws InputError naming `where` and the first offence.
 void validate(const Specimen& specimen, const std::string& where);
 
