@@ -203,7 +203,8 @@ void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t 
         H5Adelete(object, name.c_str());
     }
     const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    if (!attribute.valid() || H5Awrite(attribute.get(), type, data) < 0) {
+    const bool is_empty = H5Sget_simple_extent_npoints(space) == 0;  // HDF5 refuses to write no strings
+    if (!attribute.valid() || (!is_empty && H5Awrite(attribute.get(), type, data) < 0)) {
         throw OutputError(fmt::format("attribute {} cannot be written", name));
     }
 }
@@ -786,6 +787,9 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
         throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
     }
     if (H5Lexists(state_->file.get(), dataset.c_str(), H5P_DEFAULT) <= 0) {
+        if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
+            create_group(dataset.substr(0, slash));
+        }
         std::vector<hsize_t> shape = to_hsize(extents);
         std::vector<hsize_t> limit = shape;
         shape[0] = 0;
