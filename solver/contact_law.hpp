@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -96,6 +97,7 @@ struct ContactHistory {
 inline ContactHistory broken_contact() {
     ContactHistory h;
     h.failed_open = h.failed_closed = h.separated = true;
+    h.max_displacement = std::numeric_limits<double>::max();  // nothing is left of either branch
     return h;
 }
 
@@ -334,8 +336,8 @@ inline void advance_open_continuous(const ContactLaw& law, const ContactMotion& 
         if (lambda > 1) {
             const double stored = q * exponential_energy(lambda, reduction);
             mark_failed(h, CrackMode::tensile);
-            h.peak_displacement = std::max(law.dct, magnitude(to));
-            h.max_displacement = h.peak_displacement;
+            h.peak_displacement = std::max(law.dct, magnitude(to) / lambda);  // where the step passed λ = 1
+            h.max_displacement = std::max(h.peak_displacement, magnitude(to));
             reduction = continuous_reduction(law, h);
             r.dissipation.fracture += stored - 0.5 * reduction * q;
         }
