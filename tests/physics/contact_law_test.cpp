@@ -1,0 +1,279 @@
+// The contact law alone: no mesh, no dynamics. Every reading and every coupling; numbers are those of Augig granite with
+// tc 24.15 MPa, cc 74.57 MPa, φc 48.76°, mixed-mode fracture energy, plane strain, computed from Eqs 3–14 by hand.
+#include "solver/contact_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/contact_walk.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::all_laws;
+using test::augig_contact;
+using test::ContactWalk;
+using test::expect_close;
+using test::mm;
+using test::MPa;
+using test::name_of_law;
+constexpr double e = std::numbers::e;
+
+/// ∫ f over [a, b] by Gauss's rule with five points on `panels` panels: exact for the linear parts, below 1e-15 for e^(−x).
+template <class Function>
+double integral(Function&& f, double a, double b, int panels) {
+    constexpr std::array<double, 5> at{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683, 0.906179845938664};
+    constexpr std::array<double, 5> weight{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,
+                                           0.236926885056189};
+    double sum = 0;
+    const double half = 0.5 * (b - a) / panels;
+    for (int p = 0; p < panels; ++p) {
+        for (std::size_t k = 0; k < 5; ++k) {
+            sum += weight[k] * half * f(a + half * (2 * p + 1 + at[k]));
+        }
+    }
+    return sum;
+}
+
+TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
+    const ContactParameters c = augig_contact();
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        ContactWalk walk(law);
+        const auto traction = [&](double opening) { return walk.to({opening, 0}).normal; };
+        const double before = integral(traction, 0, c.critical_opening, 8);
+        traction(c.critical_opening * (1 + 1e-13));  // the reading `continuous` remembers where it failed
+        const double after = integral(traction, c.critical_opening * (1 + 1e-13), c.ultimate_opening, 8);
+        expect_close(before + after, c.fracture_energy, 1e-9, c.fracture_energy);
+        expect_close(before + after, 412.97965, 1e-7, 412.97965);  // printed to eight digits
+        expect_close(before, c.tensile_strength * c.critical_opening * (e - 2), 1e-12, before);
+        expect_close(before / c.fracture_energy, 0.0040, 0.0125, 0.0040);  // 0.40 %, two digits
+        EXPECT_EQ(walk.to({c.ultimate_opening * 1.001, 0}).normal, 0);
+        EXPECT_TRUE(walk.history().separated);
+    }
+}
+
+TEST(ContactLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
+    for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
+        const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
+        for (const ContactLaw& law : all_laws(c)) {
+            SCOPED_TRACE(name_of_law(law));
+            ContactWalk walk(law);
+            walk.go({1.01 * c.ultimate_opening, 0}, 40000);
+            // `continuous` sums trapezia and fails half a step late: 2e-5 at this step
+            const double tolerance = law.variant == LawVariant::continuous ? 1e-4 : 1e-12;
+            expect_close(walk.fracture(), c.fracture_energy, tolerance, c.fracture_energy);
+            expect_close(walk.stored(), 0, 1e-15, c.fracture_energy);
+        }
+    }
+}
+
+TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
+    const ContactParameters c = augig_contact();
+    expect_close(c.critical_sliding, 2.9025e-3 * mm, 2e-5, c.critical_sliding);  // five digits
+    for (const ContactLaw& law : all_laws(c)) {
+        for (const double pressure : {1 * MPa, 20 * MPa, 100 * MPa}) {
+            SCOPED_TRACE(name_of_law(law));
+            const double closure = -pressure / law.kt;
+            ContactWalk walk(law);
+            walk.to({closure, 0});
+            double largest = 0;
+            const auto traction = [&](double s) {
+                const ContactTraction t = walk.to({closure, s});
+                expect_close(t.normal, -pressure, 1e-14, pressure);
+                largest = std::max(largest, t.shear);
+                return t.shear;
+            };
+            const double energy = integral(traction, 0, c.critical_sliding, 8);
+            expect_close(energy, 155.46, 5e-5, 155.46);  // five digits
+            expect_close(energy, c.cohesion * c.critical_sliding * (e - 2), 1e-12, energy);
+            expect_close(traction(c.critical_sliding * (1 - 1e-12)), c.cohesion, 1e-12, c.cohesion);
+            EXPECT_LE(largest, c.cohesion * (1 + 1e-14));
+            EXPECT_FALSE(walk.history().failed());
+            traction(c.critical_sliding * (1 + 1e-12));
+            EXPECT_TRUE(walk.history().failed_closed);
+            EXPECT_EQ(walk.history().first_mode, CrackMode::shear);
+        }
+    }
+}
+
+TEST(ContactLaw, FailedContactUnderPressureKeepsFriction) {
+    const ContactParameters c = augig_contact();
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        const auto residual = [&](double pressure) {
+            ContactWalk walk(law);
+            walk.to({-pressure / law.kt, 0});
+            return walk.go({-pressure / law.kt, 4 * c.critical_sliding}, 4000).shear;
+        };
+        expect_close(residual(20 * MPa), 22.814 * MPa, 3e-5, 22.814 * MPa);  // digits printed
+        expect_close(residual(30 * MPa), 34.2 * MPa, 1e-3, 34.2 * MPa);
+        expect_close(residual(100 * MPa), 114.1 * MPa, 1e-3, 114.1 * MPa);
+        EXPECT_GT(residual(100 * MPa), c.cohesion);  // it hardens
+    }
+}
+
+TEST(ContactLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
+    const ContactParameters c = augig_contact();
+    const double residual = 20 * MPa * std::tan(c.friction_angle);
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        const double closure = -20 * MPa / law.kt;
+        const double reach = 3 * c.critical_sliding;
+        ContactWalk walk(law);
+        walk.to({closure, 0});
+        walk.go({closure, reach}, 2000);
+        const ContactTraction before = walk.traction();
+        const ContactTraction after = walk.to({closure, reach - 1e-3 * c.critical_sliding});
+        expect_close((before.shear - after.shear) / (1e-3 * c.critical_sliding), law.ks, 1e-10, law.ks);
+        walk.to({closure, reach});
+        const double work = walk.work();
+        const double friction = walk.friction();
+        walk.go({closure, -reach}, 8000);
+        expect_close(walk.traction().shear, -residual, 1e-12, residual);  // reversed slip, reversed friction
+        walk.go({closure, reach}, 8000);
+        expect_close(walk.traction().shear, residual, 1e-12, residual);
+        const double slip = 2 * (2 * reach - 2 * residual / law.ks);
+        EXPECT_GT(slip, 0);
+        // trapezia at the four corners of the loop: 4e-8
+        expect_close(walk.friction() - friction, residual * slip, 1e-6, residual * slip);
+        expect_close(walk.work() - work, residual * slip, 1e-6, residual * slip);
+    }
+}
+
+// At δn = 0 an intact contact that carries shear goes from Eq 10 to Eqs 7 and 13. What happens there is part of a reading:
+//   literal     τ from ks δs e^(−δs/δcs) to kt δs e^(−δs/δct): a jump up by nearly kt/ks = 9.8; a loop makes energy
+//   scaled      from ks δs e^(−δs/δcs) to ks δs e^(−√κ δs/δct): a jump down of second order; a loop takes energy
+//   continuous  none
+TEST(ContactLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
+    const ContactParameters c = augig_contact();
+    const double s = 0.5 * c.critical_opening;
+    const double x = s / c.critical_sliding;
+    const auto energy = [](double k, double d, double peak) {  // of Eq 7 or 10
+        return k * peak * peak * (1 - (1 + d / peak) * std::exp(-d / peak));
+    };
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        const double kappa = law.ks / law.kt;
+        const double closed = law.ks * s * std::exp(-x);
+        double open = closed;
+        double made = 0;  // by a loop: closed at 0, slide, open, slide back, close
+        if (law.variant == LawVariant::literal) {
+            open = law.kt * s * std::exp(-s / law.dct);
+            made = energy(law.kt, s, law.dct) - energy(law.ks, s, law.dcs);
+        } else if (law.variant == LawVariant::scaled) {
+            open = law.ks * s * std::exp(-std::sqrt(kappa) * s / law.dct);
+            made = energy(law.kt, std::sqrt(kappa) * s, law.dct) - energy(law.ks, s, law.dcs);
+        }
+        const double tiny = 1e-12 * c.critical_opening;
+        ContactWalk walk(law);
+        walk.to({-tiny, 0});
+        expect_close(walk.go({-tiny, s}, 4000).shear, closed, 1e-10, closed);
+        expect_close(walk.to({tiny, s}).shear, open, 1e-10, closed);
+        walk.go({tiny, 0}, 4000);
+        walk.to({-tiny, 0});
+        EXPECT_FALSE(walk.history().failed());
+        // The trapezia of 4000 steps: below 1e-7. The crossing itself is a leg without length.
+        const double scale = energy(law.ks, s, law.dcs);
+        expect_close(walk.work(), -made, 1e-6, scale);
+        expect_close(walk.mismatch(), -made, 1e-6, scale);
+        EXPECT_EQ(walk.fracture(), 0);
+        EXPECT_EQ(walk.friction(), 0);
+        switch (law.variant) {
+            case LawVariant::literal: EXPECT_GT(made, 2 * scale); break;
+            case LawVariant::scaled: EXPECT_LT(made, -0.01 * scale); break;
+            case LawVariant::continuous: EXPECT_EQ(made, 0); break;
+        }
+    }
+}
+
+// Pull past the peak, slide, close, slide, reverse, open.
+TEST(ContactLaw, ACycleThroughFailure) {
+    const ContactParameters c = augig_contact();
+    const double pulled = 0.3 * c.ultimate_opening;
+    const double closed = -20 * MPa / c.normal_stiffness;
+    const double residual = 20 * MPa * std::tan(c.friction_angle);
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        ContactWalk walk(law);
+        walk.go({pulled, 0}, 4000);
+        ASSERT_TRUE(walk.history().failed_open);
+        const double torn = walk.traction().normal;
+        expect_close(torn, 0.7 * c.tensile_strength, 5e-3, c.tensile_strength);
+        walk.go({0.5 * pulled, 0}, 1000);
+        expect_close(walk.traction().normal, 0.5 * torn, 1e-12, torn);  // the secant through the origin
+        walk.go({closed, 0}, 1000);
+        expect_close(walk.traction().normal, -20 * MPa, 1e-12, 20 * MPa);
+        walk.go({closed, 3 * c.critical_sliding}, 4000);
+        // Coupling none has its cohesion first and loses it at δcs; both end with friction.
+        expect_close(walk.traction().shear, residual, 1e-12, residual);
+        EXPECT_EQ(walk.history().failed_closed, law.coupling == Coupling::none);
+        expect_close(walk.largest_shear(), law.coupling == Coupling::none ? c.cohesion : residual, 1e-5, c.cohesion);
+        walk.go({closed, 1 * c.critical_sliding}, 4000);
+        expect_close(walk.traction().shear, -residual, 1e-12, residual);
+        walk.go({0.5 * pulled, 0}, 4000);
+        expect_close(walk.traction().normal, 0.5 * torn, 1e-12, torn);  // no healing, nothing lost by being closed
+        expect_close(walk.balance(), 0, 2e-3, walk.fracture());         // to the steps: three jumps of τ
+    }
+}
+
+// One that failed in shear under pressure: with coupling full nothing is left when it opens; with none Eq 7 as new.
+TEST(ContactLaw, OpeningAfterShearFailure) {
+    const ContactParameters c = augig_contact();
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        ContactWalk walk(law);
+        walk.to({-20 * MPa / law.kt, 0});
+        walk.go({-20 * MPa / law.kt, 1.5 * c.critical_sliding}, 2000);
+        ASSERT_TRUE(walk.history().failed_closed);
+        walk.go({-20 * MPa / law.kt, 0}, 2000);
+        const ContactTraction open = walk.go({0.2 * c.critical_opening, 0}, 2000);
+        if (law.coupling == Coupling::full) {
+            EXPECT_EQ(open.normal, 0);
+            EXPECT_TRUE(walk.history().separated);
+            EXPECT_EQ(damage(law, walk.history()), 1);
+        } else {
+            expect_close(open.normal, law.kt * 0.2 * law.dct * std::exp(-0.2), 1e-12, law.tc);
+            EXPECT_FALSE(walk.history().separated);
+        }
+        EXPECT_EQ(point_state(walk.history()), law.coupling == Coupling::full ? PointState::separated : PointState::failed_shear);
+    }
+}
+
+// The traction is the gradient of the stored energy wherever a reading has a potential.
+TEST(ContactLaw, TractionIsTheGradientOfTheStoredEnergyBeforeDamage) {
+    const ContactParameters c = augig_contact();
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        const auto energy = [&](ContactMotion m) {
+            ContactHistory h;
+            h.motion = m;
+            return stored_energy(law, h);
+        };
+        for (const double opening : {-0.7, -0.1, 0.1, 0.5}) {
+            if (opening > 0 && law.variant == LawVariant::continuous) {
+                continue;  // no potential there: its part without gradient is booked as mismatch
+            }
+            for (const double sliding : {-0.6, 0.0, 0.3}) {
+                const ContactMotion m{opening * law.dct, sliding * law.dct};
+                const double h = 1e-5 * law.dct;
+                ContactHistory at;
+                at.motion = m;
+                const ContactTraction t = update_contact(law, m, at).traction;
+                // central differences: h²/6 of the third derivative, 1e-10, and round-off of 1e-16/1e-5
+                const double normal = (energy({m.opening + h, m.sliding}) - energy({m.opening - h, m.sliding})) / (2 * h);
+                const double shear = (energy({m.opening, m.sliding + h}) - energy({m.opening, m.sliding - h})) / (2 * h);
+                expect_close(t.normal, normal, 1e-8, law.tc);
+                expect_close(t.shear, shear, 1e-8, law.tc);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace graincrack

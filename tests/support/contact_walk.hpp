@@ -1,0 +1,84 @@
+// A contact point led along a path of motions, with the work done on it and all that was booked.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "share/material.hpp"
+#include "solver/contact_law.hpp"
+
+namespace graincrack::test {
+
+/// Every reading with every coupling.
+inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
+    std::vector<ContactLaw> laws;
+    for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous}) {
+        for (const Coupling coupling : {Coupling::full, Coupling::none}) {
+            laws.push_back(make_contact_law(contact, variant, coupling));
+        }
+    }
+    return laws;
+}
+inline std::string name_of_law(const ContactLaw& law) {
+    return std::string(name_of(law.variant)) + ", coupling " + std::string(name_of(law.coupling));
+}
+
+class ContactWalk {
+public:
+    explicit ContactWalk(const ContactLaw& law) : law_(law) {}
+
+    /// One update. Work per area is the trapezium of the tractions before and after.
+    ContactTraction to(const ContactMotion& motion) {
+        const ContactMotion from = history_.motion;
+        const ContactResponse r = update_contact(law_, motion, history_);
+        work_ += 0.5 * ((traction_.normal + r.traction.normal) * (motion.opening - from.opening) +
+                        (traction_.shear + r.traction.shear) * (motion.sliding - from.sliding));
+        fracture_ += r.dissipation.fracture;
+        friction_ += r.dissipation.friction;
+        mismatch_ += r.dissipation.mismatch;
+        least_fracture_ = std::min(least_fracture_, r.dissipation.fracture);
+        least_friction_ = std::min(least_friction_, r.dissipation.friction);
+        largest_shear_ = std::max(largest_shear_, std::abs(r.traction.shear));
+        healed_ = healed_ || damage(law_, r.history) < damage(law_, history_) || (history_.failed() && !r.history.failed()) ||
+                  (history_.separated && !r.history.separated);
+        history_ = r.history;
+        traction_ = r.traction;
+        return traction_;
+    }
+    /// A straight leg in equal steps.
+    ContactTraction go(const ContactMotion& end, int steps) {
+        const ContactMotion from = history_.motion;
+        for (int i = 1; i < steps; ++i) {
+            const double share = static_cast<double>(i) / steps;
+            to({from.opening + share * (end.opening - from.opening), from.sliding + share * (end.sliding - from.sliding)});
+        }
+        return to(end);
+    }
+
+    [[nodiscard]] const ContactHistory& history() const { return history_; }
+    [[nodiscard]] const ContactTraction& traction() const { return traction_; }
+    [[nodiscard]] double work() const { return work_; }
+    [[nodiscard]] double fracture() const { return fracture_; }
+    [[nodiscard]] double friction() const { return friction_; }
+    [[nodiscard]] double mismatch() const { return mismatch_; }
+    [[nodiscard]] double stored() const { return stored_energy(law_, history_); }
+    /// work − stored − all that was booked
+    [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - mismatch_; }
+    [[nodiscard]] double least_fracture() const { return least_fracture_; }  ///< of one update
+    [[nodiscard]] double least_friction() const { return least_friction_; }
+    [[nodiscard]] double largest_shear() const { return largest_shear_; }
+    [[nodiscard]] bool healed() const { return healed_; }  ///< damage fell or a failure was forgotten
+
+private:
+    ContactLaw law_;
+    ContactHistory history_;
+    ContactTraction traction_;
+    double work_ = 0, fracture_ = 0, friction_ = 0, mismatch_ = 0;
+    double least_fracture_ = 0, least_friction_ = 0, largest_shear_ = 0;
+    bool healed_ = false;
+};
+
+}  // namespace graincrack::test

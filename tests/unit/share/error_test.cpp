@@ -1,0 +1,69 @@
+// One line and one exit code for whatever goes wrong.
+#include "share/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <new>
+
+namespace graincrack {
+namespace {
+
+struct Outcome {
+    int code;
+    std::string text;
+};
+template <class Body>
+Outcome outcome_of(Body&& body) {
+    testing::internal::CaptureStderr();
+    const int code = run_tool("graincrack-test", body);
+    return {code, testing::internal::GetCapturedStderr()};
+}
+template <class Exception>
+Outcome outcome_of_throwing(const Exception& e) {
+    return outcome_of([&e]() -> int { throw e; });
+}
+
+TEST(Error, CodesOfTheDesign) {
+    EXPECT_EQ(outcome_of([] { return 0; }).code, 0);
+    EXPECT_EQ(outcome_of([] { return 0; }).text, "");
+    EXPECT_EQ(outcome_of([] { return 7; }).code, 7);
+    EXPECT_EQ(outcome_of_throwing(std::runtime_error("x")).code, 1);
+    EXPECT_EQ(outcome_of_throwing(UsageError("x")).code, 2);
+    EXPECT_EQ(outcome_of_throwing(InputError("x")).code, 3);
+    EXPECT_EQ(outcome_of_throwing(NumericalError("x")).code, 4);
+    EXPECT_EQ(outcome_of_throwing(OutputError("x")).code, 5);
+    EXPECT_EQ(outcome_of_throwing(Interrupted(SIGINT)).code, 130);
+    EXPECT_EQ(outcome_of_throwing(Interrupted(SIGTERM)).code, 143);
+}
+
+TEST(Error, OneLineWithTheToolsName) {
+    EXPECT_EQ(outcome_of_throwing(UsageError("--edge: no number")).text, "graincrack-test: --edge: no number\n");
+    EXPECT_EQ(outcome_of_throwing(InputError("a\nb\nc")).text, "graincrack-test: a b c\n");
+    EXPECT_EQ(outcome_of_throwing(std::logic_error("x")).text, "graincrack-test: internal error: x\n");
+    EXPECT_EQ(outcome_of_throwing(Interrupted(SIGTERM)).text, "graincrack-test: stopped by signal 15\n");
+    const Outcome memory = outcome_of_throwing(std::bad_alloc());
+    EXPECT_EQ(memory.code, 1);
+    EXPECT_NE(memory.text.find("out of memory"), std::string::npos);
+}
+
+// In a process of its own: the signal stays caught for the life of a process.
+TEST(ErrorDeathTest, AStopSignalIsRememberedUntilASafePoint) {
+    EXPECT_EXIT(
+        {
+            catch_stop_signals();
+            const bool quiet = stop_signal() == 0;
+            std::raise(SIGTERM);
+            const int code = run_tool("tool", []() -> int {
+                throw_if_interrupted();
+                return 0;
+            });
+            std::_Exit(quiet ? code : 99);
+        },
+        testing::ExitedWithCode(143), "tool: stopped by signal 15");
+}
+
+TEST(Error, WithoutASignalWorkGoesOn) { EXPECT_NO_THROW(throw_if_interrupted()); }
+
+}  // namespace
+}  // namespace graincrack
