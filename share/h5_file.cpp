@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
-#include <openssl/evp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,46 +15,17 @@
 #include <utility>
 
 #include "share/error.hpp"
+#include "share/h5_detail.hpp"
 
 namespace graincrack {
+
+using namespace h5;
+
 namespace {
 
 constexpr std::size_t chunk_bytes = 1 << 18;  // target size of a chunk
 constexpr std::size_t small_bytes = 1 << 12;  // smaller arrays stay contiguous
 constexpr unsigned deflate_level = 1;         // measured: higher levels cost time and gain nothing
-
-/// An HDF5 identifier that closes itself.
-class Handle {
-public:
-    Handle() = default;
-    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Handle() { reset(); }
-    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-    Handle& operator=(Handle&& other) noexcept {
-        if (this != &other) {
-            reset();
-            id_ = std::exchange(other.id_, -1);
-            close_ = other.close_;
-        }
-        return *this;
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    [[nodiscard]] hid_t get() const { return id_; }
-    [[nodiscard]] bool valid() const { return id_ >= 0; }
-    void reset() {
-        if (id_ >= 0) {
-            close_(id_);
-        }
-        id_ = -1;
-    }
-
-private:
-    hid_t id_ = -1;
-    herr_t (*close_)(hid_t) = nullptr;
-};
-
-Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
 /// HDF5 reports its errors by return values here; its own printing is off for the life of the process.
 void silence_hdf5() {
@@ -64,48 +34,6 @@ void silence_hdf5() {
         return true;
     }();
     static_cast<void>(done);
-}
-
-template <class T>
-hid_t memory_type();
-template <>
-hid_t memory_type<double>() {
-    return H5T_NATIVE_DOUBLE;
-}
-template <>
-hid_t memory_type<float>() {
-    return H5T_NATIVE_FLOAT;
-}
-template <>
-hid_t memory_type<std::int32_t>() {
-    return H5T_NATIVE_INT32;
-}
-template <>
-hid_t memory_type<std::int64_t>() {
-    return H5T_NATIVE_INT64;
-}
-template <>
-hid_t memory_type<std::uint8_t>() {
-    return H5T_NATIVE_UINT8;
-}
-
-template <class T>
-hid_t file_type();
-template <>
-hid_t file_type<double>() {
-    return H5T_IEEE_F64LE;
-}
-template <>
-hid_t file_type<std::int32_t>() {
-    return H5T_STD_I32LE;
-}
-template <>
-hid_t file_type<std::int64_t>() {
-    return H5T_STD_I64LE;
-}
-template <>
-hid_t file_type<std::uint8_t>() {
-    return H5T_STD_U8LE;
 }
 
 std::size_t product(const Extents& extents) {
@@ -182,273 +110,6 @@ bool file_has_hdf5_signature(const std::string& path) {
     const ssize_t n = ::read(fd, head, sizeof head);
     ::close(fd);
     return has_hdf5_signature(head, n > 0 ? static_cast<std::size_t>(n) : 0);
-}
-
-Handle string_type() {
-    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type.get(), H5T_VARIABLE);
-    H5Tset_cset(type.get(), H5T_CSET_UTF8);
-    return type;
-}
-
-Handle fixed_string_type(std::size_t size) {
-    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type.get(), std::max<std::size_t>(size, 1));
-    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
-    return type;
-}
-
-void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
-    if (H5Aexists(object, name.c_str()) > 0) {
-        H5Adelete(object, name.c_str());
-    }
-    const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const bool is_empty = H5Sget_simple_extent_npoints(space) == 0;  // HDF5 refuses to write no strings
-    if (!attribute.valid() || (!is_empty && H5Awrite(attribute.get(), type, data) < 0)) {
-        throw OutputError(fmt::format("attribute {} cannot be written", name));
-    }
-}
-
-Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
-Handle vector_space(std::size_t n) {
-    const hsize_t extent = n;
-    return {H5Screate_simple(1, &extent, nullptr), H5Sclose};
-}
-
-void write_attribute(hid_t object, const std::string& name, double value) {
-    replace_attribute(object, name, H5T_IEEE_F64LE, scalar_space().get(), &value);
-}
-void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
-    replace_attribute(object, name, H5T_STD_I64LE, scalar_space().get(), &value);
-}
-// Fixed-length ASCII/UTF-8 text: what VTK's readers expect of /VTKHDF and everybody else reads too.
-void write_attribute(hid_t object, const std::string& name, const std::string& value) {
-    const Handle type = fixed_string_type(value.size());
-    const std::string padded = value.empty() ? std::string(1, '\0') : value;
-    replace_attribute(object, name, type.get(), scalar_space().get(), padded.data());
-}
-void write_attribute(hid_t object, const std::string& name, const std::vector<double>& values) {
-    replace_attribute(object, name, H5T_IEEE_F64LE, vector_space(values.size()).get(), values.data());
-}
-void write_attribute(hid_t object, const std::string& name, const std::vector<std::int64_t>& values) {
-    replace_attribute(object, name, H5T_STD_I64LE, vector_space(values.size()).get(), values.data());
-}
-void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& values) {
-    std::vector<const char*> pointers;
-    pointers.reserve(values.size());
-    for (const std::string& value : values) {
-        pointers.push_back(value.c_str());
-    }
-    replace_attribute(object, name, string_type().get(), vector_space(values.size()).get(), pointers.data());
-}
-
-/// Reads any string attribute, fixed or variable, scalar or vector (h5py writes variable ones).
-bool read_strings(hid_t attribute, std::vector<std::string>& out) {
-    const Handle type(H5Aget_type(attribute), H5Tclose);
-    const Handle space(H5Aget_space(attribute), H5Sclose);
-    if (H5Tget_class(type.get()) != H5T_STRING) {
-        return false;
-    }
-    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
-    out.clear();
-    if (H5Tis_variable_str(type.get()) > 0) {
-        std::vector<char*> values(n, nullptr);
-        const Handle memory = string_type();
-        H5Tset_cset(memory.get(), H5Tget_cset(type.get()));
-        if (n > 0 && H5Aread(attribute, memory.get(), values.data()) < 0) {
-            return false;
-        }
-        for (char* value : values) {
-            out.emplace_back(value != nullptr ? value : "");
-        }
-        if (n > 0) {
-            H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.data());
-        }
-        return true;
-    }
-    const std::size_t size = H5Tget_size(type.get());
-    std::vector<char> bytes(n * size);
-    if (n > 0 && H5Aread(attribute, type.get(), bytes.data()) < 0) {
-        return false;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        const char* begin = bytes.data() + i * size;
-        out.emplace_back(begin, strnlen(begin, size));
-    }
-    return true;
-}
-
-template <class T>
-bool read_numbers(hid_t attribute, std::vector<T>& out) {
-    const Handle type(H5Aget_type(attribute), H5Tclose);
-    const H5T_class_t kind = H5Tget_class(type.get());
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
-        return false;
-    }
-    const Handle space(H5Aget_space(attribute), H5Sclose);
-    out.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
-    return out.empty() || H5Aread(attribute, memory_type<T>(), out.data()) >= 0;
-}
-
-bool convert_attribute(hid_t attribute, double& out) {
-    std::vector<double> values;
-    const bool read = read_numbers(attribute, values) && values.size() == 1;
-    out = read ? values[0] : 0;
-    return read;
-}
-bool convert_attribute(hid_t attribute, std::int64_t& out) {
-    std::vector<std::int64_t> values;
-    const bool read = read_numbers(attribute, values) && values.size() == 1;
-    out = read ? values[0] : 0;
-    return read;
-}
-bool convert_attribute(hid_t attribute, std::string& out) {
-    std::vector<std::string> values;
-    const bool read = read_strings(attribute, values) && values.size() == 1;
-    out = read ? values[0] : "";
-    return read;
-}
-bool convert_attribute(hid_t attribute, std::vector<double>& out) { return read_numbers(attribute, out); }
-bool convert_attribute(hid_t attribute, std::vector<std::int64_t>& out) { return read_numbers(attribute, out); }
-bool convert_attribute(hid_t attribute, std::vector<std::string>& out) { return read_strings(attribute, out); }
-
-herr_t collect_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* data) {
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
-    return 0;
-}
-herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*info*/, void* data) {
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
-    return 0;
-}
-
-std::vector<std::string> link_names(hid_t object, const std::string& group) {
-    std::vector<std::string> names;
-    hsize_t start = 0;
-    const Handle id(H5Gopen2(object, group.c_str(), H5P_DEFAULT), H5Gclose);
-    if (id.valid()) {
-        H5Literate(id.get(), H5_INDEX_NAME, H5_ITER_INC, &start, collect_name, &names);
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-std::vector<std::string> attribute_names(hid_t object) {
-    std::vector<std::string> names;
-    hsize_t start = 0;
-    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect_attribute, &names);
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-std::string type_name(hid_t type) {
-    const std::size_t bytes = H5Tget_size(type);
-    switch (H5Tget_class(type)) {
-        case H5T_INTEGER: return fmt::format("{}int{}", H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "", 8 * bytes);
-        case H5T_FLOAT: return fmt::format("float{}", 8 * bytes);
-        case H5T_STRING: return "string";
-        default: return "other";
-    }
-}
-
-Extents space_extents(hid_t space) {
-    const int rank = H5Sget_simple_extent_ndims(space);
-    std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
-    if (rank > 0) {
-        H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-    }
-    return {extents.begin(), extents.end()};
-}
-
-std::string extents_text(const Extents& extents) {
-    std::string text = "[";
-    for (std::size_t i = 0; i < extents.size(); ++i) {
-        text += (i > 0 ? "," : "") + std::to_string(extents[i]);
-    }
-    return text + "]";
-}
-
-/// SHA-256 by OpenSSL.
-class Sha256 {
-public:
-    Sha256() : context_(EVP_MD_CTX_new()) { EVP_DigestInit_ex(context_, EVP_sha256(), nullptr); }
-    ~Sha256() { EVP_MD_CTX_free(context_); }
-    Sha256(const Sha256&) = delete;
-    Sha256& operator=(const Sha256&) = delete;
-    void add(const void* data, std::size_t size) { EVP_DigestUpdate(context_, data, size); }
-    void add(const std::string& text) { add(text.c_str(), text.size() + 1); }
-    std::string hex() {
-        unsigned char bytes[EVP_MAX_MD_SIZE];
-        unsigned size = 0;
-        EVP_DigestFinal_ex(context_, bytes, &size);
-        std::string text;
-        for (unsigned i = 0; i < size; ++i) {
-            text += fmt::format("{:02x}", bytes[i]);
-        }
-        return text;
-    }
-
-private:
-    EVP_MD_CTX* context_;
-};
-
-/// Type in memory in which values are hashed: the same on every machine.
-hid_t hash_type(hid_t type) {
-    switch (H5Tget_class(type)) {
-        case H5T_INTEGER: return H5Tget_size(type) == 1 ? H5T_STD_U8LE : H5T_STD_I64LE;
-        case H5T_FLOAT: return H5T_IEEE_F64LE;
-        default: return -1;
-    }
-}
-
-void digest_attributes(hid_t object, Sha256& hash) {
-    for (const std::string& name : attribute_names(object)) {
-        const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
-        const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-        const Handle space(H5Aget_space(attribute.get()), H5Sclose);
-        hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
-        std::vector<std::string> texts;
-        if (read_strings(attribute.get(), texts)) {
-            for (const std::string& text : texts) {
-                hash.add(text);
-            }
-        } else if (const hid_t as = hash_type(type.get()); as >= 0) {
-            std::vector<char> bytes(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())) * H5Tget_size(as));
-            H5Aread(attribute.get(), as, bytes.data());
-            hash.add(bytes.data(), bytes.size());
-        }
-    }
-}
-
-void digest_object(hid_t file, const std::string& path, const std::string& file_name, Sha256& hash) {
-    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
-    if (!object.valid()) {
-        throw InputError(fmt::format("{}: {} cannot be read", file_name, path));
-    }
-    if (H5Iget_type(object.get()) == H5I_GROUP) {
-        hash.add(path + " group");
-        digest_attributes(object.get(), hash);
-        for (const std::string& name : link_names(file, path)) {
-            const std::string child = (path == "/" ? "" : path) + "/" + name;
-            if (child != "/provenance") {
-                digest_object(file, child, file_name, hash);
-            }
-        }
-        return;
-    }
-    const Handle type(H5Dget_type(object.get()), H5Tclose);
-    const Handle space(H5Dget_space(object.get()), H5Sclose);
-    hash.add(path + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
-    digest_attributes(object.get(), hash);
-    const hid_t as = hash_type(type.get());
-    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
-    if (as < 0 || n == 0) {
-        return;
-    }
-    std::vector<char> bytes(n * H5Tget_size(as));
-    if (H5Dread(object.get(), as, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) {
-        throw InputError(fmt::format("{}: {} cannot be read: the file is damaged", file_name, path));
-    }
-    hash.add(bytes.data(), bytes.size());
 }
 
 /// Creation properties of a dataset: contiguous when small and of fixed size, else chunked along the first extent.
@@ -629,7 +290,7 @@ T H5Input::attribute(const std::string& object, const std::string& attribute) co
     }
     const Handle id(H5Aopen_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     T value{};
-    if (!id.valid() || !convert_attribute(id.get(), value)) {
+    if (!id.valid() || !read_attribute(id.get(), value)) {
         throw InputError(fmt::format("{}: attribute {} of {} has an unexpected type", state_->name, attribute, object));
     }
     return value;
@@ -640,52 +301,11 @@ T H5Input::attribute_or(const std::string& object, const std::string& name, T fa
     return has_attribute(object, name) ? attribute<T>(object, name) : fallback;
 }
 
-std::string H5Input::digest() const {
-    Sha256 hash;
-    digest_object(state_->file.get(), "/", state_->name, hash);
-    return hash.hex();
-}
+std::string H5Input::digest() const { return h5::digest(state_->file.get(), state_->name, "/provenance"); }
 
-void H5Input::check() const {
-    Sha256 hash;
-    digest_object(state_->file.get(), "/", state_->name, hash);
-    for (const std::string& name : link_names(state_->file.get(), "/")) {
-        if (name == "provenance") {
-            digest_object(state_->file.get(), "/provenance", state_->name, hash);
-        }
-    }
-}
+void H5Input::check() const { static_cast<void>(h5::digest(state_->file.get(), state_->name, "")); }
 
-namespace {
-
-void describe_object(hid_t file, const std::string& path, std::vector<std::string>& lines) {
-    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
-    if (H5Iget_type(object.get()) == H5I_GROUP) {
-        for (const std::string& name : link_names(file, path)) {
-            describe_object(file, (path == "/" ? "" : path) + "/" + name, lines);
-        }
-        return;
-    }
-    const Handle type(H5Dget_type(object.get()), H5Tclose);
-    const Handle space(H5Dget_space(object.get()), H5Sclose);
-    std::string line = fmt::format("{} {} {}", path, type_name(type.get()), extents_text(space_extents(space.get())));
-    for (const char* name : {"unit", "description"}) {
-        std::string text;
-        const Handle attribute(H5Aexists(object.get(), name) > 0 ? H5Aopen(object.get(), name, H5P_DEFAULT) : -1, H5Aclose);
-        if (attribute.valid() && convert_attribute(attribute.get(), text)) {
-            line += " " + text;
-        }
-    }
-    lines.push_back(line);
-}
-
-}  // namespace
-
-std::vector<std::string> H5Input::describe() const {
-    std::vector<std::string> lines;
-    describe_object(state_->file.get(), "/", lines);
-    return lines;
-}
+std::vector<std::string> H5Input::describe() const { return h5::describe(state_->file.get()); }
 
 // --- writing ---------------------------------------------------------------------------------------------------------
 
