@@ -1,0 +1,139 @@
+// What is wrong ends with its exit code and one line that names it, and leaves nothing behind.
+#include <vector>
+
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+struct BadInput {
+    const char* name;
+    const char* command;
+    int exit_code;
+    const char* named;  ///< what the line must name: the option, file or word at fault
+};
+void PrintTo(const BadInput& bad, std::ostream* stream) { *stream << "exit " << bad.exit_code; }
+
+class Refused : public testing::TestWithParam<BadInput> {};
+
+/// What the commands below find: good and bad files of each kind. A run is made only where one is used.
+void lay_out(const Shell& shell, const std::string& command) {
+    std::string lines = make_disc + "disc.h5\nhead -c 20000 disc.h5 >truncated.h5\necho text >text.h5\n: >empty.h5\n";
+    lines += "material=" GRAINCRACK_SOURCE "/share/materials/augig-granite.toml\n";
+    lines += "grep -v '^density' $material >no-density.toml\n";
+    lines += "echo 'gravity = 1' >unknown-key.toml\n";
+    if (command.find("run.h5") != std::string::npos) {
+        lines += "graincrack-solve brazilian disc.h5 -o run.h5" + elastic + "\n";
+        lines += "size=$(stat -c %s run.h5)\nhead -c $((size * 3 / 4)) run.h5 >truncated-run.h5\n";
+    }
+    shell.must(lines);
+}
+
+TEST_P(Refused, WithCodeAndOneLine) {
+    const BadInput& bad = GetParam();
+    const Shell shell;
+    lay_out(shell, bad.command);
+    const std::string before = shell.names();
+    const Outcome outcome = shell.run(bad.command);
+    EXPECT_EQ(outcome.exit_code, bad.exit_code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(bad.named), std::string::npos) << outcome.err;
+    const std::string command = bad.command;
+    const std::size_t tool = command.find("graincrack-");
+    EXPECT_TRUE(outcome.err.starts_with(command.substr(tool, command.find(' ', tool) - tool) + ": ")) << outcome.err;
+    EXPECT_EQ(shell.names(), before);
+}
+
+std::string name_of_case(const testing::TestParamInfo<BadInput>& info) { return info.param.name; }
+
+const std::vector<BadInput> mesher{
+    {"WrongUnit", "graincrack-mesh disc --diameter 20kg --grains 60 -o out.h5", 2, "--diameter"},
+    {"UnknownUnit", "graincrack-mesh disc --diameter 20furlong --grains 60 -o out.h5", 2, "furlong"},
+    {"NegativeSize", "graincrack-mesh rectangle --width -20mm --height 40mm --grains 60 -o out.h5", 2, "--width"},
+    {"NoNumber", "graincrack-mesh disc --diameter nan --grains 60 -o out.h5", 2, "--diameter"},
+    {"NoGrains", "graincrack-mesh disc --diameter 20mm --grains 0 -o out.h5", 2, "--grains"},
+    {"FractionOfAGrain", "graincrack-mesh disc --diameter 20mm --grains 1.5 -o out.h5", 2, "--grains"},
+    {"TwoSizes", "graincrack-mesh disc --diameter 20mm --grains 60 --edge 4mm -o out.h5", 2, "--edge"},
+    {"NoSize", "graincrack-mesh disc --diameter 20mm -o out.h5", 2, "--edge"},
+    {"EdgeBeyondTheShape", "graincrack-mesh disc --diameter 20mm --edge 1m -o out.h5", 2, "--edge"},
+    {"NoOutput", "graincrack-mesh disc --diameter 20mm --grains 60", 2, "-o"},
+    {"MissingOption", "graincrack-mesh disc --grains 60 -o out.h5", 2, "--diameter"},
+    {"MissingFolder", "graincrack-mesh disc --diameter 20mm --grains 60 -o nowhere/out.h5", 5, "nowhere"},
+    {"MissingMaterial", "graincrack-mesh disc --diameter 20mm --grains 60 --material cheese -o out.h5", 3, "cheese"},
+    {"MaterialMissesAProperty", "graincrack-mesh disc --diameter 20mm --grains 60 --material no-density.toml -o out.h5", 3,
+     "density"},
+    {"UnknownKey", "graincrack-mesh disc --diameter 20mm --grains 60 --config unknown-key.toml -o out.h5", 2, "gravity"},
+    {"MissingConfiguration", "graincrack-mesh disc --diameter 20mm --grains 60 --config none.toml -o out.h5", 2, "none.toml"},
+    {"UnknownSubcommand", "graincrack-mesh sphere", 2, "sphere"},
+    {"NoSubcommand", "graincrack-mesh", 2, "rectangle"},
+    {"UnknownOption", "graincrack-mesh disc --diametre 20mm -o out.h5", 2, "--diametre"},
+    {"WordForAnother", "graincrack-mesh disc --diameter 20mm --grains 60 --pole north -o out.h5", 2, "north"},
+    {"Variable", "GRAINCRACK_DIAMETER=20kg graincrack-mesh disc --grains 60 -o out.h5", 2, "GRAINCRACK_DIAMETER"},
+};
+INSTANTIATE_TEST_SUITE_P(Mesher, Refused, testing::ValuesIn(mesher), name_of_case);
+
+const std::vector<BadInput> solver{
+    {"WrongUnit", "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5kg -o out.h5", 2, "--rate"},
+    {"NegativeValue", "graincrack-solve brazilian disc.h5 --material augig-granite --rate -5mm/s -o out.h5", 2, "--rate"},
+    {"NegativeStrength", "graincrack-solve brazilian disc.h5 --material augig-granite --contact-tensile-strength -1MPa -o out.h5",
+     2, "--contact-tensile-strength"},
+    {"NoThreads", "graincrack-solve brazilian disc.h5 --material augig-granite --threads 0 -o out.h5", 2, "--threads"},
+    {"MissingFile", "graincrack-solve brazilian none.h5 --material augig-granite -o out.h5", 3, "none.h5"},
+    {"TruncatedFile", "graincrack-solve brazilian truncated.h5 --material augig-granite -o out.h5", 3, "truncated.h5"},
+    {"TruncatedPipe", "cat truncated.h5 | graincrack-solve brazilian - --material augig-granite -o out.h5", 3, "stdin"},
+    {"TextFile", "graincrack-solve brazilian text.h5 --material augig-granite -o out.h5", 3, "text.h5"},
+    {"EmptyFile", "graincrack-solve brazilian empty.h5 --material augig-granite -o out.h5", 3, "empty.h5"},
+    {"Folder", "graincrack-solve brazilian . --material augig-granite -o out.h5", 3, "folder"},
+    {"EmptyStdin", "graincrack-solve brazilian - --material augig-granite -o out.h5", 3, "the program before wrote nothing"},
+    {"RunAsSpecimen", "graincrack-solve brazilian run.h5 --material augig-granite -o out.h5", 3, "specimen"},
+    {"MissingMaterial", "graincrack-solve brazilian disc.h5 --material cheese -o out.h5", 3, "cheese"},
+    {"MaterialMissesAProperty", "graincrack-solve brazilian disc.h5 --material no-density.toml -o out.h5", 3, "density"},
+    {"NoMaterial", "graincrack-solve brazilian disc.h5 -o out.h5", 2, "--material"},
+    {"UnknownKey", "graincrack-solve brazilian disc.h5 --material augig-granite --config unknown-key.toml -o out.h5", 2,
+     "gravity"},
+    {"MissingFolder", "graincrack-solve brazilian disc.h5 --material augig-granite -o nowhere/out.h5", 5, "nowhere"},
+    {"NoOutput", "graincrack-solve brazilian disc.h5 --material augig-granite", 2, "--output"},
+    {"UnknownSubcommand", "graincrack-solve torsion disc.h5", 2, "torsion"},
+    {"NoSubcommand", "graincrack-solve", 2, "uniaxial"},
+    {"UnknownOption", "graincrack-solve brazilian disc.h5 --material augig-granite --speed 5mm/s -o out.h5", 2, "--speed"},
+    {"OptionOfAnotherTest", "graincrack-solve brazilian disc.h5 --material augig-granite --confining-pressure 4MPa -o out.h5", 2,
+     "--confining-pressure"},
+    {"MissingOption", "graincrack-solve triaxial disc.h5 --material augig-granite -o out.h5", 2, "--confining-pressure"},
+    {"WordForAnother", "graincrack-solve brazilian disc.h5 --material augig-granite --contact-law newton -o out.h5", 2, "newton"},
+    {"Variable", "GRAINCRACK_RATE=5kg graincrack-solve brazilian disc.h5 --material augig-granite -o out.h5", 2,
+     "GRAINCRACK_RATE"},
+};
+INSTANTIATE_TEST_SUITE_P(Solver, Refused, testing::ValuesIn(solver), name_of_case);
+
+const std::vector<BadInput> postprocessor{
+    {"WrongUnit", "graincrack-post plot cracks run.h5 --time 5kg -o out.png", 2, "--time"},
+    {"NegativeValue", "graincrack-post plot cracks run.h5 --magnify -5 -o out.png", 2, "--magnify"},
+    {"MissingFile", "graincrack-post strength none.h5", 3, "none.h5"},
+    {"MissingFileAfterAGoodOne", "graincrack-post strength run.h5 none.h5", 3, "none.h5"},
+    {"TruncatedFile", "graincrack-post info truncated.h5", 3, "truncated.h5"},
+    {"TruncatedRun", ": run.h5; graincrack-post strength truncated-run.h5", 3, "truncated-run.h5"},
+    {"TextFile", "graincrack-post info text.h5", 3, "text.h5"},
+    {"EmptyStdin", "graincrack-post strength -", 3, "the program before wrote nothing"},
+    {"TwoStdins", "graincrack-post strength - -", 2, "stdin"},
+    {"SpecimenAsRun", "graincrack-post strength disc.h5", 3, "disc.h5"},
+    {"MapsOfASpecimen", "graincrack-post cracks disc.h5 -o maps", 3, "disc.h5"},
+    {"EnvelopeOfADisc", "graincrack-post envelope run.h5", 3, "run.h5"},
+    {"MissingMaterial", "graincrack-post fpz --material cheese", 3, "cheese"},
+    {"MaterialMissesAProperty", "graincrack-post fpz --material no-density.toml", 3, "density"},
+    {"UnknownKey", "graincrack-post strength run.h5 --config unknown-key.toml", 2, "gravity"},
+    {"MissingFolder", "graincrack-post plot cracks run.h5 -o nowhere/out.png", 5, "nowhere"},
+    {"AFileForAFolder", "graincrack-post cracks run.h5 -o text.h5", 5, "text.h5"},
+    {"UnknownPicture", "graincrack-post plot cracks run.h5 -o out.gif", 2, "out.gif"},
+    {"MissingFrame", "graincrack-post plot cracks run.h5 --frame 9999 -o out.png", 2, "--frame"},
+    {"NoFile", "graincrack-post strength", 2, "runs"},
+    {"UnknownSubcommand", "graincrack-post strenght run.h5", 2, "strenght"},
+    {"NoSubcommand", "graincrack-post", 2, "strength"},
+    {"UnknownOption", "graincrack-post strength run.h5 --formatt tsv", 2, "--formatt"},
+    {"WordForAnother", "graincrack-post strength run.h5 --format xml", 2, "xml"},
+    {"Variable", "GRAINCRACK_FORMAT=xml graincrack-post strength run.h5", 2, "GRAINCRACK_FORMAT"},
+};
+INSTANTIATE_TEST_SUITE_P(Postprocessor, Refused, testing::ValuesIn(postprocessor), name_of_case);
+
+}  // namespace
+}  // namespace graincrack::test

@@ -1,0 +1,57 @@
+// Where options come from, and what is printed instead of being done.
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+TEST(Configuration, PrintedOneLoadsAgain) {
+    const Shell shell;
+    for (const std::string command : {
+             "graincrack-mesh disc --diameter 20mm --grains 60 --seed 7 --pole vertex -o disc.h5",
+             "graincrack-solve triaxial disc.h5 --material augig-granite --confining-pressure 4MPa --damping none -o run.h5",
+             "graincrack-post strength --format jsonl",
+             "graincrack-post plot cracks --frame 3 --magnify 50 -o cracks.png",
+         }) {
+        const std::string subcommand = command.substr(0, command.find(" -"));
+        const std::string words = subcommand.substr(0, subcommand.find(" disc.h5"));
+        const std::string printed = shell.must(command + " --print-config | tee config.toml");
+        EXPECT_GT(n_lines(printed), 2) << command;
+        EXPECT_EQ(shell.must(words + " --config config.toml --print-config"), printed) << command;
+    }
+    EXPECT_EQ(shell.names(), "config.toml\n");
+}
+
+TEST(Configuration, AFileRunsLikeFlags) {
+    const Shell shell;
+    shell.must(
+        make_disc + "flags.h5\n" + make_disc +
+        "file.h5 --print-config >config.toml\ngraincrack-mesh disc --config config.toml\n"
+        "cmp <(graincrack-post info --digest flags.h5 | cut -d' ' -f1) <(graincrack-post info --digest file.h5 | cut -d' ' -f1)");
+}
+
+TEST(Configuration, FlagsWinOverEnvironmentOverFile) {
+    const Shell shell;
+    write_text(shell.file("config.toml"), "seed = 1\n[disc]\ndiameter = \"20mm\"\ngrains = 60\n");
+    const auto seed = [&](const std::string& before, const std::string& after) {
+        return shell.must(before + " graincrack-mesh disc --config config.toml " + after + " --print-config | grep seed");
+    };
+    EXPECT_EQ(seed("", ""), "seed = 1\n");
+    EXPECT_EQ(seed("GRAINCRACK_SEED=2", ""), "seed = 2\n");
+    EXPECT_EQ(seed("GRAINCRACK_SEED=2", "--seed 3"), "seed = 3\n");
+}
+
+TEST(DryRun, TellsCountsAndLeavesNothing) {
+    const Shell shell;
+    const std::string mesh = shell.must("graincrack-mesh disc --diameter 20mm --grains 60 --dry-run -o disc.h5");
+    EXPECT_NE(mesh.find("60"), std::string::npos) << mesh;
+    EXPECT_EQ(shell.names(), "");
+    shell.must(make_disc + "disc.h5");
+    const std::string solve = shell.must("graincrack-solve brazilian disc.h5 --material augig-granite --dry-run -o run.h5");
+    for (const char* key : {"grains\t60\n", "time_step_s\t", "max_steps\t", "memory_MB\t", "file_size", "estimated_time"}) {
+        EXPECT_NE(solve.find(key), std::string::npos) << key << " in\n" << solve;
+    }
+    EXPECT_EQ(shell.names(), "disc.h5\n");
+}
+
+}  // namespace
+}  // namespace graincrack::test

@@ -1,0 +1,72 @@
+// The examples that --help shows are commands that run.
+#include <vector>
+
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+/// The command lines under "Examples:".
+std::vector<std::string> examples_of(const std::string& help) {
+    std::vector<std::string> examples;
+    std::istringstream lines(help.substr(std::min(help.size(), help.find("\nExamples:\n"))));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("  graincrack-")) examples.push_back(line.substr(2));
+    }
+    return examples;
+}
+
+TEST(Help, ExamplesOfTheMesherRun) {
+    const Shell shell;
+    const auto examples = examples_of(shell.must("graincrack-mesh --help"));
+    ASSERT_EQ(examples.size(), 2u);
+    for (const std::string& example : examples) shell.must(example);
+    EXPECT_EQ(shell.names(), "disc.h5\nspecimen.h5\n");
+}
+
+TEST(Help, ExamplesOfTheSolverAreRight) {
+    const Shell shell;
+    const auto examples = examples_of(shell.must("graincrack-solve --help"));
+    ASSERT_EQ(examples.size(), 2u);
+    shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
+    for (const std::string& example : examples) {
+        shell.must(example + " --dry-run");  // minutes otherwise
+        shell.must(example + " --max-strain 0.0003" + (example.find("--rate") == std::string::npos ? " --rate 400mm/s" : ""));
+    }
+    EXPECT_EQ(shell.names(), "specimen.h5\ntriaxial.h5\nuniaxial.h5\n");
+}
+
+TEST(Help, ExamplesOfThePostprocessorRun) {
+    const Shell shell;
+    const auto examples = examples_of(shell.must("graincrack-post --help"));
+    ASSERT_EQ(examples.size(), 2u);
+    shell.must(make_disc + "disc.h5\nfor test in uniaxial brazilian; do graincrack-solve $test disc.h5 -o $test.h5" + past_peak +
+               "; done");
+    for (const std::string& example : examples) shell.must(example);
+    EXPECT_EQ(shell.names(), "brazilian.h5\ncracks.png\ndisc.h5\nuniaxial.h5\n");
+}
+
+TEST(Help, EverySubcommandExplainsItself) {
+    const Shell shell;
+    for (const char* command : {"mesh rectangle", "mesh disc", "solve uniaxial", "solve triaxial", "solve brazilian",
+                                "solve tension", "post info", "post history", "post strength", "post moduli", "post envelope",
+                                "post fpz", "post cracks", "post plot specimen", "post plot curve", "post plot cracks"}) {
+        const Outcome outcome = shell.run(std::string("graincrack-") + command + " --help");
+        EXPECT_EQ(outcome.exit_code, 0) << command;
+        EXPECT_EQ(outcome.err, "") << command;
+        EXPECT_NE(outcome.out.find("Usage: graincrack-"), std::string::npos) << command;
+        EXPECT_EQ(examples_of(outcome.out).size(), 2u) << command;
+    }
+}
+
+TEST(Help, VersionNamesToolAndLibraries) {
+    const Shell shell;
+    for (const auto& [tool, library] : {std::pair{"mesh", "CGAL"}, {"solve", "HDF5"}, {"post", "VTK"}}) {
+        const std::string text = shell.must(std::string("graincrack-") + tool + " --version");
+        EXPECT_TRUE(text.starts_with(std::string("graincrack-") + tool + " 0.")) << text;
+        EXPECT_NE(text.find(library), std::string::npos) << text;
+    }
+}
+
+}  // namespace
+}  // namespace graincrack::test

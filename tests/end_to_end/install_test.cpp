@@ -1,0 +1,22 @@
+// An installation works on its own, wherever it is moved.
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+TEST(Install, ToolsFindTheMaterialsTheyCameWith) {
+    const Shell shell;
+    shell.must("cmake --install " GRAINCRACK_BIN
+               "/.. --prefix installed >/dev/null\nmv installed moved\n"
+               "materials=moved/share/graincrack/materials\n"
+               "sed 's/^name = .*/name = \"Of this place alone\"/' $materials/augig-granite.toml >$materials/of-this-place.toml");
+    const std::string tools = "PATH=$PWD/moved/bin:$PATH\n";
+    shell.must(
+        tools + make_disc + "disc.h5 --material of-this-place\n" +
+        "graincrack-solve brazilian disc.h5 --material of-this-place --max-strain 0.0003 --rate 400mm/s --quiet -o run.h5");
+    EXPECT_NE(shell.must(tools + "graincrack-post info run.h5").find("Of this place alone"), std::string::npos);
+    EXPECT_NE(content_of(shell.file("moved/share/graincrack/doc/file-format.md")), "");
+}
+
+}  // namespace
+}  // namespace graincrack::test

@@ -1,0 +1,75 @@
+// The three tools one after the other, through files and through pipes.
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+TEST(Pipeline, FilesAndPipeGiveTheSame) {
+    const Shell shell;
+    const std::string solve = "graincrack-solve brazilian - --frames 4 " + past_peak;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 --frames 4 -o file.h5" + past_peak + "\n" + make_disc +
+               "- | " + solve + " -o - >pipe.h5\n" + make_disc + "- >disc-of-pipe.h5");
+    const std::string digest = "graincrack-post info --digest ";
+    const std::string specimen = shell.must(digest + "disc.h5 | cut -d' ' -f1");
+    EXPECT_EQ(specimen.size(), 65u);
+    EXPECT_EQ(specimen, shell.must(digest + "disc-of-pipe.h5 | cut -d' ' -f1"));
+    const std::string run = shell.must(digest + "file.h5 | cut -d' ' -f1");
+    EXPECT_EQ(run, shell.must(digest + "pipe.h5 | cut -d' ' -f1"));
+    EXPECT_EQ(run, shell.must(digest + "- <pipe.h5 | cut -d' ' -f1"));
+    EXPECT_NE(run, specimen);
+    EXPECT_EQ(shell.must("graincrack-post info --check file.h5 | grep -c datasets"), "1\n");
+}
+
+TEST(Pipeline, OneLineFromShapeToStrength) {
+    const Shell shell;
+    const std::string table =
+        shell.must(make_disc + "- | graincrack-solve brazilian - -o -" + past_peak + " | graincrack-post strength -");
+    EXPECT_EQ(n_lines(table), 2);
+    EXPECT_EQ(cell(table, "test"), "brazilian");
+    EXPECT_EQ(cell(table, "grains"), "60");
+    EXPECT_GT(std::atof(cell(table, "tensile_strength_MPa").c_str()), 1);
+    EXPECT_GT(std::atof(cell(table, "tensile_cracks").c_str()), 0);
+    EXPECT_EQ(shell.names(), "");
+}
+
+TEST(Pipeline, ThreeToolsOnACompressionTest) {
+    const Shell shell;
+    shell.must(
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n"
+        "graincrack-solve uniaxial rectangle.h5 --material augig-granite --rate 50mm/s --max-strain 0.0003 --quiet -o uniaxial.h5"
+        "\ngraincrack-solve triaxial rectangle.h5 --confining-pressure 4MPa -o triaxial.h5" +
+        elastic);
+    const std::string table = shell.must("graincrack-post moduli uniaxial.h5");
+    // Elastic, far from the peak: the modulus of the rock less what the contacts give, whatever the few grains' scatter.
+    EXPECT_NEAR(std::atof(cell(table, "young_modulus_GPa").c_str()), 24, 4);
+    EXPECT_EQ(cell(shell.must("graincrack-post strength triaxial.h5"), "confining_pressure_MPa"), "4");
+    shell.must(
+        "graincrack-post plot curve uniaxial.h5 triaxial.h5 -o curve.png\ngraincrack-post plot cracks uniaxial.h5 -o cracks.png\n"
+        "graincrack-post plot specimen rectangle.h5 -o specimen.svg\ngraincrack-post cracks --quiet uniaxial.h5 -o maps");
+    EXPECT_EQ(content_of(shell.file("curve.png")).substr(1, 3), "PNG");
+    EXPECT_EQ(content_of(shell.file("cracks.png")).substr(1, 3), "PNG");
+    EXPECT_NE(content_of(shell.file("specimen.svg")).find("<svg"), std::string::npos);
+    for (const char* name : {"grains.pvd", "cracks.pvd", "cracks.tsv", "rosette.tsv"}) {
+        EXPECT_NE(content_of(shell.file(std::string("maps/") + name)), "") << name;
+    }
+}
+
+TEST(Threads, SameContentForAnyNumberPastThePeak) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5");
+    std::string first;
+    for (const char* threads : {"1", "2", "3"}) {
+        shell.must("graincrack-solve brazilian disc.h5 -o run.h5 --threads " + std::string(threads) + past_peak);
+        const std::string digest = shell.must("graincrack-post info --digest run.h5");
+        if (first.empty()) first = digest;
+        EXPECT_EQ(digest, first) << threads << " threads";
+    }
+    // Only with cracks and a fallen stress does the comparison cover all of the law.
+    const std::string strength = shell.must("graincrack-post strength run.h5");
+    const std::string last = shell.must("graincrack-post history run.h5 | sed -n '1p;$p'");
+    EXPECT_GT(std::atof(cell(strength, "tensile_cracks").c_str()), 3);
+    EXPECT_LT(std::atof(cell(strength, "strain_at_peak").c_str()), 0.99 * -std::atof(cell(last, "axial_strain").c_str()));
+}
+
+}  // namespace
+}  // namespace graincrack::test

@@ -1,0 +1,89 @@
+// Runs the tools the way a user does: command lines of bash in a folder of their own.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack::test {
+
+/// Content of a file, "" if there is none.
+inline std::string content_of(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline void write_text(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+inline std::ptrdiff_t n_lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+/// What a command line left.
+struct Outcome {
+    int exit_code = -1;
+    std::string out;
+    std::string err;
+};
+
+/// bash in an empty folder, with the tools on the PATH, an empty stdin and none of the caller's GRAINCRACK_ variables. One
+/// thread unless --threads is given: tests run side by side.
+class Shell {
+public:
+    /// Runs lines of bash; a pipeline has the exit code of its last part that failed.
+    [[nodiscard]] Outcome run(const std::string& lines) const {
+        write_text(own_.file("lines.sh"),
+                   "unset \"${!GRAINCRACK_@}\"\nset -o pipefail\nexport LC_ALL=C GRAINCRACK_THREADS=1 "
+                   "PATH=" GRAINCRACK_BIN ":$PATH\ncd " +
+                       folder_.file("") + "\n" + lines + "\n");
+        const std::string command =
+            "bash " + own_.file("lines.sh") + " </dev/null >" + own_.file("out") + " 2>" + own_.file("err");
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(own_.file("out")), content_of(own_.file("err"))};
+    }
+    /// Runs lines that must succeed; returns their stdout.
+    std::string must(const std::string& lines) const {
+        const Outcome outcome = run(lines);
+        EXPECT_EQ(outcome.exit_code, 0) << lines << "\n" << outcome.err;
+        return outcome.out;
+    }
+    /// Path of a file in the folder.
+    [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
+    /// Names in the folder, a line each.
+    [[nodiscard]] std::string names() const { return run("ls -A").out; }
+
+private:
+    TemporaryFolder folder_;
+    TemporaryFolder own_;
+};
+
+/// The first data row of a table under a header, "" if there is none.
+inline std::string cell(const std::string& table, const std::string& column) {
+    std::istringstream lines(table);
+    std::string names;
+    std::string values;
+    std::getline(lines, names);
+    std::getline(lines, values);
+    std::istringstream name_stream(names);
+    std::istringstream value_stream(values);
+    std::string name;
+    std::string value;
+    while (std::getline(name_stream, name, '\t') && std::getline(value_stream, value, '\t')) {
+        if (name == column) return value;
+    }
+    return "";
+}
+
+inline const std::string make_disc = "graincrack-mesh disc --diameter 20mm --grains 60 --quiet -o ";
+/// Options of a test that passes its peak after 6,000 steps, a fraction of a second.
+inline const std::string past_peak = " --material augig-granite --rate 400mm/s --max-strain 0.01 --quiet ";
+/// Options of a test that ends long before its peak.
+inline const std::string elastic = " --material augig-granite --rate 400mm/s --max-strain 0.0003 --quiet ";
+
+}  // namespace graincrack::test
