@@ -6,7 +6,7 @@ build_packages=(
     cmake g++ ninja-build
     libcgal-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libssl-dev libtomlplusplus-dev
     libvtk9-dev nlohmann-json3-dev
-    fonts-liberation libegl-mesa0 libgl1-mesa-dri
+    libegl-mesa0 libgl1-mesa-dri
 )
 # What the tests add: their framework, and the reader that share/doc/file-format.md shows.
 test_packages=(libgtest-dev python3-h5py)
