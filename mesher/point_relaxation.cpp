@@ -50,6 +50,7 @@ public:
             if (round >= n_rounds + max_extra_rounds) {
                 throw NumericalError("the mesh does not reach its number of grains; choose a smaller edge or more grains");
             }
+            throw_if_interrupted();
             if (progress) progress(std::min(1.0, static_cast<double>(round) / n_rounds));
             const bool shaking = goal_.spread > sampled_spread;
             const bool settling = shaking || round >= n_rounds - n_settling_rounds;

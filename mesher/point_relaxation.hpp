@@ -34,7 +34,7 @@ using ProgressCallback = std::function<void(double)>;
 /// too short or too long. Springs alone would crystallise into patches of a lattice, whose directions later steer cracks.
 /// Against that, (1) springs stop pulling within a range about the wanted length, adapted to reach the wanted spread, and
 /// (2) where the edges around a point share a six-fold direction, they are turned away from it.
-/// \throws NumericalError if the number of points cannot be met (a shape only a few edges wide)
+/// \throws NumericalError if the number of points cannot be met (a shape only a few edges wide); Interrupted on a signal
 PlaneMesh relax_points(const Shape& shape, const Outline& outline, const std::vector<Point>& inner, const RelaxationGoal& goal,
                        RandomNumbers& random, const ProgressCallback& progress = {});
 
