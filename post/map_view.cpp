@@ -76,12 +76,13 @@ struct MapView::Layout {
     }
 };
 
-MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title)
+MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title)
     : MapView(specimen, positions, title, Layout(specimen, positions, title.size())) {}
 
-MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const Layout& layout)
+MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title,
+                 const Layout& layout)
     : specimen_(specimen),
-      positions_(std::move(positions)),
+      positions_(positions),
       low_(layout.box.low),
       high_(layout.box.high),
       scale_(layout.scale),

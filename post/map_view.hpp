@@ -24,7 +24,7 @@ public:
     /// Lays the page out so that the specimen, and what moved out of it by up to a tenth of its size, fits tightly.
     ///
     /// \param positions place of each node, m \param title first line bold
-    MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title);
+    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title);
 
     /// Fills the grains by phase and draws their outlines and the rim.
     void draw_grains();
@@ -41,7 +41,7 @@ public:
 
 private:
     struct Layout;
-    MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const Layout& layout);
+    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const Layout& layout);
     [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
     [[nodiscard]] bool visible(std::array<double, 2> place) const;
     void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);

@@ -47,19 +47,28 @@ Standing standing(const RunData& run, const Frame& frame, double magnification) 
     return {words, run.history[HistoryColumn::axial_strain][row]};
 }
 
-/// Draws the half facet of a failed contact point, midway between its two sides.
+/// Draws the half facet of a failed contact point: one line midway between its two sides, or, where they gape, one on each.
 void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, double width) {
     const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
-    const auto between = [&](std::size_t a, std::size_t b) {
-        const auto& p = map.positions()[static_cast<std::size_t>(nodes[a])];
-        const auto& q = map.positions()[static_cast<std::size_t>(nodes[b])];
+    const auto at = [&](std::size_t k) { return map.positions()[static_cast<std::size_t>(nodes[k])]; };
+    const auto between = [](std::array<double, 2> p, std::array<double, 2> q) {
         return std::array{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
     };
-    const auto first = between(0, 2);
-    const auto second = between(1, 3);
-    const std::array middle{(first[0] + second[0]) / 2, (first[1] + second[1]) / 2};
-    map.stroke(crack.point == 0 ? first : middle, crack.point == 0 ? middle : second, width,
-               crack.mode == CrackMode::tensile ? palette::tensile : palette::shear);
+    const Colour colour = crack.mode == CrackMode::tensile ? palette::tensile : palette::shear;
+    const auto draw = [&](std::array<double, 2> first, std::array<double, 2> second, double stroke) {
+        const auto middle = between(first, second);
+        map.stroke(crack.point == 0 ? first : middle, crack.point == 0 ? middle : second, stroke, colour);
+    };
+    const std::size_t end = crack.point;  // a1, b1 or a2, b2
+    const auto side_a = at(end);
+    const auto side_b = at(end + 2);
+    const double gap = std::hypot(side_a[0] - side_b[0], side_a[1] - side_b[1]) * map.pixels_per_metre();
+    if (gap <= 2 * width) {
+        draw(between(at(0), at(2)), between(at(1), at(3)), width);
+    } else {
+        draw(at(0), at(1), 0.7 * width);
+        draw(at(2), at(3), 0.7 * width);
+    }
 }
 
 /// Points ÷ 2: whole contacts.

@@ -80,7 +80,7 @@ public:
             lateral = std::min(lateral, *std::min_element(run.lateral.begin(), run.lateral.end()));
         }
         // Rims that burst after the peak would squeeze the part that matters.
-        lateral = std::max(lateral, -strain);
+        lateral = std::max(lateral, -0.75 * strain);
         x_ = {110 * lateral, 105 * strain, left_margin, left_margin + plot_width};
         y_ = {0, 1.1e-6 * stress, top_margin + plot_height, top_margin};
     }

@@ -69,6 +69,7 @@ Strength measure_strength(const RunData& run) {
 
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
     std::vector<std::vector<Cell>> rows;
+    rows.reserve(runs.size());
     for (const std::string& path : runs) rows.push_back(strength_row(path));
     TableWriter table(out, columns, format);
     for (const auto& row : rows) table.row(row);
