@@ -11,7 +11,8 @@ namespace {
 
 constexpr int max_iterations = 400;
 constexpr int check_every = 10;
-constexpr double wanted_residual = 0.01;  // of the eigenvalue: half of it in the step
+constexpr double wanted_residual = 0.001;  // of the eigenvalue: half of it in the step
+constexpr double unseen = 0.002;           // of the eigenvalue: for a larger one close by that the iteration has not met yet
 
 void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
@@ -128,7 +129,7 @@ double stable_time_step(const Assemblage& a, const Boundary& boundary, const Con
             const double eigenvalue = solver.eigenvalues()(k - 1);
             const double residual = beta * std::abs(solver.eigenvectors()(k - 1, k - 1));
             if (residual < wanted_residual * eigenvalue || exhausted) {
-                return 2 / std::sqrt(eigenvalue + residual);
+                return 2 / std::sqrt((1 + unseen) * eigenvalue + residual);
             }
         }
         beside.push_back(beta);
