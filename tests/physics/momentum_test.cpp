@@ -1,0 +1,95 @@
+// Momentum and angular momentum of a specimen without supports that is torn apart while it spins: kept to round-off.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/check.hpp"
+#include "tests/support/contact_walk.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+using test::SmallRun;
+
+struct Momenta {
+    Vector2 linear;
+    double angular = 0;
+    double linear_scale = 0;
+    double angular_scale = 0;
+};
+/// Angular momentum of central differences: x(n) × m v(n−½), which equals x(n−1) × m v(n−½).
+Momenta momenta_of(const SmallRun& run) {
+    Momenta m;
+    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
+        const Vector2 p = run.assemblage.mass[i] * run.state.velocity[i];
+        const Vector2 x = run.assemblage.position[i] + run.state.displacement[i];
+        m.linear += p;
+        m.angular += x.x * p.y - x.y * p.x;
+        m.linear_scale += length(p);
+        m.angular_scale += length(x) * length(p);
+    }
+    return m;
+}
+
+/// Turn of the specimen's first grain, from an edge of its first element.
+double turn(const SmallRun& run) {
+    const auto [n0, n1, n2] = run.assemblage.element_nodes[0];
+    const Vector2 before = run.assemblage.position[n1] - run.assemblage.position[n0];
+    const Vector2 after = before + run.state.displacement[n1] - run.state.displacement[n0];
+    return std::abs(std::atan2(before.x * after.y - before.y * after.x, dot(before, after)));
+}
+
+TEST(Momentum, KeptWhileContactsFailAndEverythingTurns) {
+    for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous}) {
+        for (const Coupling coupling : {Coupling::full, Coupling::none}) {
+            SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), test::augig_law(variant, coupling));
+            SCOPED_TRACE(test::name_of_law(run.parameters.law));
+            // Drift, spin, a pull along y and a shear: cracks of both modes.
+            run.set_velocity([](const Vector2& p) { return Vector2{3 - 2000 * p.y + 400 * p.y, -1 + 2000 * p.x + 300 * p.y}; });
+            run.begin();
+            const Momenta before = momenta_of(run);
+            double largest_turn = 0;
+            double forces = 0;
+            for (int i = 0; i < 100; ++i) {
+                run.steps(100);
+                const Momenta now = momenta_of(run);
+                expect_close(now.linear.x, before.linear.x, 1e-12, before.linear_scale);
+                expect_close(now.linear.y, before.linear.y, 1e-12, before.linear_scale);
+                expect_close(now.angular, before.angular, 1e-12, before.angular_scale);
+                largest_turn = std::max(largest_turn, turn(run));
+                forces = std::max(forces, run.measured().unbalanced_ratio);
+            }
+            EXPECT_GT(largest_turn, 0.5);         // rad
+            EXPECT_GT(forces, 0.01);              // nodal forces are not zero
+            EXPECT_GT(run.failed_points(), 10U);  // it cracked
+            EXPECT_GT(std::abs(before.angular), 0.1 * before.angular_scale);
+        }
+    }
+}
+
+// Energy is kept too, of which nothing is fed or taken by the turning contact frames.
+TEST(Momentum, RigidSpinLeavesOnlyCentrifugalStress) {
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), test::augig_law());
+    const double omega = 500;
+    run.set_velocity([&](const Vector2& p) { return Vector2{-omega * p.y, omega * p.x}; });
+    run.begin();
+    const double turns = 2 * std::numbers::pi / omega;
+    const auto steps = static_cast<std::int64_t>(turns / run.parameters.time_step);
+    double largest = 0;
+    for (int i = 0; i < 20; ++i) {
+        run.steps(steps / 20);
+        for (const auto& stress : make_frame(run.assemblage, run.parameters.law, run.state).element_stress) {
+            largest = std::max({largest, std::abs(stress[0]), std::abs(stress[1])});
+        }
+    }
+    const double scale = 2650 * omega * omega * 0.015 * 0.015;  // ρ ω² R²: 0.15 MPa
+    EXPECT_GT(largest, 0.1 * scale);
+    EXPECT_LT(largest, 3 * scale);  // it swings about its centrifugal stress as nothing damps; a linear strain would give ~E
+    EXPECT_EQ(run.failed_points(), 0U);
+    EXPECT_LT(std::abs(turn(run)), 0.05);  // back after a full turn
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,161 @@
+// Platens and membrane: a block that bounces, friction that slips, a pressure that presses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::augig_law;
+using test::expect_close;
+using test::SmallRun;
+
+/// One grain of two triangles, 20 × 20 mm.
+Specimen block() {
+    return test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}}, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
+}
+std::array<Platen, 2> platens_at(double gap, double stiffness) {
+    std::array<Platen, 2> platens;
+    platens[bottom_platen].side = -1;
+    platens[bottom_platen].position = -0.01 - gap;
+    platens[top_platen].position = 1;  // out of reach
+    for (Platen& p : platens) {
+        p.normal_stiffness = stiffness;
+    }
+    return platens;
+}
+
+// A block on a penalty floor: π √(m/k) of contact, and the same speed back. The block's own compliance, 1/3 of k over E A/L
+// here, adds 1e-4 of it.
+TEST(Platen, ABlockBounces) {
+    SmallRun run(block(), augig_law());
+    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens_at(1e-5, 1e8), 0.001, {}), 0.2);
+    double k = 0;  // of the floor's springs under the two lower corners, N/m per metre of thickness
+    for (const PlatenPoint& point : run.boundary.platen_points) {
+        k += run.assemblage.position[static_cast<std::size_t>(point.node)].y < 0 ? 1e8 * point.tributary : 0;
+    }
+    ASSERT_GE(k, 1e8 * 0.02);
+    const double speed = 0.1;
+    run.set_velocity([&](const Vector2&) { return Vector2{0, -speed}; });
+    run.begin();
+    std::int64_t steps_in_contact = 0;
+    double largest = 0;
+    for (int i = 0; i < 40000 && (steps_in_contact == 0 || run.measured().force_bottom > 0); ++i) {
+        run.steps(1);
+        const double force = run.measured().force_bottom;
+        steps_in_contact += force > 0 ? 1 : 0;
+        largest = std::max(largest, force);
+    }
+    ASSERT_GT(steps_in_contact, 1000);
+    const double expected = std::numbers::pi * std::sqrt(run.mass() / k);
+    expect_close(static_cast<double>(steps_in_contact) * run.parameters.time_step, expected, 1e-3, expected);
+    expect_close(run.mean(run.state.velocity).y, speed, 1e-3, speed);
+    expect_close(run.mean(run.state.velocity).x, 0, 1e-3, speed);
+    expect_close(largest, speed * std::sqrt(k * run.mass()), 2e-3, largest);  // and with the force of that spring
+    const Energies e = run.measured().energies;
+    expect_close(e.imbalance() + 0.5 * run.mass() * speed * speed, 0, 1e-6, e.kinetic);
+}
+
+// A block between platens, pushed sideways by a pressure on its left side until it slips.
+TEST(Platen, FrictionGivesWayAtItsLimit) {
+    for (const double share : {0.8, 1.2}) {  // of the friction of both platens
+        SmallRun run(block(), augig_law());
+        const double mu = std::tan(5 * test::degree);
+        std::array<Platen, 2> platens = platens_at(0, 6.87e14);
+        platens[top_platen].position = 0.01;
+        for (Platen& p : platens) {
+            p.shear_stiffness = 6.98e13;
+            p.tan_friction = mu;
+        }
+        run.set_boundary(
+            make_boundary(run.assemblage, run.specimen, platens, 0.001, {static_cast<std::uint8_t>(BoundaryPart::left)}), 0.5);
+        run.parameters.damping = 0.8;
+        run.begin();
+        // Press, slowly started, then hold.
+        BatchLoading press;
+        const double approach = 0.02;
+        press.velocity_end = {approach, -approach};
+        run.steps(2000, press);
+        press.velocity_begin = press.velocity_end;
+        press.velocity_end = {0, 0};
+        run.steps(2000, press);
+        run.steps(2000);
+        const double force = -run.measured().force_top;
+        EXPECT_GT(force, 1e4);
+        const double pressure = share * 2 * mu * force / run.specimen.height;
+        BatchLoading push;
+        push.pressure_end = pressure;
+        const double before = run.mean(run.state.displacement).x;
+        const Measurement at_rest = run.measured();
+        run.steps(8000, push);
+        push.pressure_begin = push.pressure_end;
+        run.steps(4000, push);
+        const Measurement m = run.measured();
+        const double slip = run.mean(run.state.displacement).x - before;
+        // What holds the block against the pressure: the platens' friction, never more than the limit.
+        double held = 0;
+        double limit = 0;
+        for (const PlatenPoint& point : run.state.platen_points) {
+            const Platen& platen = run.boundary.platens[static_cast<std::size_t>(point.platen)];
+            const PlatenResponse r =
+                platen_response(platen, point, run.state.displacement[static_cast<std::size_t>(point.node)],
+                                run.state.loading.platen_displacement[static_cast<std::size_t>(point.platen)]);
+            EXPECT_LE(std::abs(r.force.x), mu * std::abs(r.force.y) * (1 + 1e-12));
+            held -= r.force.x;
+            limit += mu * std::abs(r.force.y);
+        }
+        const double pushed = pressure * run.specimen.height;
+        const double stretch = pushed / (2 * 6.98e13 * 0.02);  // of the friction springs
+        if (share < 1) {
+            expect_close(held, pushed, 1e-2, pushed);
+            EXPECT_LT(slip, 10 * stretch);
+        } else {
+            expect_close(held, limit, 1e-9, limit);
+            EXPECT_GT(slip, 100 * stretch);
+            // Booked: traction times slip, within what slips first and last at the corners.
+            expect_close(m.energies.platen - at_rest.energies.platen, limit * slip, 0.02, limit * slip);
+        }
+        expect_close(m.energies.imbalance(), 0, 5e-3, m.energies.stored() + m.energies.platen);
+    }
+}
+
+TEST(Platen, TheMembraneExertsPressureTimesLength) {
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
+    run.set_boundary(
+        make_boundary(run.assemblage, run.specimen, run.boundary.platens, 0,
+                      {static_cast<std::uint8_t>(BoundaryPart::left), static_cast<std::uint8_t>(BoundaryPart::right)}),
+        0.5);
+    run.parameters.damping = 0.8;
+    run.begin();
+    const double pressure = 4e6;
+    BatchLoading loading;
+    loading.pressure_end = pressure;
+    run.steps(3000, loading);
+    loading.pressure_begin = pressure;
+    run.steps(3000, loading);
+    const Measurement m = run.measured();
+    // Free to lengthen along y: by ν(1 + ν) p/E of its height, 5e-5.
+    expect_close(m.membrane_force, pressure * run.specimen.height, 2e-4, pressure * run.specimen.height);
+    double area = 0;
+    double xx = 0;
+    double yy = 0;
+    const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
+    for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {
+        const double a = run.assemblage.element_geometry[e].area;
+        area += a;
+        xx += a * frame.element_stress[e][0];
+        yy += a * frame.element_stress[e][1];
+    }
+    // Mean stress of grains and contacts in equilibrium, contacts' share of the area being none.
+    expect_close(xx / area, -pressure, 5e-3, pressure);
+    expect_close(yy / area, 0, 5e-3, pressure);
+    EXPECT_GT(m.energies.external, 0);
+    expect_close(m.energies.imbalance(), 0, 1e-3, m.energies.stored());
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,130 @@
+// The specimen as the kernels see it.
+#include "solver/assemblage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+Assemblage of(const Specimen& s) { return make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain); }
+
+TEST(Assemblage, MassIsDensityTimesArea) {
+    const Specimen s = test::jittered_grid(5, 7, 0.02, 0.03, 0.2);
+    const Assemblage a = of(s);
+    const double mass = std::accumulate(a.mass.begin(), a.mass.end(), 0.0);
+    expect_close(mass, 2650 * 0.02 * 0.03, 1e-14, mass);
+    for (std::size_t i = 0; i < a.mass.size(); ++i) {
+        ASSERT_GT(a.mass[i], 0);
+        expect_close(a.mass[i] * a.inverse_mass[i], 1, 1e-15, 1);
+    }
+}
+
+TEST(Assemblage, ANodeOfNoElementHasNoMassAndStays) {
+    Specimen s = test::one_diagonal_grid(1, 1, 0.01, 0.01);
+    s.node_position.insert(s.node_position.begin(), {0.5, 0.5});
+    for (auto& e : s.element_nodes) {
+        for (auto& n : e) ++n;
+    }
+    for (auto& c : s.contact_nodes) {
+        for (auto& n : c) ++n;
+    }
+    for (auto& b : s.boundary_edges) {
+        for (auto& n : b) ++n;
+    }
+    const Assemblage a = of(s);
+    const std::int32_t i = a.node_of_specimen[0];
+    EXPECT_EQ(i, a.n_nodes() - 1);  // behind the nodes of grains
+    EXPECT_EQ(a.mass[i], 0);
+    EXPECT_EQ(a.inverse_mass[i], 0);
+}
+
+TEST(Assemblage, NodesAreRenumberedOnceEach) {
+    Specimen s = test::union_jack_grid(4, 4, 0.02, 0.02);
+    // Any order of nodes is allowed: reverse it.
+    const auto n = static_cast<std::int32_t>(s.n_nodes());
+    std::reverse(s.node_position.begin(), s.node_position.end());
+    const auto turn = [n](auto& rows) {
+        for (auto& row : rows) {
+            for (auto& i : row) i = n - 1 - i;
+        }
+    };
+    turn(s.element_nodes);
+    turn(s.contact_nodes);
+    turn(s.boundary_edges);
+    ASSERT_NO_THROW(validate(s, "reversed"));
+    const Assemblage a = of(s);
+    std::vector<std::int32_t> sorted = a.node_of_specimen;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::int32_t i = 0; i < n; ++i) {
+        ASSERT_EQ(sorted[i], i);
+        EXPECT_EQ(a.position[a.node_of_specimen[i]].x, s.node_position[i][0]);
+        EXPECT_EQ(a.position[a.node_of_specimen[i]].y, s.node_position[i][1]);
+    }
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        EXPECT_GT(a.element_geometry[e].area, 0);
+        EXPECT_EQ(a.element_nodes[e][1], a.node_of_specimen[s.element_nodes[e][1]]);
+    }
+}
+
+TEST(Assemblage, ContactGeometryAndSlots) {
+    const Specimen s = test::jittered_grid(4, 5, 0.02, 0.03, 0.2);
+    const Assemblage a = of(s);
+    ASSERT_EQ(a.contacts.size(), s.n_contacts());
+    double length_sum = 0;
+    std::vector<int> met(4 * a.contacts.size(), 0);
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        for (std::int32_t k = a.slot_begin[i]; k < a.slot_begin[i + 1]; ++k) {
+            const std::int32_t slot = a.slots[k];
+            EXPECT_EQ(a.contacts[slot / 4].nodes[slot % 4], i);
+            EXPECT_TRUE(k == a.slot_begin[i] || a.slots[k - 1] < slot);  // ascending: sums in a fixed order
+            ++met[slot];
+        }
+    }
+    EXPECT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(met.size()));
+    for (const ContactGeometry& g : a.contacts) {
+        EXPECT_EQ(2 * g.point_area, length(g.edge));
+        length_sum += length(g.edge);
+    }
+    expect_close(a.contact_length, length_sum, 1e-14, length_sum);
+}
+
+TEST(Assemblage, BlocksCoverEverythingAndShareNoNode) {
+    const Specimen s = test::jittered_grid(16, 16, 0.02, 0.02, 0.2);
+    const Assemblage a = of(s);
+    EXPECT_GT(a.grain_blocks.size(), 4U);
+    EXPECT_GT(a.contact_blocks.size(), 2U);
+    std::int32_t element = 0;
+    std::int32_t node = 0;
+    for (const GrainBlock& b : a.grain_blocks) {
+        EXPECT_EQ(b.elements.begin, element);
+        EXPECT_EQ(b.nodes.begin, node);
+        for (std::int32_t e = b.elements.begin; e < b.elements.end; ++e) {
+            for (const std::int32_t n : a.element_nodes[e]) {
+                EXPECT_TRUE(n >= b.nodes.begin && n < b.nodes.end);
+            }
+        }
+        element = b.elements.end;
+        node = b.nodes.end;
+    }
+    EXPECT_EQ(element, a.n_elements());
+    EXPECT_EQ(node, a.n_nodes());
+    std::int32_t contact = 0;
+    for (const Range& r : a.contact_blocks) {
+        EXPECT_EQ(r.begin, contact);
+        EXPECT_LE(r.size(), contacts_per_block);
+        contact = r.end;
+    }
+    EXPECT_EQ(contact, a.n_contacts());
+}
+
+}  // namespace
+}  // namespace graincrack
