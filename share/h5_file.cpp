@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <hdf5_hl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -64,11 +63,16 @@ std::vector<char> read_stdin() {
     }
 }
 
-Handle open_image(std::vector<char>& bytes) {
+/// Opens a file image by the core driver, which keeps a copy of its own. (H5LTopen_file_image would spare the copy and leak.)
+Handle open_image(const std::vector<char>& bytes) {
     if (bytes.empty()) {
         throw InputError("stdin: empty: the program before wrote nothing; see its message");
     }
-    return {H5LTopen_file_image(bytes.data(), bytes.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE), H5Fclose};
+    const Handle access = property_list(H5P_FILE_ACCESS);
+    H5Pset_fapl_core(access.get(), 1 << 20, 0);
+    H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()),
+                      bytes.size());  // NOLINT: the C interface takes it non-const, and copies
+    return {H5Fopen("graincrack-stdin", H5F_ACC_RDONLY, access.get()), H5Fclose};
 }
 
 Handle open_path(const std::string& path) {
@@ -173,7 +177,6 @@ std::string hdf5_version() {
 struct H5Input::State {
     std::string name;
     std::string kind;
-    std::vector<char> image;  // outlives the file opened from it
     Handle file;
 };
 
@@ -181,15 +184,16 @@ H5Input::H5Input(const std::string& path, std::string_view kind) : state_(std::m
     silence_hdf5();
     const bool pipe = path == "-";
     state_->name = pipe ? "stdin" : path;
+    bool has_signature = false;
     if (pipe) {
-        state_->image = read_stdin();
-        state_->file = open_image(state_->image);
+        const std::vector<char> image = read_stdin();
+        has_signature = has_hdf5_signature(image.data(), image.size());
+        state_->file = open_image(image);
     } else {
         state_->file = open_path(path);
     }
     if (!state_->file.valid()) {
-        throw_unreadable(state_->name,
-                         pipe ? has_hdf5_signature(state_->image.data(), state_->image.size()) : file_has_hdf5_signature(path));
+        throw_unreadable(state_->name, pipe ? has_signature : file_has_hdf5_signature(path));
     }
     if (attribute_or<std::string>("/", "format", "") != "graincrack") {
         throw InputError(
