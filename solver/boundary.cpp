@@ -1,21 +1,28 @@
 #include "solver/boundary.hpp"
 
-#include <tuple>
+#include <algorithm>
+#include <cmath>
 
 namespace graincrack {
 namespace {
 
-/// Half of the boundary edges at each node, m; 0 for inner nodes.
-std::vector<double> boundary_length(const Assemblage& a, const Specimen& s) {
-    std::vector<double> tributary(a.position.size(), 0.0);
+/// The boundary as a horizontal platen meets it.
+struct Outline {
+    std::vector<bool> has_node;         ///< [n]
+    std::vector<double> facing_length;  ///< [n] half the horizontal extent of the boundary edges at a node, m
+};
+Outline outline(const Assemblage& a, const Specimen& s) {
+    Outline o{std::vector<bool>(a.position.size(), false), std::vector<double>(a.position.size(), 0.0)};
     for (const auto& edge : s.boundary_edges) {
         const std::int32_t i = a.node_of_specimen[edge[0]];
         const std::int32_t j = a.node_of_specimen[edge[1]];
-        const double half = 0.5 * length(a.position[j] - a.position[i]);
-        tributary[i] += half;
-        tributary[j] += half;
+        const double half = 0.5 * std::abs(a.position[j].x - a.position[i].x);
+        for (const std::int32_t node : {i, j}) {
+            o.has_node[node] = true;
+            o.facing_length[node] += half;
+        }
     }
-    return tributary;
+    return o;
 }
 
 /// Ranges of `nodes` (sorted) that fall into the node range of each block.
@@ -40,16 +47,19 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
                        const std::vector<std::uint8_t>& membrane_parts) {
     Boundary b;
     b.platens = platens;
-    const std::vector<double> on_boundary = boundary_length(a, s);
-    const double inner_tributary = a.contacts.empty() ? 0 : a.contact_length / static_cast<double>(a.contacts.size());
+    const Outline boundary = outline(a, s);
+    // What stands upright or inside can be met only later, by a corner: it stands for half a mean contact on either side.
+    const double corner_tributary = a.contacts.empty() ? 0 : a.contact_length / static_cast<double>(a.contacts.size());
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         for (std::int32_t p = 0; p < 2; ++p) {
             const double gap = platens[p].side * (a.position[i].y - platens[p].position);
-            const bool outer = on_boundary[i] > 0;
+            const bool outer = boundary.has_node[i];
+            const double facing = boundary.facing_length[i];
+            const double tributary = facing > 1e-9 * s.width ? facing : corner_tributary;
             // A glued cap holds the face it is glued to; a platen may be met by anything near.
             const bool candidate = platens[p].bonded ? outer && gap > -1e-9 * s.height : gap > -reach;
             if (candidate) {
-                b.platen_points.push_back({i, p, outer ? on_boundary[i] : inner_tributary, std::min(gap, 0.0), 0, 0, outer});
+                b.platen_points.push_back({i, p, tributary, std::min(gap, 0.0), 0, 0, outer});
             }
         }
     }

@@ -28,7 +28,7 @@ inline constexpr std::size_t top_platen = 1;
 struct PlatenPoint {
     std::int32_t node = 0;
     std::int32_t platen = 0;
-    double tributary = 0;  ///< boundary length it stands for, m
+    double tributary = 0;  ///< length of platen it stands for, m
     double gap = 0;        ///< penetration at the start (≤ 0: apart), m
     double anchor = 0;     ///< x displacement from which the friction spring is stretched, m
     double shear = 0;      ///< of the friction spring at the last update, N

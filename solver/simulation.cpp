@@ -18,9 +18,9 @@
 namespace graincrack {
 namespace {
 
-constexpr double history_rows = 8000;      // to the strain cap: enough to resolve a brittle peak
-constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
-constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
+constexpr double history_rows = 8000;       // to the strain cap: enough to resolve a brittle peak
+constexpr double unstable_residual = 10.0;  // imbalance over the largest stored energy: growth without bound
+constexpr double peak_frame_drop = 0.02;    // fall below the peak at which the frame of the peak is final
 
 /// Axial stress of a test: load over the specimen's width (brazilian: over its diameter).
 double axial_stress(const Specimen& s, double force_bottom, double force_top) {
