@@ -14,10 +14,31 @@
 //                     σ = kt δeff e^(−δeff/δct) up to δct, then softening tc (1 − D) with secant unloading (Eqs 7–9)
 //   continuous        λ = √((δn/δct)² + (δs/δcs)²); (σn, τ) = (kt δn, ks δs) e^(−λ) up to λ = 1, where δpk = max(δct, |δ|);
 //                     then (σn, τ) = g (kt δn, ks δs), g = (1 − D)(δpk/δmax)/e, D = (δmax − δpk)/(δut − δct)
+//   consistent        see below
 //
 // Coupling `full`: failure in either mode is loss of cohesion in both; a contact that failed in shear under compression
 // (where Eq 10 has no softening) carries nothing when it opens; one that failed open carries compression and friction when
 // it closes. Coupling `none`: each branch knows its own failure only.
+//
+// `consistent` has the paper's curves with one damage variable, an energy, and a dissipation that is never negative. Of the
+// cohesion of a point the share β is left (1 at first), and a share a carries friction (0 at first):
+//
+//   ψ = ½ β (kt⟨δn⟩² + ks δs²) + ½ kt⟨−δn⟩² + ½ a ks (δs − slip)²          the last term while closed only
+//   open     (σn, τ) = β (kt δn, ks δs)
+//   closed   σn = kt δn, τ = β ks δs + a ks (δs − slip), the second term within ±a σres
+//
+// β never grows; it follows the load λ of the branch the point is on:
+//
+//   open     λ = √((δn/δct)² + (δs/δso)²):   β ≤ e^(−λ) up to λ = 1, then β ≤ (1 − D)/(e λ), D = (λ − 1)/(λu − 1)
+//   closed   λ = |δs|/δcs:                    β ≤ e^(−λ) up to λ = 1, then β = 0: cohesion is lost at once
+//
+// Pure opening gives Eq 7's curve with area Gf, sliding under compression Eq 10's. What the paper calls non-linear elastic is
+// damage here: un- and reloading go along the secant before the peak too. δso = e tc/ks: an open contact has the strength tc in
+// shear as well, the text's σ of Eq 7. λu gives every direction of opening the energy Gf. A point that failed closed carries
+// friction on all of its area, from the traction it had (Eq 12); one that failed open on the share D it has lost, from zero when
+// it closes. Shares are merged by their mean slip; energy is convex in slip, so what is lost thereby is never negative. Over
+// δn = 0 only β can change, and only fall: that costs energy and never makes any, so there is no mismatch. Coupling is full by
+// nature.
 //
 // Energy. `stored_energy` is a function of state. Dissipation is booked where the law says it happens: growth of δmax and
 // the fall from a peak (fracture), slip against friction (friction). Where a reading has no potential, the difference is
@@ -41,7 +62,7 @@
 namespace graincrack {
 
 /// Readings of the law (--contact-law).
-enum class LawVariant : std::uint8_t { literal, scaled, continuous };
+enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent };
 /// What failure in one mode does to the other (--coupling).
 enum class Coupling : std::uint8_t { full, none };
 
@@ -55,6 +76,8 @@ struct ContactLaw {
     double dct, dcs, dut;  ///< δct, δcs, δut, m
     double w;              ///< weight of δs² in δeff² of the open branch: 1 (literal), κ (scaled, continuous)
     double inv_dct, inv_dcs;
+    double inv_dso;  ///< 1/δso, δso = e tc/ks (consistent)
+    double gf;       ///< Gf, J/m²
 };
 inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant variant, Coupling coupling) {
     return {variant,
@@ -68,7 +91,9 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
             p.ultimate_opening,
             variant == LawVariant::literal ? 1.0 : p.shear_stiffness / p.normal_stiffness,
             1 / p.critical_opening,
-            1 / p.critical_sliding};
+            1 / p.critical_sliding,
+            p.shear_stiffness / (std::numbers::e * p.tensile_strength),
+            p.fracture_energy};
 }
 
 struct ContactMotion {
@@ -86,6 +111,8 @@ struct ContactHistory {
     double max_displacement = 0;                ///< δmax once failed open, m
     double peak_displacement = 0;               ///< δpk (continuous), m
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
+    double cohesion_left = 1;                   ///< β (consistent)
+    double friction_share = 0;                  ///< a (consistent)
     bool failed_open = false;                   ///< passed the peak of the open branch
     bool failed_closed = false;                 ///< passed the peak of the closed branch
     bool separated = false;                     ///< past δut, or open after a failure that left nothing
@@ -98,6 +125,8 @@ inline ContactHistory broken_contact() {
     ContactHistory h;
     h.failed_open = h.failed_closed = h.separated = true;
     h.max_displacement = std::numeric_limits<double>::max();  // nothing is left of either branch
+    h.cohesion_left = 0;
+    h.friction_share = 1;
     return h;
 }
 
@@ -191,12 +220,34 @@ inline double continuous_mismatch(const ContactLaw& law, const ContactMotion& fr
     return (0.5 * e - exponential_energy(lambda, e)) * gradient;
 }
 
+// --- consistent ------------------------------------------------------------------------------------------------------
+
+inline double consistent_energy(const ContactLaw& law, const ContactHistory& h) {
+    const ContactMotion& m = h.motion;
+    const double shear = law.ks * m.sliding * m.sliding;
+    if (m.opening >= 0) {
+        return 0.5 * h.cohesion_left * (law.kt * m.opening * m.opening + shear);
+    }
+    const double elastic = m.sliding - h.slip;
+    return 0.5 * (law.kt * m.opening * m.opening + h.cohesion_left * shear + h.friction_share * law.ks * elastic * elastic);
+}
+/// D of the open branch at a load λ ≥ 1 in a direction in which q = kt δn² + ks δs² is `stiffness` λ².
+inline double consistent_damage(const ContactLaw& law, double load, double stiffness) {
+    constexpr double e = std::numbers::e;
+    // Work along a straight path: `stiffness` · [(1 − 2/e) + (λu − 1)/(2 e)] = Gf.
+    const double range = 2 * e * (law.gf / stiffness - (1 - 2 / e));
+    return range > load - 1 ? (load - 1) / range : 1.0;
+}
+
 }  // namespace contact_law
 
 /// Recoverable energy per area of a contact point in its present motion, J/m².
 inline double stored_energy(const ContactLaw& law, const ContactHistory& h) {
     using namespace contact_law;
     const ContactMotion& m = h.motion;
+    if (law.variant == LawVariant::consistent) {
+        return consistent_energy(law, h);
+    }
     if (m.opening < 0) {
         const double normal = 0.5 * law.kt * m.opening * m.opening;
         if (is_frictional(law, h)) {
@@ -228,6 +279,9 @@ inline double stored_energy(const ContactLaw& law, const ContactHistory& h) {
 inline double damage(const ContactLaw& law, const ContactHistory& h) {
     if (h.separated || contact_law::is_lost_open(law, h)) {
         return 1;
+    }
+    if (law.variant == LawVariant::consistent) {
+        return h.friction_share;
     }
     if (!h.failed_open) {
         return 0;
@@ -271,8 +325,71 @@ inline void slide(const ContactLaw& law, const ContactMotion& to, ContactRespons
     }
 }
 
+/// Advances an open contact of the consistent reading to an open motion.
+inline void advance_open_consistent(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    ContactHistory& h = r.history;
+    const double x = to.opening * law.inv_dct;
+    const double y = to.sliding * law.inv_dso;
+    const double load = std::sqrt(x * x + y * y);
+    const double q = law.kt * to.opening * to.opening + law.ks * to.sliding * to.sliding;
+    double left = 0;
+    if (load <= 1) {
+        left = exp_of_minus(load);
+    } else {
+        mark_failed(h, CrackMode::tensile);
+        const double lost = consistent_damage(law, load, q / (load * load));
+        h.friction_share = std::max(h.friction_share, lost);
+        left = (1 - lost) / (std::numbers::e * load);
+    }
+    const double before = h.cohesion_left;
+    h.cohesion_left = std::min(before, left);
+    // The motion before is open too, so both values of q are those of ψ; the change of β is booked at their mean.
+    const double q_before = law.kt * h.motion.opening * h.motion.opening + law.ks * h.motion.sliding * h.motion.sliding;
+    r.dissipation.fracture += 0.25 * (q_before + q) * (before - h.cohesion_left);
+    h.separated = h.separated || h.cohesion_left == 0;
+    r.traction = {h.cohesion_left * law.kt * to.opening, h.cohesion_left * law.ks * to.sliding};
+    h.motion = to;
+}
+
+/// Advances a closed contact of the consistent reading to a closed motion.
+inline void advance_closed_consistent(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    ContactHistory& h = r.history;
+    const ContactMotion from = h.motion;
+    const double limit = -law.kt * to.opening * law.tan_phi;
+    const double load = std::abs(to.sliding) * law.inv_dcs;
+    ContactResponse friction{{}, h, {}};
+    slide(law, to, friction);
+    h.slip = friction.history.slip;
+    r.dissipation.friction += h.friction_share * friction.dissipation.friction;
+    double frictional_shear = friction.traction.shear;
+    if (load <= 1) {
+        const double before = h.cohesion_left;
+        h.cohesion_left = std::min(before, exp_of_minus(load));
+        r.dissipation.fracture +=
+            0.25 * law.ks * (from.sliding * from.sliding + to.sliding * to.sliding) * (before - h.cohesion_left);
+    } else if (h.cohesion_left > 0) {
+        // The peak is passed: the cohesive share goes on with friction, from the traction it had.
+        const double share = 1 - h.friction_share;
+        const double carried = std::clamp(h.cohesion_left * law.ks * to.sliding / share, -limit, limit);
+        const double stored =
+            h.cohesion_left * law.ks * to.sliding * to.sliding + h.friction_share * frictional_shear * frictional_shear / law.ks;
+        h.slip = h.friction_share * h.slip + share * (to.sliding - carried / law.ks);
+        frictional_shear = law.ks * (to.sliding - h.slip);
+        h.cohesion_left = 0;
+        h.friction_share = 1;
+        mark_failed(h, CrackMode::shear);
+        r.dissipation.fracture += 0.5 * (stored - frictional_shear * frictional_shear / law.ks);
+    }
+    r.traction = {law.kt * to.opening, h.cohesion_left * law.ks * to.sliding + h.friction_share * frictional_shear};
+    h.motion = to;
+}
+
 /// Advances a closed contact to a closed motion.
 inline void advance_closed(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    if (law.variant == LawVariant::consistent) {
+        advance_closed_consistent(law, to, r);
+        return;
+    }
     r.traction.normal = law.kt * to.opening;
     if (is_frictional(law, r.history)) {
         slide(law, to, r);
@@ -353,7 +470,9 @@ inline void advance_open_continuous(const ContactLaw& law, const ContactMotion& 
 }
 
 inline void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-    if (is_lost_open(law, r.history)) {
+    if (law.variant == LawVariant::consistent) {
+        advance_open_consistent(law, to, r);
+    } else if (is_lost_open(law, r.history)) {
         r.history.separated = true;
         r.traction = {};
         r.history.motion = to;
@@ -373,7 +492,7 @@ inline void cross(const ContactLaw& law, bool opens, double sliding, ContactResp
         advance_open(law, edge, r);
     } else {
         r.history.motion = edge;
-        if (is_frictional(law, r.history)) {
+        if (is_frictional(law, r.history) || law.variant == LawVariant::consistent) {
             r.history.slip = sliding;  // no normal traction yet, so no friction
         }
     }
@@ -413,17 +532,20 @@ struct IntactLaw {
     double kt, ks, open_ks;          ///< normal stiffness; shear stiffness closed and open
     double open_normal, open_shear;  ///< weights of δn², δs² in the squared load of the open branch
     double closed_shear;             ///< weight of δs² in that of the closed branch
-    double follows_open;             ///< 0 if open points need `update_contact` (they book mismatch), else 1
+    double follows_open;             ///< 0 if open points need `update_contact` (they book mismatch or damage), else 1
+    double follows_closed;           ///< likewise
 };
 inline IntactLaw make_intact_law(const ContactLaw& law) {
     const bool continuous = law.variant == LawVariant::continuous;
+    const bool consistent = law.variant == LawVariant::consistent;
     return {law.kt,
             law.ks,
             continuous ? law.ks : law.w * law.kt,
             law.inv_dct * law.inv_dct,
             continuous ? law.inv_dcs * law.inv_dcs : law.w * law.inv_dct * law.inv_dct,
             law.inv_dcs * law.inv_dcs,
-            continuous ? 0.0 : 1.0};
+            continuous || consistent ? 0.0 : 1.0,
+            consistent ? 0.0 : 1.0};
 }
 struct IntactTraction {
     double normal, shear;  ///< Pa
@@ -445,6 +567,7 @@ constexpr std::string_view name_of(LawVariant variant) {
         case LawVariant::literal: return "literal";
         case LawVariant::scaled: return "scaled";
         case LawVariant::continuous: return "continuous";
+        case LawVariant::consistent: return "consistent";
     }
     return "?";
 }

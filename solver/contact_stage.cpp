@@ -78,7 +78,7 @@ GRAINCRACK_VECTOR_TARGETS double apply_intact_law(const ContactLaw& law, std::in
             b.normal_traction[p][i] = t.normal;
             b.shear_traction[p][i] = t.shear;
             const double old = b.old_opening[p][i];
-            const double stays = opening >= 0 ? (old >= 0 ? intact.follows_open : 0.0) : (old >= 0 ? 0.0 : 1.0);
+            const double stays = opening >= 0 ? (old >= 0 ? intact.follows_open : 0.0) : (old >= 0 ? 0.0 : intact.follows_closed);
             b.ordinary[p][i] = (t.load <= 1 ? stays : 0.0) * b.intact[p][i];
         }
         for (std::int32_t i = 0; i < count; ++i) {

@@ -15,7 +15,7 @@ namespace graincrack::test {
 /// Every reading with every coupling.
 inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     std::vector<ContactLaw> laws;
-    for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous}) {
+    for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent}) {
         for (const Coupling coupling : {Coupling::full, Coupling::none}) {
             laws.push_back(make_contact_law(contact, variant, coupling));
         }
