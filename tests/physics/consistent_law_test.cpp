@@ -1,0 +1,162 @@
+// The reading `consistent` of the contact law: the paper's curves, an energy, no mismatch.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/contact_walk.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::augig_contact;
+using test::ContactWalk;
+using test::expect_close;
+using test::MPa;
+constexpr double e = std::numbers::e;
+
+ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::consistent, Coupling::full); }
+
+TEST(ConsistentLaw, PureOpeningIsEq7) {
+    const ContactParameters c = augig_contact();
+    ContactWalk walk(law_of(c));
+    for (const double x : {0.1, 0.5, 0.9, 1.0}) {
+        const double opening = x * c.critical_opening;
+        const double traction = c.normal_stiffness * opening * std::exp(-x);
+        expect_close(walk.to({opening, 0}).normal, traction, 1e-14, c.tensile_strength);
+    }
+    for (const double d : {0.1, 0.5, 0.9}) {
+        const double opening = c.critical_opening + d * (c.ultimate_opening - c.critical_opening);
+        expect_close(walk.to({opening, 0}).normal, (1 - d) * c.tensile_strength, 1e-12, c.tensile_strength);
+        expect_close(damage(law_of(c), walk.history()), d, 1e-12, 1);
+    }
+    EXPECT_EQ(walk.to({1.001 * c.ultimate_opening, 0}).normal, 0);
+    EXPECT_TRUE(walk.history().separated);
+}
+
+// Whatever the direction in which a point is torn, it takes Gf: trapezia of 40,000 steps, error below 1e-6.
+TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
+    for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
+        const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
+        for (const double degrees : {0.0, 20.0, 45.0, 70.0, 89.0}) {
+            const double angle = degrees * std::numbers::pi / 180;
+            ContactWalk walk(law_of(c));
+            walk.go({12 * c.ultimate_opening * std::cos(angle), 12 * c.ultimate_opening * std::sin(angle)}, 400000);
+            EXPECT_TRUE(walk.history().separated);
+            expect_close(walk.work(), c.fracture_energy, 1e-4, c.fracture_energy);
+            expect_close(walk.fracture(), c.fracture_energy, 1e-4, c.fracture_energy);
+        }
+    }
+}
+
+TEST(ConsistentLaw, SlidingUnderPressureIsEq10AndThenFriction) {
+    const ContactParameters c = augig_contact();
+    for (const double pressure : {20 * MPa, 30 * MPa, 100 * MPa}) {
+        const double closure = -pressure / c.normal_stiffness;
+        ContactWalk walk(law_of(c));
+        walk.to({closure, 0});
+        for (const double y : {0.3, 0.7, 1.0 - 1e-12}) {
+            const double s = y * c.critical_sliding;
+            expect_close(walk.to({closure, s}).shear, c.shear_stiffness * s * std::exp(-y), 1e-12, c.cohesion);
+        }
+        EXPECT_FALSE(walk.history().failed());
+        walk.go({closure, 4 * c.critical_sliding}, 4000);
+        EXPECT_TRUE(walk.history().failed_closed);
+        const double residual = pressure * std::tan(c.friction_angle);
+        expect_close(walk.traction().shear, residual, 1e-12, residual);
+        walk.go({closure, 0}, 4000);
+        expect_close(walk.traction().shear, -residual, 1e-12, residual);
+        walk.go({0.1 * c.critical_opening, 0}, 100);
+        EXPECT_EQ(walk.traction().normal, 0);  // failed in one mode is failed in both
+        EXPECT_TRUE(walk.history().separated);
+    }
+}
+
+TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
+    const ContactParameters c = augig_contact();
+    const double tiny = 1e-12 * c.critical_opening;
+    // An open point is stretched by δs/δso what a closed one is by δs/δcs: cohesion falls to the open curve, never rises.
+    for (const double s : {0.01, 0.1, 0.3}) {
+        const double sliding = s * c.critical_sliding;
+        ContactWalk walk(law_of(c));
+        walk.to({-tiny, 0});
+        const double closed = walk.go({-tiny, sliding}, 100).shear;
+        const double before = walk.fracture();
+        const double open = walk.to({tiny, sliding}).shear;
+        const double open_load = sliding * c.shear_stiffness / (e * c.tensile_strength);
+        if (open_load < 1) {
+            expect_close(open, c.shear_stiffness * sliding * std::exp(-open_load), 1e-9, closed);
+        }
+        EXPECT_LE(open, closed);
+        EXPECT_GT(walk.fracture(), before);
+        const double again = walk.to({-tiny, sliding}).shear;
+        expect_close(again, open, 1e-9, closed);  // and back without a jump
+        expect_close(walk.mismatch(), 0, 1e-12, c.fracture_energy);  // round-off
+    }
+}
+
+// Random paths: the energy closes, nothing is made, nothing heals, mirror images agree.
+TEST(ConsistentLaw, EnergyOnRandomPaths) {
+    for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
+        const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
+        double error = 0;
+        double booked = 0;
+        for (unsigned seed = 0; seed < 24; ++seed) {
+            std::mt19937_64 generator(seed);
+            const auto next = [&generator] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
+            ContactWalk walk(law_of(c));
+            ContactWalk mirrored(law_of(c));
+            for (int i = 0; i < 12; ++i) {
+                const double reach = i % 3 == 2 ? 0.5 * c.ultimate_opening : 2 * c.critical_opening;
+                const double opening = reach * next();
+                const double sliding = 2 * c.critical_sliding * next();
+                walk.go({opening, sliding}, 2000);
+                mirrored.go({opening, -sliding}, 2000);
+            }
+            EXPECT_GE(walk.least_fracture(), -1e-12 * c.fracture_energy);
+            const double step = 4 * c.critical_sliding / 2000;
+            EXPECT_GE(walk.least_friction(), -c.shear_stiffness * step * step);  // a trapezium over a reversal
+            EXPECT_GE(walk.stored(), 0);
+            EXPECT_FALSE(walk.healed());
+            expect_close(walk.mismatch(), 0, 1e-12, c.fracture_energy);
+            EXPECT_EQ(walk.traction().shear, -mirrored.traction().shear);
+            EXPECT_EQ(walk.fracture(), mirrored.fracture());
+            EXPECT_TRUE(walk.history().failed());
+            error += std::abs(walk.balance());
+            booked += walk.fracture() + walk.friction();
+        }
+        EXPECT_GT(booked, 24 * 0.1 * c.fracture_energy);
+        EXPECT_LT(error, 2e-4 * booked);  // jumps at peaks times half a step
+    }
+}
+
+// The traction is the gradient of the stored energy at fixed damage and slip.
+TEST(ConsistentLaw, TractionIsTheGradientOfTheStoredEnergy) {
+    const ContactParameters c = augig_contact();
+    const ContactLaw law = law_of(c);
+    ContactWalk walk(law);
+    walk.go({0.4 * c.ultimate_opening, 0}, 4000);
+    for (const double opening : {0.1 * c.ultimate_opening, -0.3 * c.critical_opening}) {
+        ContactHistory h = walk.history();
+        h.motion = {opening, 0.2 * c.critical_opening};
+        h.slip = 0.19 * c.critical_opening;
+        const ContactTraction t = update_contact(law, h.motion, h).traction;
+        const auto energy = [&](double normal, double shear) {
+            ContactHistory at = h;
+            at.motion = {normal, shear};
+            return stored_energy(law, at);
+        };
+        const double d = 1e-4 * c.critical_opening;
+        const double normal = (energy(opening + d, h.motion.sliding) - energy(opening - d, h.motion.sliding)) / (2 * d);
+        const double shear = (energy(opening, h.motion.sliding + d) - energy(opening, h.motion.sliding - d)) / (2 * d);
+        EXPECT_GT(std::abs(normal), 0);
+        expect_close(t.normal, normal, 1e-9, c.tensile_strength);  // quadratic: exact but for round-off
+        expect_close(t.shear, shear, 1e-9, c.tensile_strength);
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
