@@ -64,14 +64,16 @@ double Loading::target_pressure(double time) const {
 
 double Loading::isotropic_speed(const LoadingFeedback& feedback, double duration) const {
     const double pressure_rate = (target_pressure(feedback.time + duration) - target_pressure(feedback.time)) / duration;
-    const double lag = target_pressure(feedback.time) - feedback.axial_compression;
+    const double lag = target_pressure(feedback.time) - mean_compression_;
     const double servo_time = std::max(servo_transits * transit_time_, 4 * duration);
     return 0.5 * height_ * (isotropic_compliance_ * pressure_rate + lag / (young_modulus_ * servo_time));
 }
 
 BatchLoading Loading::next(const LoadingFeedback& feedback, double duration) {
+    // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
+    mean_compression_ += std::min(1.0, duration / transit_time_) * (feedback.axial_compression - mean_compression_);
     if (isotropic_ && feedback.time > ramp_time_ + settle_transits * transit_time_) {
-        const double error = std::abs(feedback.axial_compression / request_.confining_pressure - 1);
+        const double error = std::abs(mean_compression_ / request_.confining_pressure - 1);
         if (error < settled_pressure && feedback.unbalanced_ratio < settled_balance) {
             isotropic_ = false;
             isotropic_end_time_ = start_time_ = feedback.time;

@@ -68,7 +68,8 @@ private:
     double ramp_time_ = 0;         ///< of the pressure, s
     bool isotropic_ = false;
     double isotropic_end_time_ = 0;
-    double start_time_ = 0;  ///< of the platens' run at constant speed, s
+    double mean_compression_ = 0;  ///< over about a transit, Pa
+    double start_time_ = 0;        ///< of the platens' run at constant speed, s
     double start_speed_ = 0;
     double speed_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "share/error.hpp"
@@ -18,9 +19,10 @@
 namespace graincrack {
 namespace {
 
-constexpr double history_rows = 8000;       // to the strain cap: enough to resolve a brittle peak
-constexpr double unstable_residual = 10.0;  // imbalance over the largest stored energy: growth without bound
-constexpr double peak_frame_drop = 0.02;    // fall below the peak at which the frame of the peak is final
+constexpr double history_rows = 8000;      // to the strain cap: enough to resolve a brittle peak
+constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
+constexpr double judged_stress = 0.01;     // of tc: below the energy of this stress the imbalance is noise of the start
+constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
 
 /// Axial stress of a test: load over the specimen's width (brazilian: over its diameter).
 double axial_stress(const Specimen& s, double force_bottom, double force_top) {
@@ -176,10 +178,16 @@ private:
         }
     }
 
+    [[nodiscard]] double judged_energy() const {
+        const double stress = judged_stress * request_.contact.tensile_strength;
+        const double area = std::accumulate(specimen_.grain_area.begin(), specimen_.grain_area.end(), 0.0);
+        return 0.5 * stress * stress / request_.material.rock.young_modulus * area;
+    }
+
     void check_stability(const Energies& energies) {
         header_.energy_scale = std::max(header_.energy_scale, energies.stored());
         const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
-        if (!std::isfinite(residual) || std::abs(residual) > unstable_residual) {
+        if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
             throw NumericalError(
                 fmt::format("the run became unstable at step {} (energy balance off by {:.0f} %); use a smaller "
                             "--time-step-fraction than {} or a slower --rate",
