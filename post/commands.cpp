@@ -7,15 +7,15 @@
 #include <functional>
 #include <map>
 
-#include "post/crack_map.hpp"
+#include "post/cracks/crack_map.hpp"
 #include "post/envelope.hpp"
 #include "post/fpz_table.hpp"
 #include "post/info.hpp"
 #include "post/load_curve.hpp"
 #include "post/moduli.hpp"
-#include "post/picture.hpp"
-#include "post/plot_curve.hpp"
-#include "post/plot_specimen.hpp"
+#include "post/picture/picture.hpp"
+#include "post/picture/plot_curve.hpp"
+#include "post/picture/plot_specimen.hpp"
 #include "post/strength.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "post/plot_cracks.hpp"
+#include "post/picture/plot_cracks.hpp"
 #include "post/table.hpp"
 #include "share/progress.hpp"
 

@@ -1,4 +1,4 @@
-#include "post/crack_map.hpp"
+#include "post/cracks/crack_map.hpp"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/run_state.hpp"
+#include "post/cracks/run_state.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 

@@ -1,4 +1,4 @@
-#include "post/drawing.hpp"
+#include "post/picture/drawing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "post/picture.hpp"
+#include "post/picture/picture.hpp"
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
@@ -7,9 +7,9 @@
 
 #include <cstdlib>
 
-#include "post/plot_cracks.hpp"
-#include "post/plot_curve.hpp"
-#include "post/plot_specimen.hpp"
+#include "post/picture/plot_cracks.hpp"
+#include "post/picture/plot_curve.hpp"
+#include "post/picture/plot_specimen.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "post/drawing.hpp"
 #include "post/load_curve.hpp"
+#include "post/picture/drawing.hpp"
 
 namespace graincrack {
 

@@ -1,4 +1,4 @@
-#include "post/picture.hpp"
+#include "post/picture/picture.hpp"
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
@@ -28,8 +28,8 @@
 #include <filesystem>
 #include <numbers>
 
-#include "post/offscreen_window.hpp"
 #include "post/output_file.hpp"
+#include "post/picture/offscreen_window.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {

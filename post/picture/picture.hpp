@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "post/drawing.hpp"
+#include "post/picture/drawing.hpp"
 
 namespace graincrack {
 

@@ -1,4 +1,4 @@
-#include "post/offscreen_window.hpp"
+#include "post/picture/offscreen_window.hpp"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -1,4 +1,4 @@
-#include "post/plot_curve.hpp"
+#include "post/picture/plot_curve.hpp"
 
 #include <fmt/format.h>
 

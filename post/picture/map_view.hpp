@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "post/drawing.hpp"
+#include "post/picture/drawing.hpp"
 #include "share/specimen.hpp"
 
 namespace graincrack {

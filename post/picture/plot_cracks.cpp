@@ -1,13 +1,13 @@
-#include "post/plot_cracks.hpp"
+#include "post/picture/plot_cracks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "post/cracks/run_state.hpp"
 #include "post/load_curve.hpp"
-#include "post/map_view.hpp"
-#include "post/run_state.hpp"
+#include "post/picture/map_view.hpp"
 #include "post/test_words.hpp"
 
 namespace graincrack {

@@ -1,4 +1,4 @@
-#include "post/run_state.hpp"
+#include "post/cracks/run_state.hpp"
 
 #include <fmt/format.h>
 

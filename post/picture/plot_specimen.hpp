@@ -1,7 +1,7 @@
 // Picture of a specimen: its grains by phase, its rim, its pre-existing cracks.
 #pragma once
 
-#include "post/drawing.hpp"
+#include "post/picture/drawing.hpp"
 #include "share/specimen.hpp"
 
 namespace graincrack {

@@ -1,4 +1,4 @@
-#include "post/crack_map.hpp"
+#include "post/cracks/crack_map.hpp"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -18,9 +18,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "post/cracks/rosette.hpp"
+#include "post/cracks/run_state.hpp"
 #include "post/output_file.hpp"
-#include "post/rosette.hpp"
-#include "post/run_state.hpp"
 #include "post/table.hpp"
 #include "share/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "post/rosette.hpp"
+#include "post/cracks/rosette.hpp"
 
 #include <cmath>
 #include <numbers>

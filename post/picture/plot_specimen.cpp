@@ -1,10 +1,10 @@
-#include "post/plot_specimen.hpp"
+#include "post/picture/plot_specimen.hpp"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
-#include "post/map_view.hpp"
+#include "post/picture/map_view.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "post/drawing.hpp"
+#include "post/picture/drawing.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {

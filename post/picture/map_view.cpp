@@ -1,4 +1,4 @@
-#include "post/map_view.hpp"
+#include "post/picture/map_view.hpp"
 
 #include <fmt/format.h>
 
