@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iostream>
 #include <map>
 
 #include "post/cracks/crack_map.hpp"
@@ -69,7 +70,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"history", [&] { write_history(out, RunReader(only_file(options)), options.format); }},
         {"strength", [&] { write_strength_table(out, options.files, options.format); }},
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
-        {"envelope", [&] { write_envelope_table(out, options.files, options.format); }},
+        {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
         {"cracks", [&] { export_crack_map(RunReader(only_file(options)), options.output, options.verbosity); }},
         {"plot", [&] { plot(options); }},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/envelope.hpp"
 #include "post/picture/plot_cracks.hpp"
 #include "post/table.hpp"
 #include "share/progress.hpp"
@@ -20,6 +21,7 @@ struct PostOptions {
     std::string output;              ///< folder (cracks) or picture (plot)
     std::string material;
     TableFormat format = TableFormat::tsv;
+    CappedRuns capped_runs = CappedRuns::refuse;
     bool check = false;
     bool digest = false;
     CrackMapOptions crack_map;

@@ -1,5 +1,8 @@
 #include "post/envelope.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -52,13 +55,15 @@ LineErrors line_errors(std::span<const double> x, std::span<const double> y, dou
 double friction_angle_of(double slope) { return slope > 0 ? std::asin((slope - 1) / (slope + 1)) : -std::numbers::pi / 2; }
 
 /// What must be equal for runs to share an envelope.
-void require_same_material(const RunData& run, const RunData& first) {
+void require_same_material(const RunData& run, const RunData& first, CappedRuns capped_runs) {
     const auto refuse = [&](const std::string& what) {
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
                          "; an envelope needs tests of one material that differ in confining pressure and seed only");
     };
     const RunHeader& a = run.header;
     const RunHeader& b = first.header;
+    if (a.peak_drop != b.peak_drop) refuse("the drop behind the peak that ends the test");
+    if (capped_runs == CappedRuns::accept && a.max_strain != b.max_strain) refuse("the strain cap");
     if (a.plane != b.plane) refuse("the plane condition");
     if (a.contact_law != b.contact_law || a.coupling != b.coupling) refuse("the contact law");
     if (a.rock.young_modulus != b.rock.young_modulus || a.rock.poisson_ratio != b.rock.poisson_ratio ||
@@ -72,7 +77,6 @@ void require_same_material(const RunData& run, const RunData& first) {
         p.fracture_energy != q.fracture_energy) {
         refuse("the contact parameters");
     }
-    if (a.peak_drop != b.peak_drop || a.max_strain != b.max_strain) refuse("the rule that ends the test (peak drop, max strain)");
 }
 
 RunData read_compression_test(const std::string& path) {
@@ -81,6 +85,22 @@ RunData read_compression_test(const std::string& path) {
         throw InputError(run.name + ": a " + run.header.test + " test; an envelope takes uniaxial and triaxial runs");
     }
     return run;
+}
+
+/// Whether the run ended by the strain cap. \throws InputError if it has no peak and may not stand here
+bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs) {
+    if (strength.peak_kind == "drop") return false;
+    if (strength.peak_kind != "cap") {
+        throw InputError(run.name + ": was stopped (" + run.header.stop_reason +
+                         ") before a peak; an envelope needs runs that fell behind their peak");
+    }
+    if (capped_runs == CappedRuns::refuse) {
+        throw InputError(
+            fmt::format("{}: ended by the strain cap ({:.3g} %) without a peak, its largest stress is no strength; "
+                        "run it further (--max-strain), or take it as it is with --capped accept",
+                        run.name, 100 * run.header.max_strain));
+    }
+    return true;
 }
 
 void append(std::vector<Cell>& row, const Estimate& estimate, double factor) {
@@ -117,19 +137,27 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
     return envelope;
 }
 
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, CappedRuns capped_runs,
+                          std::ostream& notes) {
     std::vector<double> confining;
     std::vector<double> strength;
     std::int64_t capped = 0;
     std::optional<RunData> first;
     for (const std::string& path : runs) {
         RunData run = read_compression_test(path);
-        if (first) require_same_material(run, *first);
+        if (first) require_same_material(run, *first, capped_runs);
         const Strength measured = measure_strength(run);
-        if (measured.peak_kind != "drop") ++capped;
+        if (is_capped(run, measured, capped_runs)) ++capped;
         confining.push_back(run.header.confining_pressure);
         strength.push_back(*measured.peak_compressive_stress);
         if (!first) first = std::move(run);
+    }
+    if (capped > 0) {
+        fmt::print(
+            notes,
+            "graincrack-post: envelope: {} of {} runs ended by the strain cap; their largest stress stands for a peak, so C "
+            "and phi depend on where the tests were told to end\n",
+            capped, runs.size());
     }
     const Envelope envelope = fit_envelope(confining, strength);
     constexpr double mega = 1e-6;

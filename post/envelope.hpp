@@ -26,9 +26,16 @@ struct Envelope {
 /// \throws InputError unless there are strengths at two or more confining pressures
 Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength);
 
-/// Writes the table `envelope`, one row for the set of runs.
-/// \throws InputError for a run that is no compression test, or that differs from the first in law, plane condition,
+/// What `envelope` does with a run that the strain cap ended: its largest stress is no peak, and a line through such
+/// values depends on where the tests were told to end.
+enum class CappedRuns { refuse, accept };
+
+/// Writes the table `envelope`, one row for the set of runs. If capped runs are accepted, their number stands in the row
+/// and a line on `notes` says so.
+/// \throws InputError for a run without a peak: one that the strain cap ended, unless accepted, or that was stopped; for a run
+/// that is no compression test, or that differs from the first in law, plane condition,
 ///         rock or contact parameters: one envelope is the envelope of one material
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, CappedRuns capped_runs,
+                          std::ostream& notes);
 
 }  // namespace graincrack

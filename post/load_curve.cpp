@@ -109,6 +109,17 @@ std::optional<double> first_yield(const LoadCurve& curve) {
     return std::nullopt;
 }
 
+std::optional<double> stress_at_strain(const LoadCurve& curve, double strain) {
+    for (std::size_t row = curve.start; row < curve.stress.size(); ++row) {
+        const double now = curve.axial_strain[row];
+        if (now < strain) continue;
+        if (row == curve.start) return curve.stress[row];
+        const double before = curve.axial_strain[row - 1];
+        return CurvePoint{row - 1, (strain - before) / (now - before)}.of(curve.stress);
+    }
+    return std::nullopt;
+}
+
 std::string peak_kind(const RunData& run, const LoadCurve& curve) {
     if (run.header.stop_reason == "peak drop") return "drop";
     // A test that was told to go on far beyond the peak has a peak all the same.

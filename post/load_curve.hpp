@@ -65,6 +65,9 @@ CurvePoint half_peak(const LoadCurve& curve);
 std::optional<double> first_yield(const LoadCurve& curve);
 inline constexpr double yield_offset = 1e-4;
 
+/// Stress where the platen strain first reaches a strain, before or after the peak, Pa. Empty if the test ended before.
+std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
+
 /// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the strain cap ended the test before
 /// that; "" for a test that was stopped otherwise, whose largest stress is no peak.
 std::string peak_kind(const RunData& run, const LoadCurve& curve);

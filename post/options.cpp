@@ -38,6 +38,7 @@ void add_tables(CLI::App& app, PostOptions& options) {
         CLI::App* command = add_command(app, name, help);
         add_files(command, options, "runs", "run files");
         add_format(command, options);
+        return command;
     };
     CLI::App* history = add_command(app, "history", "the history of a run as a table, tension positive");
     add_files(history, options, "run", "run file");
@@ -46,7 +47,11 @@ void add_tables(CLI::App& app, PostOptions& options) {
     table("moduli",
           "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
           "and predicted from contact compliance");
-    table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of compression tests, 95 % intervals");
+    CLI::App* envelope =
+        table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of compression tests, 95 % intervals");
+    add_choice<CappedRuns>(*envelope, "--capped", options.capped_runs,
+                           {{"refuse", CappedRuns::refuse}, {"accept", CappedRuns::accept}},
+                           "runs that the strain cap ended: refuse them, or take their largest stress for a peak and say so");
     CLI::App* fpz = add_command(app, "fpz", "the fracture process zone of a rock, every number with its equation");
     fpz->add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
     add_format(fpz, options);

@@ -1,5 +1,6 @@
 #include "post/strength.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace graincrack {
@@ -23,7 +24,10 @@ const std::vector<std::string> columns{"file",
                                        "platen_force_difference",
                                        "steps",
                                        "wall_time_s",
-                                       "ns_per_grain_step"};
+                                       "ns_per_grain_step",
+                                       "stress_at_1_percent_MPa",
+                                       "stress_at_2_percent_MPa",
+                                       "stress_at_3_percent_MPa"};
 
 Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
 
@@ -49,7 +53,10 @@ std::vector<Cell> strength_row(const std::string& path) {
             run.header.platen_force_difference,
             run.header.steps,
             timed ? Cell(run.wall_time) : Cell(),
-            timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell()};
+            timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell(),
+            megapascal(strength.stress_at_marks[0]),
+            megapascal(strength.stress_at_marks[1]),
+            megapascal(strength.stress_at_marks[2])};
 }
 
 }  // namespace
@@ -62,6 +69,8 @@ Strength measure_strength(const RunData& run) {
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);
+    std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
+                   [&](double strain) { return stress_at_strain(curve, strain); });
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];
     strength.shear_cracks = run.history[HistoryColumn::shear_cracks][curve.peak];
     return strength;

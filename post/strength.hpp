@@ -1,6 +1,7 @@
 // Strength of a test and what a reader needs to trust it: one row a run.
 #pragma once
 
+#include <array>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -18,9 +19,14 @@ struct Strength {
     double strain_at_peak = 0;                      ///< platen approach over height since the start of the test
     std::string peak_kind;                          ///< see `peak_kind`
     std::optional<double> first_yield;              ///< see `first_yield`
-    double tensile_cracks = 0;                      ///< contacts (points ÷ 2) failed by the time of the peak
+    /// Stress where the platen strain first reaches `strain_marks`, whatever came before; empty if the test ended earlier.
+    std::array<std::optional<double>, 3> stress_at_marks;
+    double tensile_cracks = 0;  ///< contacts (points ÷ 2) failed by the time of the peak
     double shear_cracks = 0;
 };
+
+/// Axial strains at which the stress is told: strengths of tests that harden are compared at equal strain.
+inline constexpr std::array<double, 3> strain_marks{0.01, 0.02, 0.03};
 
 /// \throws InputError if the run has no usable curve
 Strength measure_strength(const RunData& run);

@@ -9,6 +9,7 @@
 
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -115,20 +116,47 @@ TEST(Envelope, IntervalsCoverPlantedParameters) {
 
 class EnvelopeTable : public ::testing::Test {
 protected:
-    std::string run(const std::string& name, double confining, const std::string& test = "", double peak = 0) {
+    std::string run(const std::string& name, double confining, const std::string& test = "", double peak = 0, double drop = 0.5,
+                    const std::string& stop = "peak drop") {
         Recipe recipe;
+        recipe.drop = drop;
+        recipe.stop_reason = stop;
         recipe.test = !test.empty() ? test : confining > 0 ? "triaxial" : "uniaxial";
         recipe.confining_pressure = confining;
         recipe.peak = peak > 0 ? peak : mohr_coulomb(21e6, 53 / degrees, confining);
         test::write_run(folder_.file(name), recipe);
         return folder_.file(name);
     }
+    std::ostringstream notes_;
     test::TemporaryFolder folder_;
 };
 
+TEST_F(EnvelopeTable, RunsEndedByTheStrainCapAreRefusedUnlessAccepted) {
+    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain cap"),
+                                        run("8", 8e6, "", 0, 0, "strain cap")};
+    std::ostringstream out;
+    test::expect_one_line<InputError>([&] { write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::refuse, notes_); },
+                                      {runs[1], "strain cap (1.5 %)", "--capped accept"});
+    EXPECT_EQ(out.str(), "");
+    EXPECT_EQ(notes_.str(), "");
+    write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::accept, notes_);
+    EXPECT_EQ(field(out.str(), "capped_runs"), "2");
+    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
+    EXPECT_NE(notes_.str().find("2 of 3 runs ended by the strain cap"), std::string::npos) << notes_.str();
+    const std::string notes = notes_.str();
+    EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 1);
+}
+
+TEST_F(EnvelopeTable, AStoppedRunHasNoStrengthAtAll) {
+    std::ostringstream out;
+    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0, "signal")};
+    EXPECT_THROW(write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::accept, notes_), InputError);
+    EXPECT_EQ(out.str(), "");
+}
+
 TEST_F(EnvelopeTable, RowOfThreeRuns) {
     std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv);
+    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv, CappedRuns::refuse, notes_);
     EXPECT_EQ(field(out.str(), "runs"), "3");
     EXPECT_EQ(field(out.str(), "capped_runs"), "0");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
@@ -138,8 +166,10 @@ TEST_F(EnvelopeTable, RowOfThreeRuns) {
 
 TEST_F(EnvelopeTable, OtherTestsAndOneConfiningPressureAreRefused) {
     std::ostringstream out;
-    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("b", 0, "brazilian", 8e6)}, TableFormat::tsv), InputError);
-    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("1", 0)}, TableFormat::tsv), InputError);
+    EXPECT_THROW(
+        write_envelope_table(out, {run("0", 0), run("b", 0, "brazilian", 8e6)}, TableFormat::tsv, CappedRuns::refuse, notes_),
+        InputError);
+    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("1", 0)}, TableFormat::tsv, CappedRuns::refuse, notes_), InputError);
     EXPECT_EQ(out.str(), "");
 }
 
@@ -151,7 +181,7 @@ TEST_F(EnvelopeTable, AnotherPlaneConditionIsRefused) {
     test::write_run(folder_.file("stress"), recipe);
     std::ostringstream out;
     try {
-        write_envelope_table(out, {run("0", 0), folder_.file("stress")}, TableFormat::tsv);
+        write_envelope_table(out, {run("0", 0), folder_.file("stress")}, TableFormat::tsv, CappedRuns::refuse, notes_);
         FAIL() << "was accepted";
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("plane condition"), std::string::npos) << error.what();

@@ -30,7 +30,8 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
     EXPECT_EQ(table.substr(0, table.find('\n')),
               "file\ttest\tseed\tgrains\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\t"
               "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
-              "ledger_residual\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step");
+              "ledger_residual\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
+              "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
@@ -47,6 +48,19 @@ TEST_F(StrengthTable, UniaxialRow) {
     EXPECT_EQ(field(table, "shear_cracks"), "5");
     EXPECT_EQ(field(table, "steps"), "200000");
     EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
+}
+
+TEST_F(StrengthTable, StressAtEqualStrainsIsInterpolatedAndEmptyPastTheEnd) {
+    Recipe recipe;
+    recipe.plane_young_modulus = 10e9;
+    recipe.platen_compliance = 1;  // peak of 125 MPa at 1.25 %, end at 1.5 % and 62.5 MPa
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(std::stod(field(table, "stress_at_1_percent_MPa")), 100, 1e-5);
+    EXPECT_EQ(field(table, "stress_at_2_percent_MPa"), "");
+    recipe.plane_young_modulus = 5e9;  // peak at 2.5 %, end at 3 % and 62.5 MPa; 0.5 % below it the fall is linear
+    const std::string softer = table_of(recipe);
+    EXPECT_NEAR(std::stod(field(softer, "stress_at_2_percent_MPa")), 100, 1e-5);
+    EXPECT_NEAR(std::stod(field(softer, "stress_at_3_percent_MPa")), 62.5, 1e-5);
 }
 
 TEST_F(StrengthTable, BrazilianIsEquation18OfTheForces) {
