@@ -98,10 +98,10 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     const ContactResponse r = update_contact(law, to, history);
     ContactSums& sums = s.contact_sums[block];
     const double fracture = g.point_area * r.dissipation.fracture;
-    if (r.history.failed()) {
-        (r.history.first_mode == CrackMode::tensile ? sums.fracture_tension : sums.fracture_shear) += fracture;
-        s.fracture_energy[point] += fracture;
-    }
+    // Damage before the peak (consistent) counts to the branch it happens on.
+    const bool tensile = r.history.failed() ? r.history.first_mode == CrackMode::tensile : to.opening >= 0;
+    (tensile ? sums.fracture_tension : sums.fracture_shear) += fracture;
+    s.fracture_energy[point] += fracture;
     sums.friction += g.point_area * r.dissipation.friction;
     sums.mismatch += g.point_area * r.dissipation.mismatch;
     const bool fails = r.history.failed() && !history.failed();

@@ -47,10 +47,11 @@ struct Ledger {
     }
 };
 
-/// Uniaxial compression of 96 grains between rubbing platens, well past the peak.
-Ledger compressed(const ContactLaw& law, double fraction = 0.5) {
+/// Uniaxial compression (or tension) of 96 grains between rubbing platens (or glued caps), well past the peak.
+Ledger loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
     SmallRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), law);
     LoadingRequest request;
+    request.test = test;
     request.platen_speed = 0.1;
     request.platen_friction = 5 * test::degree;
     request.max_strain = 0.012;
@@ -67,7 +68,7 @@ Ledger compressed(const ContactLaw& law, double fraction = 0.5) {
         const Measurement m = run.measured();
         ledger.rows.push_back(m.energies);
         ledger.scale = std::max(ledger.scale, m.energies.stored());
-        ledger.last = -m.force_top;
+        ledger.last = test == TestKind::tension ? m.force_top : -m.force_top;
         ledger.peak = std::max(ledger.peak, ledger.last);
         if (ledger.last < 0.6 * ledger.peak && run.failed_points() > 0) {
             break;
@@ -81,16 +82,28 @@ TEST(Ledger, ClosesThroughFailure) {
     for (const ContactLaw& law :
          test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
         SCOPED_TRACE(test::name_of_law(law));
-        const Ledger ledger = compressed(law);
+        const Ledger ledger = loaded(law, TestKind::uniaxial);
         EXPECT_GT(ledger.failed, 20U);
         EXPECT_GT(ledger.peak, 1e6);
-        EXPECT_LT(ledger.residual(), 5e-3);  // measured: 1e-6 (continuous) to 3.4e-4 (scaled, coupling none)
+        EXPECT_LT(ledger.residual(), 1e-3);  // measured: 1e-6 (continuous) to 3.4e-4 (scaled, coupling none)
+    }
+}
+
+// Under tension damage before the peak (consistent) takes a share of the energy that must not be forgotten.
+TEST(Ledger, ClosesThroughFailureInTension) {
+    for (const ContactLaw& law :
+         test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
+        SCOPED_TRACE(test::name_of_law(law));
+        const Ledger ledger = loaded(law, TestKind::tension);
+        EXPECT_GT(ledger.failed, 5U);
+        EXPECT_GT(ledger.peak, 1e5);
+        EXPECT_LT(ledger.residual(), 5e-3);  // VERIFICATION; measured: up to 2.4e-3 (scaled, coupling none)
     }
 }
 
 // A term scaled by 1 % off must show, where 1 % of it is large enough against the residual there is.
 TEST(Ledger, AnErrorOfOnePerCentInATermShows) {
-    const Ledger ledger = compressed(test::augig_law());
+    const Ledger ledger = loaded(test::augig_law(), TestKind::uniaxial);
     const double residual = ledger.residual();
     EXPECT_GT(ledger.failed, 20U);
     // Shares of the largest stored energy here: external 1.18, strain 0.93, friction 0.12, contact 0.08, fracture in shear 0.06,
