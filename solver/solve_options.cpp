@@ -34,12 +34,9 @@ void add_material_options(CLI::App& command, RawOptions& raw) {
 }
 
 void add_law_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
-    add_choice<LawVariant>(command, "--contact-law", request.law,
-                           {{"scaled", LawVariant::scaled},
-                            {"literal", LawVariant::literal},
-                            {"continuous", LawVariant::continuous},
-                            {"consistent", LawVariant::consistent}},
-                           "reading of the contact law; see share/doc/laws.md");
+    std::vector<std::pair<std::string, LawVariant>> laws;
+    for (const LawDescription& law : all_contact_laws()) laws.emplace_back(law.name, law.variant);
+    add_choice<LawVariant>(command, "--contact-law", request.law, laws, "contact law; see share/doc/laws.md");
     add_choice<Coupling>(command, "--coupling", request.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
                          "full: failure in one mode takes the cohesion in both; none: each mode for itself");
     add_choice(command, "--plane", raw.plane, {"strain", "stress"}, "plane condition");

@@ -1,0 +1,104 @@
+// The readings `literal` and `scaled`: one effective displacement in the open branch.
+//
+// δeff = √(δn² + w δs²) with w = 1 (Eq 2) or κ = ks/kt; (σn, τ) = (σ/δeff)(δn, w δs) (Eq 13), where σ = kt δeff e^(−δeff/δct)
+// up to δct, then softening tc (1 − D) with secant unloading (Eqs 7–9).
+//
+// The stored energies of the two branches differ at δn = 0: that is booked as mismatch.
+#pragma once
+
+#include <numbers>
+
+#include "solver/law/compression.hpp"
+#include "solver/law/intact.hpp"
+
+namespace graincrack::contact_law {
+
+inline double effective_displacement(const ContactLaw& law, const ContactMotion& m) {
+    return std::sqrt(m.opening * m.opening + law.w * m.sliding * m.sliding);
+}
+/// Secant stiffness at δmax: tc (1 − D)/δmax, Eqs 7, 9.
+inline double reduced_stiffness(const ContactLaw& law, double max_displacement) {
+    return max_displacement >= law.dut ? 0 : law.tc * (law.dut - max_displacement) / ((law.dut - law.dct) * max_displacement);
+}
+/// Dissipated on the way to δmax ≥ δct: the area under the curve less the recoverable triangle, J/m².
+inline double softening_dissipation(const ContactLaw& law, double max_displacement) {
+    const double m = std::min(max_displacement, law.dut);
+    const double past = m - law.dct;
+    const double range = law.dut - law.dct;
+    const double area = law.tc * law.dct * (std::numbers::e - 2) + (range > 0 ? law.tc * (past - past * past / (2 * range)) : 0);
+    return area - 0.5 * reduced_stiffness(law, m) * m * m;
+}
+
+struct Effective : PaperCompression {
+    static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+        ContactHistory& h = r.history;
+        if (is_lost_open(law, h)) {
+            advance_lost(to, r);
+            return;
+        }
+        const double d = effective_displacement(law, to);
+        double stiffness = 0;
+        if (!h.failed_open && d <= law.dct) {
+            stiffness = law.kt * exp_of_minus(d * law.inv_dct);
+        } else {
+            const double before = h.failed_open ? softening_dissipation(law, h.max_displacement) : 0;
+            if (!h.failed_open) {
+                mark_failed(h, CrackMode::tensile);
+                h.peak_displacement = law.dct;
+                h.max_displacement = d;
+            }
+            if (d >= h.max_displacement) {
+                h.max_displacement = d;
+                r.dissipation.fracture += softening_dissipation(law, d) - before;
+            }
+            h.separated = h.separated || h.max_displacement >= law.dut;
+            stiffness = reduced_stiffness(law, h.max_displacement);
+        }
+        r.traction = {stiffness * to.opening, stiffness * law.w * to.sliding};
+        h.motion = to;
+    }
+    static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
+        if (h.motion.opening < 0) {
+            return closed_energy(law, h);
+        }
+        if (is_lost_open(law, h)) {
+            return 0;
+        }
+        const double d = effective_displacement(law, h.motion);
+        if (h.failed_open) {
+            return 0.5 * reduced_stiffness(law, h.max_displacement) * d * d;
+        }
+        const double x = d * law.inv_dct;
+        return law.kt * d * d * exponential_energy(x, exp_of_minus(x));
+    }
+    static double damage(const ContactLaw& law, const ContactHistory& h) {
+        if (is_lost_open(law, h)) {
+            return 1;
+        }
+        if (!h.failed_open) {
+            return 0;
+        }
+        return law.dut > law.dct ? std::min(1.0, (h.max_displacement - law.dct) / (law.dut - law.dct)) : 1.0;
+    }
+    static IntactLaw intact_law(const ContactLaw& law) {
+        return {law.kt,
+                law.ks,
+                law.w * law.kt,
+                law.inv_dct * law.inv_dct,
+                law.w * law.inv_dct * law.inv_dct,
+                law.inv_dcs * law.inv_dcs,
+                1.0,
+                1.0};
+    }
+};
+
+struct Literal : Effective {
+    static constexpr LawDescription description{LawVariant::literal, "literal", "the text as printed", true};
+    static double open_weight(const ContactLaw& /*law*/) { return 1; }
+};
+struct Scaled : Effective {
+    static constexpr LawDescription description{LawVariant::scaled, "scaled", "the text with sliding weighted by ks/kt", true};
+    static double open_weight(const ContactLaw& law) { return law.ks / law.kt; }
+};
+
+}  // namespace graincrack::contact_law

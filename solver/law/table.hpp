@@ -1,0 +1,63 @@
+// The table of contact laws: options, files, dispatch and tests take what laws there are from here.
+//
+// A law is a type with static pure functions; share/doc/laws.md tells how to add one:
+//
+//   description                     its row of the table
+//   open_weight(law)                shear stiffness of the open branch over kt, for the stable time step
+//   advance_open(law, to, r)        an open point moves to an open motion: r.history changes, r.traction is set, r.dissipation
+//   grows advance_closed(law, to, r)      the same for closed motions close(law, history)             an open point arrives at δn
+//   = 0 and will be closed; history.motion is there already stored_energy(law, history)     recoverable energy per area, a
+//   function of state damage(law, history)            0 to 1 intact_law(law)                 what vector units may work on
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "solver/law/consistent.hpp"
+#include "solver/law/continuous.hpp"
+#include "solver/law/effective.hpp"
+
+namespace graincrack {
+namespace contact_law {
+
+template <class... Laws>
+struct Table {
+    static constexpr std::array<LawDescription, sizeof...(Laws)> descriptions{Laws::description...};
+};
+using AllLaws = Table<Literal, Scaled, Continuous, Consistent>;
+
+template <class First, class... Rest, class Action>
+constexpr auto with_law(Table<First, Rest...> /*table*/, LawVariant variant, const Action& action) {
+    if constexpr (sizeof...(Rest) == 0) {
+        return action(First{});
+    } else {
+        return variant == First::description.variant ? action(First{}) : with_law(Table<Rest...>{}, variant, action);
+    }
+}
+/// Calls `action` with an object of the law's type.
+template <class Action>
+constexpr auto with_law(LawVariant variant, const Action& action) {
+    return with_law(AllLaws{}, variant, action);
+}
+
+constexpr bool is_in_order(const auto& descriptions) {
+    for (std::size_t i = 0; i < descriptions.size(); ++i) {
+        if (static_cast<std::size_t>(descriptions[i].variant) != i) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(is_in_order(AllLaws::descriptions), "the table lists the laws in the order of LawVariant");
+
+}  // namespace contact_law
+
+/// Every law there is, in the order of `LawVariant`.
+constexpr const auto& all_contact_laws() { return contact_law::AllLaws::descriptions; }
+constexpr const LawDescription& description_of(LawVariant variant) {
+    return all_contact_laws()[static_cast<std::size_t>(variant)];
+}
+/// Name of a law as options and files spell it.
+constexpr std::string_view name_of(LawVariant variant) { return description_of(variant).name; }
+
+}  // namespace graincrack

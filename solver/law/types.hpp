@@ -1,0 +1,96 @@
+// What the contact laws speak of: motion and traction, what a contact point remembers, what an update gives back.
+//
+// Signs: opening δn > 0 and tension σn > 0; sliding δs and shear traction τ are signed.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// The contact laws (--contact-law); the order is that of `all_contact_laws`.
+enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent };
+/// What failure in one mode does to the other (--coupling).
+enum class Coupling : std::uint8_t { full, none };
+constexpr std::string_view name_of(Coupling coupling) { return coupling == Coupling::full ? "full" : "none"; }
+
+/// A row of the table of laws.
+struct LawDescription {
+    LawVariant variant;
+    std::string_view name;     ///< as options and files spell it
+    std::string_view meaning;  ///< in a few words
+    bool has_coupling;         ///< --coupling makes a difference; else the law couples the modes by nature
+};
+
+struct ContactMotion {
+    double opening = 0;  ///< δn, m
+    double sliding = 0;  ///< δs, m
+};
+struct ContactTraction {
+    double normal = 0;  ///< σn, Pa
+    double shear = 0;   ///< τ, Pa
+};
+
+/// What a contact point remembers.
+struct ContactHistory {
+    ContactMotion motion;                       ///< of the last update
+    double max_displacement = 0;                ///< δmax once failed open, m
+    double peak_displacement = 0;               ///< δpk (continuous), m
+    double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
+    double cohesion_left = 1;                   ///< β (consistent)
+    double friction_share = 0;                  ///< a (consistent)
+    bool failed_open = false;                   ///< passed the peak of the open branch
+    bool failed_closed = false;                 ///< passed the peak of the closed branch
+    bool separated = false;                     ///< past δut, or open after a failure that left nothing
+    CrackMode first_mode = CrackMode::tensile;  ///< of the first failure
+
+    [[nodiscard]] bool failed() const { return failed_open || failed_closed; }
+};
+
+/// Energies per area booked in one update, J/m².
+struct ContactDissipation {
+    double fracture = 0;
+    double friction = 0;
+    double mismatch = 0;  ///< lost (positive) or made where the law has no potential
+};
+struct ContactResponse {
+    ContactTraction traction;
+    ContactHistory history;
+    ContactDissipation dissipation;
+};
+
+/// The history of a contact that starts broken (pre-existing crack).
+inline ContactHistory broken_contact() {
+    ContactHistory h;
+    h.failed_open = h.failed_closed = h.separated = true;
+    h.max_displacement = std::numeric_limits<double>::max();  // nothing is left of either branch
+    h.cohesion_left = 0;
+    h.friction_share = 1;
+    return h;
+}
+
+/// State of a contact point as the files name it.
+inline PointState point_state(const ContactHistory& h) {
+    if (!h.failed()) {
+        return PointState::intact;
+    }
+    if (h.separated) {
+        return PointState::separated;
+    }
+    return h.first_mode == CrackMode::tensile ? PointState::failed_tension : PointState::failed_shear;
+}
+
+namespace contact_law {
+
+inline void mark_failed(ContactHistory& h, CrackMode mode) {
+    if (!h.failed()) {
+        h.first_mode = mode;
+    }
+    (mode == CrackMode::tensile ? h.failed_open : h.failed_closed) = true;
+}
+
+}  // namespace contact_law
+}  // namespace graincrack
