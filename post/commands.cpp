@@ -18,6 +18,7 @@
 #include "post/picture/plot_curve.hpp"
 #include "post/picture/plot_specimen.hpp"
 #include "post/strength.hpp"
+#include "post/strength_summary.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 
@@ -68,7 +69,8 @@ void run_command(const PostOptions& options, std::ostream& out) {
     const std::map<std::string, std::function<void()>> commands{
         {"info", [&] { info(options, out); }},
         {"history", [&] { write_history(out, RunReader(only_file(options)), options.format); }},
-        {"strength", [&] { write_strength_table(out, options.files, options.format); }},
+        {"strength",
+         [&] { (options.summary ? write_strength_summary : write_strength_table)(out, options.files, options.format); }},
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},

@@ -21,6 +21,7 @@ struct PostOptions {
     std::string output;              ///< folder (cracks) or picture (plot)
     std::string material;
     TableFormat format = TableFormat::tsv;
+    bool summary = false;
     CappedRuns capped_runs = CappedRuns::refuse;
     bool check = false;
     bool digest = false;

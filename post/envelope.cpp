@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "post/same_material.hpp"
 #include "post/strength.hpp"
 #include "share/error.hpp"
 #include "share/mohr_coulomb.hpp"
@@ -54,34 +55,20 @@ LineErrors line_errors(std::span<const double> x, std::span<const double> y, dou
 
 double friction_angle_of(double slope) { return slope > 0 ? std::asin((slope - 1) / (slope + 1)) : -std::numbers::pi / 2; }
 
-/// What must be equal for runs to share an envelope.
-void require_same_material(const RunData& run, const RunData& first, CappedRuns capped_runs) {
+/// \throws InputError if the runs cannot stand in one envelope
+void require_comparable(const RunData& run, const RunData& first, CappedRuns capped_runs) {
+    require_same_material(run, first, "an envelope");
     const auto refuse = [&](const std::string& what) {
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
-                         "; an envelope needs tests of one material that differ in confining pressure and seed only");
+                         "; an envelope needs tests that differ in confining pressure and seed only");
     };
-    const RunHeader& a = run.header;
-    const RunHeader& b = first.header;
-    if (a.peak_drop != b.peak_drop) refuse("the drop behind the peak that ends the test");
-    if (capped_runs == CappedRuns::accept && a.max_strain != b.max_strain) refuse("the strain cap");
-    if (a.plane != b.plane) refuse("the plane condition");
-    if (a.contact_law != b.contact_law || a.coupling != b.coupling) refuse("the contact law");
-    if (a.rock.young_modulus != b.rock.young_modulus || a.rock.poisson_ratio != b.rock.poisson_ratio ||
-        a.rock.density != b.rock.density) {
-        refuse("the rock");
-    }
-    const ContactParameters& p = a.contact;
-    const ContactParameters& q = b.contact;
-    if (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
-        p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle ||
-        p.fracture_energy != q.fracture_energy) {
-        refuse("the contact parameters");
-    }
+    if (run.header.plane != first.header.plane) refuse("the plane condition");
+    if (capped_runs == CappedRuns::accept && run.header.max_strain != first.header.max_strain) refuse("the strain cap");
 }
 
 RunData read_compression_test(const std::string& path) {
     RunData run = read_run_data(path);
-    if (run.header.test != "uniaxial" && run.header.test != "triaxial") {
+    if (!is_compression(run.header)) {
         throw InputError(run.name + ": a " + run.header.test + " test; an envelope takes uniaxial and triaxial runs");
     }
     return run;
@@ -145,7 +132,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& run
     std::optional<RunData> first;
     for (const std::string& path : runs) {
         RunData run = read_compression_test(path);
-        if (first) require_same_material(run, *first, capped_runs);
+        if (first) require_comparable(run, *first, capped_runs);
         const Strength measured = measure_strength(run);
         if (is_capped(run, measured, capped_runs)) ++capped;
         confining.push_back(run.header.confining_pressure);

@@ -67,15 +67,15 @@ bool two_pressures(std::span<const double> confining) {
     return std::any_of(confining.begin(), confining.end(), [&](double c) { return c != confining[0]; });
 }
 
-Estimate estimate(double value, double variance, int freedom, double scale) {
-    if (freedom < 1) return {value * scale, std::nullopt, std::nullopt};
-    const double half = student_t_95(freedom) * std::sqrt(variance);
-    return {value * scale, (value - half) * scale, (value + half) * scale};
+Estimate scaled(Estimate e, double scale) {
+    e.value *= scale;
+    for (auto* end : {&e.low, &e.high}) {
+        if (*end) **end *= scale;
+    }
+    return e;
 }
 
 }  // namespace
-
-double student_t_95(int degrees_of_freedom) { return gsl_cdf_tdist_Pinv(0.975, degrees_of_freedom); }
 
 std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength) {
     constexpr std::size_t n_parameters = 2;
@@ -116,8 +116,8 @@ std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::
     double sum = 0;
     gsl_blas_ddot(work->f, work->f, &sum);
     const double variance = freedom > 0 ? sum / freedom : 0;
-    return HoekBrown{estimate(sigma_ci, variance * variances[0], freedom, scale),
-                     estimate(mi, variance * variances[3], freedom, 1)};
+    return HoekBrown{scaled(estimate(sigma_ci, variance * variances[0], freedom), scale),
+                     estimate(mi, variance * variances[3], freedom)};
 }
 
 }  // namespace graincrack

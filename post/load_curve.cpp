@@ -85,11 +85,15 @@ double CurvePoint::of(const std::vector<double>& column) const {
     return column[row] + share * (column[row + 1] - column[row]);
 }
 
-CurvePoint half_peak(const LoadCurve& curve) {
-    const double half = curve.start_stress() + (curve.peak_stress() - curve.start_stress()) / 2;
+CurvePoint share_of_peak(const LoadCurve& curve, double share) {
+    const double wanted = curve.start_stress() + (curve.peak_stress() - curve.start_stress()) * share;
     std::size_t row = curve.start;
-    while (row + 1 < curve.peak && curve.stress[row + 1] < half) ++row;
-    return {row, (half - curve.stress[row]) / (curve.stress[row + 1] - curve.stress[row])};
+    while (row + 1 < curve.peak && curve.stress[row + 1] < wanted) ++row;
+    return {row, (wanted - curve.stress[row]) / (curve.stress[row + 1] - curve.stress[row])};
+}
+
+RowRange rows_between(const LoadCurve& curve, double low_share, double high_share) {
+    return {share_of_peak(curve, low_share).row, share_of_peak(curve, high_share).row + 2};
 }
 
 std::optional<double> first_yield(const LoadCurve& curve) {
@@ -120,14 +124,19 @@ std::optional<double> stress_at_strain(const LoadCurve& curve, double strain) {
     return std::nullopt;
 }
 
-std::string peak_kind(const RunData& run, const LoadCurve& curve) {
-    if (run.header.stop_reason == "peak drop") return "drop";
+bool is_compression(const RunHeader& header) { return header.test == "uniaxial" || header.test == "triaxial"; }
+
+double decisive_drop(const RunHeader& header) {
     // A test that was told to go on far beyond the peak has a peak all the same.
     constexpr double usual_drop = 0.3;
-    const double drop = run.header.peak_drop > 0 ? std::min(run.header.peak_drop, usual_drop) : usual_drop;
+    return header.peak_drop > 0 ? std::min(header.peak_drop, usual_drop) : usual_drop;
+}
+
+std::string peak_kind(const RunData& run, const LoadCurve& curve) {
+    if (run.header.stop_reason == "peak drop") return "drop";
     const auto after = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.peak);
     const double lowest = *std::min_element(after, curve.stress.end());
-    if (lowest <= (1 - drop) * curve.peak_stress()) return "drop";
+    if (lowest <= (1 - decisive_drop(run.header)) * curve.peak_stress()) return "drop";
     return run.header.stop_reason == "strain cap" ? "cap" : "";
 }
 

@@ -57,8 +57,15 @@ struct CurvePoint {
     double share = 0;
     [[nodiscard]] double of(const std::vector<double>& column) const;
 };
-/// Where the stress, before the peak, first reaches half of its way from `start` to the peak.
-CurvePoint half_peak(const LoadCurve& curve);
+/// Where the stress, before the peak, first reaches a share of its way from `start` to the peak. \pre 0 < share ≤ 1
+CurvePoint share_of_peak(const LoadCurve& curve, double share);
+inline CurvePoint half_peak(const LoadCurve& curve) { return share_of_peak(curve, 0.5); }
+/// Rows [begin, end) between two such places; the rows that frame them belong to it, so that there are two at least.
+struct RowRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+RowRange rows_between(const LoadCurve& curve, double low_share, double high_share);
 
 /// Stress at first yield, Pa: where, after half the peak and no later than the peak, the platen strain first exceeds the
 /// chord from the start to half the peak, prolonged, by 0.01 % strain. Empty if it never does (brittle failure).
@@ -67,6 +74,12 @@ inline constexpr double yield_offset = 1e-4;
 
 /// Stress where the platen strain first reaches a strain, before or after the peak, Pa. Empty if the test ended before.
 std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
+
+/// Uniaxial or triaxial.
+bool is_compression(const RunHeader& header);
+
+/// The fall behind the largest stress, as a share of it, that makes it a peak: that which ends the test, at most 0.3.
+double decisive_drop(const RunHeader& header);
 
 /// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the strain cap ended the test before
 /// that; "" for a test that was stopped otherwise, whose largest stress is no peak.

@@ -43,7 +43,8 @@ void add_tables(CLI::App& app, PostOptions& options) {
     CLI::App* history = add_command(app, "history", "the history of a run as a table, tension positive");
     add_files(history, options, "run", "run file");
     add_format(history, options);
-    table("strength", "strength, strain, cracks at the peak and checks of the run, a row a run");
+    CLI::App* strength = table("strength", "strength, strain, cracks at the peak and checks of the run, a row a run");
+    strength->add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");
     table("moduli",
           "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
           "and predicted from contact compliance");

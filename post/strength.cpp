@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "post/brazilian.hpp"
+#include "post/cracks/run_state.hpp"
 
 namespace graincrack {
 
@@ -27,36 +31,53 @@ const std::vector<std::string> columns{"file",
                                        "ns_per_grain_step",
                                        "stress_at_1_percent_MPa",
                                        "stress_at_2_percent_MPa",
-                                       "stress_at_3_percent_MPa"};
+                                       "stress_at_3_percent_MPa",
+                                       "spanning_strength_MPa",
+                                       "first_crack_radius_over_R",
+                                       "loading_arc_deg",
+                                       "warning"};
 
 Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
 
+void append_split(std::vector<Cell>& row, const RunReader& reader, const RunData& run) {
+    const Specimen specimen = reader.specimen();
+    const BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
+    row.push_back(megapascal(split.spanning_stress));
+    row.push_back(cell(split.first_crack_radius));
+    row.emplace_back(specimen.loading_arc * 180 / std::numbers::pi);
+    row.emplace_back(split.warning);
+}
+
 std::vector<Cell> strength_row(const std::string& path) {
-    const RunData run = read_run_data(path);
+    const RunReader reader(path);
+    const RunData run = run_data(reader);
     const Strength strength = measure_strength(run);
     const double grain_steps = static_cast<double>(run.header.steps) * static_cast<double>(run.specimen.grains);
     const bool timed = grain_steps > 0 && run.wall_time > 0;
-    return {run.name,
-            run.header.test,
-            run.specimen.seed,
-            run.specimen.grains,
-            run.specimen.mean_edge * 1e3,
-            run.header.confining_pressure * 1e-6,
-            megapascal(strength.peak_compressive_stress),
-            megapascal(strength.tensile_strength),
-            strength.strain_at_peak,
-            strength.peak_kind,
-            megapascal(strength.first_yield),
-            count_cell(strength.tensile_cracks),
-            count_cell(strength.shear_cracks),
-            run.header.ledger_residual,
-            run.header.platen_force_difference,
-            run.header.steps,
-            timed ? Cell(run.wall_time) : Cell(),
-            timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell(),
-            megapascal(strength.stress_at_marks[0]),
-            megapascal(strength.stress_at_marks[1]),
-            megapascal(strength.stress_at_marks[2])};
+    std::vector<Cell> row{run.name,
+                          run.header.test,
+                          run.specimen.seed,
+                          run.specimen.grains,
+                          run.specimen.mean_edge * 1e3,
+                          run.header.confining_pressure * 1e-6,
+                          megapascal(strength.peak_compressive_stress),
+                          megapascal(strength.tensile_strength),
+                          strength.strain_at_peak,
+                          strength.peak_kind,
+                          megapascal(strength.first_yield),
+                          count_cell(strength.tensile_cracks),
+                          count_cell(strength.shear_cracks),
+                          run.header.ledger_residual,
+                          run.header.platen_force_difference,
+                          run.header.steps,
+                          timed ? Cell(run.wall_time) : Cell(),
+                          timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell(),
+                          megapascal(strength.stress_at_marks[0]),
+                          megapascal(strength.stress_at_marks[1]),
+                          megapascal(strength.stress_at_marks[2])};
+    if (run.header.test == "brazilian") append_split(row, reader, run);
+    row.resize(columns.size());
+    return row;
 }
 
 }  // namespace
@@ -64,8 +85,7 @@ std::vector<Cell> strength_row(const std::string& path) {
 Strength measure_strength(const RunData& run) {
     const LoadCurve curve = load_curve(run);
     Strength strength;
-    const bool compression = run.header.test == "uniaxial" || run.header.test == "triaxial";
-    (compression ? strength.peak_compressive_stress : strength.tensile_strength) = curve.peak_stress();
+    (is_compression(run.header) ? strength.peak_compressive_stress : strength.tensile_strength) = curve.peak_stress();
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);

@@ -16,9 +16,11 @@ namespace graincrack {
 struct Strength {
     std::optional<double> peak_compressive_stress;  ///< uniaxial, triaxial: σ1 at the peak, confinement included
     std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
-    double strain_at_peak = 0;                      ///< platen approach over height since the start of the test
-    std::string peak_kind;                          ///< see `peak_kind`
-    std::optional<double> first_yield;              ///< see `first_yield`
+    /// The one that the test measures.
+    [[nodiscard]] double value() const { return peak_compressive_stress ? *peak_compressive_stress : tensile_strength.value(); }
+    double strain_at_peak = 0;          ///< platen approach over height since the start of the test
+    std::string peak_kind;              ///< see `peak_kind`
+    std::optional<double> first_yield;  ///< see `first_yield`
     /// Stress where the platen strain first reaches `strain_marks`, whatever came before; empty if the test ended earlier.
     std::array<std::optional<double>, 3> stress_at_marks;
     double tensile_cracks = 0;  ///< contacts (points ÷ 2) failed by the time of the peak

@@ -1,0 +1,34 @@
+#include "post/same_material.hpp"
+
+#include "share/error.hpp"
+
+namespace graincrack {
+
+std::string material_difference(const RunHeader& a, const RunHeader& b) {
+    if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
+    if (a.contact_law != b.contact_law || a.coupling != b.coupling) return "the contact law";
+    if (a.fracture_energy_choice != b.fracture_energy_choice) return "the choice of the fracture energy";
+    if (a.rock.young_modulus != b.rock.young_modulus || a.rock.poisson_ratio != b.rock.poisson_ratio ||
+        a.rock.density != b.rock.density) {
+        return "the rock";
+    }
+    const ContactParameters& p = a.contact;
+    const ContactParameters& q = b.contact;
+    if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle) {
+        return "the contact parameters";
+    }
+    if (a.plane == b.plane && (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
+                               p.fracture_energy != q.fracture_energy)) {
+        return "the stiffness or fracture energy of the contacts";
+    }
+    return "";
+}
+
+void require_same_material(const RunData& run, const RunData& first, const std::string& what) {
+    const std::string difference = material_difference(run.header, first.header);
+    if (difference.empty()) return;
+    throw InputError(run.name + ": differs from " + first.name + " in " + difference + "; " + what +
+                     " needs tests of one material");
+}
+
+}  // namespace graincrack

@@ -1,0 +1,18 @@
+// Whether runs may stand in one table of means or one fit.
+#pragma once
+
+#include <string>
+
+#include "post/load_curve.hpp"
+
+namespace graincrack {
+
+/// What two runs differ in that makes them tests of different materials: contact law, coupling, choice of fracture energy,
+/// rock, contact parameters, peak drop; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
+/// compared in one plane condition only.
+std::string material_difference(const RunHeader& a, const RunHeader& b);
+
+/// \param what needs it, with an article: "an envelope" \throws InputError if the materials differ
+void require_same_material(const RunData& run, const RunData& first, const std::string& what);
+
+}  // namespace graincrack

@@ -1,0 +1,46 @@
+// Means, straight lines and intervals, on GSL.
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace graincrack {
+
+/// A value with its 95 % interval; the interval is empty where there are no degrees of freedom.
+struct Estimate {
+    double value = 0;
+    std::optional<double> low;
+    std::optional<double> high;
+};
+
+/// Student's t for a two-sided 95 % interval. \pre degrees_of_freedom ≥ 1
+double student_t_95(int degrees_of_freedom);
+
+/// value ± t · √variance; without degrees of freedom the value alone.
+Estimate estimate(double value, double variance, int degrees_of_freedom);
+
+/// Mean and standard deviation (n − 1) of a sample; the interval is that of the mean. Deviation and interval need two values.
+struct Sample {
+    std::size_t n = 0;
+    Estimate mean;
+    std::optional<double> deviation;
+};
+/// \pre values is not empty
+Sample sample(std::span<const double> values);
+
+/// Least squares y = intercept + slope · x, with the variances that follow from the scatter about the line (0 with two points).
+struct Line {
+    double intercept = 0;
+    double slope = 0;
+    double intercept_variance = 0;
+    double slope_variance = 0;
+    double covariance = 0;
+    double r_squared = 0;  ///< 1 if all y are equal
+    int freedom = 0;       ///< points − 2
+};
+/// Empty unless there are two different x.
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);
+/// The same with a weight 1/variance for each point; variances come from the weights' ratios and the scatter.
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights);
+
+}  // namespace graincrack
