@@ -28,11 +28,11 @@ inline constexpr std::size_t top_platen = 1;
 struct PlatenPoint {
     std::int32_t node = 0;
     std::int32_t platen = 0;
-    double tributary = 0;  ///< length of platen it stands for, m
-    double gap = 0;        ///< penetration at the start (≤ 0: apart), m
-    double anchor = 0;     ///< x displacement from which the friction spring is stretched, m
-    double shear = 0;      ///< of the friction spring at the last update, N
-    bool on_boundary = false;
+    double tributary = 0;      ///< length of platen it stands for, m
+    double gap = 0;            ///< penetration at the start (≤ 0: apart), m
+    double anchor = 0;         ///< x displacement from which the friction spring is stretched, m
+    double shear = 0;          ///< of the friction spring at the last update, N
+    bool on_boundary = false;  ///< its node ends a boundary edge, or meets the platen at the start
 };
 
 /// What a platen does to a point at one instant.

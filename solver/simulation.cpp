@@ -188,10 +188,10 @@ private:
         header_.energy_scale = std::max(header_.energy_scale, energies.stored());
         const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
-            throw NumericalError(
-                fmt::format("the run became unstable at step {} (energy balance off by {:.0f} %); use a smaller "
-                            "--time-step-fraction than {} or a slower --rate",
-                            state_.step, 100 * std::abs(residual), request_.time_step_fraction));
+            throw NumericalError(fmt::format(
+                "the run became unstable at step {} (energy balance off by {:.0f} %); use a smaller "
+                "--time-step-fraction than {} (with this damping below {:.2f}) or a slower --rate",
+                state_.step, 100 * std::abs(residual), request_.time_step_fraction, 1 / std::sqrt(1 + request_.damping)));
         }
         header_.ledger_residual = std::max(header_.ledger_residual, std::abs(energies.imbalance()));
     }

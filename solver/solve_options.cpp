@@ -58,7 +58,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
-                 "time step over the stable step", "0.7");
+                 "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
     add_integer(command, "--frames", request.frames,
                 "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
     add_threads(command, request.threads);

@@ -31,9 +31,10 @@ struct SmallRun {
     State state;
 
     /// Free of supports, undamped, at `fraction` of the stable step.
-    SmallRun(Specimen s, const ContactLaw& law, PlaneCondition plane = PlaneCondition::strain, double fraction = 0.5)
+    SmallRun(Specimen s, const ContactLaw& law, PlaneCondition plane = PlaneCondition::strain, double fraction = 0.5,
+             const Rock& rock = augig_granite().rock)
         : specimen(std::move(s)),
-          assemblage(make_assemblage(specimen, augig_granite().rock, plane)),
+          assemblage(make_assemblage(specimen, rock, plane)),
           boundary(no_boundary(assemblage, specimen)),
           parameters{law, 0, 0} {
         set_boundary(boundary, fraction);

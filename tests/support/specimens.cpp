@@ -143,6 +143,96 @@ Specimen jittered_grid(int nx, int ny, double width, double height, double jitte
     return specimen_of_triangles(grid_points(nx, ny, width, height, jitter), grid_triangles(nx, ny, true));
 }
 
+Specimen equilateral_lattice(int nx, int ny, double edge) {
+    std::vector<Point> points = grid_points(nx, ny, nx * edge, ny * edge * std::sqrt(0.75), 0);
+    for (Point& p : points) {
+        p[0] += p[1] / std::sqrt(3.0);
+    }
+    std::vector<Triangle> triangles;
+    const auto at = [nx](int i, int j) { return j * (nx + 1) + i; };
+    for (int j = 0; j < ny; ++j) {
+        for (int i = 0; i < nx; ++i) {
+            triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+            triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    }
+    return specimen_of_triangles(points, triangles);
+}
+
+Specimen crossed_blocks(int nx, int ny, double width, double height, const std::function<int(int, int)>& grain_of) {
+    std::vector<Point> points = grid_points(nx, ny, width, height, 0);
+    std::map<int, std::vector<std::pair<int, int>>> cells;
+    for (int j = 0; j < ny; ++j) {
+        for (int i = 0; i < nx; ++i) {
+            cells[grain_of(i, j)].emplace_back(i, j);
+        }
+    }
+    std::vector<Triangle> triangles;
+    std::vector<int> grain;
+    for (const auto& [number, list] : cells) {
+        for (const auto& [i, j] : list) {
+            const std::array<int, 4> corner{j * (nx + 1) + i, j * (nx + 1) + i + 1, (j + 1) * (nx + 1) + i + 1,
+                                            (j + 1) * (nx + 1) + i};
+            const auto centre = static_cast<int>(points.size());
+            points.push_back({width * ((i + 0.5) / nx - 0.5), height * ((j + 0.5) / ny - 0.5)});
+            for (std::size_t k = 0; k < 4; ++k) {
+                triangles.push_back({corner[k], corner[(k + 1) % 4], centre});
+                grain.push_back(number);
+            }
+        }
+    }
+    return specimen_of_grains(points, triangles, grain);
+}
+
+namespace {
+
+bool both_within(const Specimen& s, std::int32_t i, std::int32_t j, const Region& region) {
+    const Point& p = s.node_position[static_cast<std::size_t>(i)];
+    const Point& q = s.node_position[static_cast<std::size_t>(j)];
+    return region(p[0], p[1]) && region(q[0], q[1]);
+}
+
+}  // namespace
+
+void break_contacts(Specimen& s, const Region& region) {
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        if (both_within(s, s.contact_nodes[c][0], s.contact_nodes[c][1], region)) {
+            s.contact_kind[c] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+        }
+    }
+}
+
+void cut_contacts(Specimen& s, const Region& region) {
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto [a1, a2, b1, b2] = s.contact_nodes[c];
+        if (both_within(s, a1, a2, region)) {
+            s.boundary_edges.push_back({a1, a2});
+            s.boundary_edges.push_back({b2, b1});
+            s.boundary_part.insert(s.boundary_part.end(), 2, static_cast<std::uint8_t>(BoundaryPart::rim));
+        } else {
+            s.contact_nodes[kept] = s.contact_nodes[c];
+            s.contact_kind[kept] = s.contact_kind[c];
+            s.contact_grain_boundary[kept] = static_cast<std::int32_t>(kept);
+            ++kept;
+        }
+    }
+    s.contact_nodes.resize(kept);
+    s.contact_kind.resize(kept);
+    s.contact_grain_boundary.resize(kept);
+}
+
+std::uint8_t name_boundary(Specimen& s, const std::string& name, const Region& region) {
+    const auto part = static_cast<std::uint8_t>(s.part_names.size());
+    s.part_names.push_back(name);
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        if (both_within(s, s.boundary_edges[e][0], s.boundary_edges[e][1], region)) {
+            s.boundary_part[e] = part;
+        }
+    }
+    return part;
+}
+
 Specimen rotated(Specimen s, double angle) {
     for (auto& p : s.node_position) {
         p = {std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1]};

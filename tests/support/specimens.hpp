@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "share/specimen.hpp"
@@ -24,6 +26,20 @@ Specimen one_diagonal_grid(int nx, int ny, double width, double height);
 Specimen union_jack_grid(int nx, int ny, double width, double height);
 /// Rectangle with inner points moved by up to `jitter` of a cell, in a fixed pattern without direction.
 Specimen jittered_grid(int nx, int ny, double width, double height, double jitter);
+/// Parallelogram about the origin of 2 nx ny equilateral triangles, rows along x.
+Specimen equilateral_lattice(int nx, int ny, double edge);
+/// Rectangle about the origin in nx × ny cells of four triangles about their centre; cell (i, j) is of grain `grain_of(i, j)`,
+/// grains being numbered from 0 without gaps.
+Specimen crossed_blocks(int nx, int ny, double width, double height, const std::function<int(int, int)>& grain_of);
+
+/// True of the points (x, y) of a region, m.
+using Region = std::function<bool(double, double)>;
+/// Makes pre-existing cracks of the contacts whose ends lie in a region.
+void break_contacts(Specimen& specimen, const Region& region);
+/// Makes free boundary (part rim) of both sides of the contacts whose ends lie in a region.
+void cut_contacts(Specimen& specimen, const Region& region);
+/// Names the boundary edges whose ends lie in a region. \return the number of the new part
+std::uint8_t name_boundary(Specimen& specimen, const std::string& name, const Region& region);
 /// The same specimen turned by `angle` (rad) about the origin.
 Specimen rotated(Specimen specimen, double angle);
 

@@ -1,0 +1,23 @@
+// Cases with known answers: what was measured beside what is right. A test compares as usual and prints a row.
+#pragma once
+
+#include <string>
+
+namespace graincrack::test {
+
+/// Fails at the caller's line unless |measured − expected| ≤ tolerance · scale; NaN fails. Either way the comparison is a row
+/// of the table that is printed when the test ends and that `tests/run --all` gathers (through the folder named by
+/// $GRAINCRACK_VERIFICATION). Comparisons of one test under one name share a row: the worst of them, and their number.
+///
+/// \param name "section: case (unit)"; sections: law, elements, dynamics, specimens, calibration
+/// \param tolerance relative to the scale
+/// \param source where the expected value comes from
+/// \param scale the size against which an error counts; 0: that of the expected value
+void verify(const std::string& name, double measured, double expected, double tolerance, const std::string& source,
+            double scale = 0, const char* file = __builtin_FILE(), int line = __builtin_LINE());
+
+/// The same for a bound: fails unless low ≤ measured ≤ high.
+void verify_between(const std::string& name, double measured, double low, double high, const std::string& source,
+                    const char* file = __builtin_FILE(), int line = __builtin_LINE());
+
+}  // namespace graincrack::test
