@@ -8,6 +8,7 @@
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
@@ -16,6 +17,7 @@ using test::augig_contact;
 using test::ContactWalk;
 using test::expect_close;
 using test::MPa;
+using test::verify;
 constexpr double e = std::numbers::e;
 
 ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::consistent, Coupling::full); }
@@ -46,7 +48,8 @@ TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
             ContactWalk walk(law_of(c));
             walk.go({12 * c.ultimate_opening * std::cos(angle), 12 * c.ultimate_opening * std::sin(angle)}, 400000);
             EXPECT_TRUE(walk.history().separated);
-            expect_close(walk.work(), c.fracture_energy, 1e-4, c.fracture_energy);
+            verify("law: consistent, area under opening in five directions (J/m2)", walk.work(), c.fracture_energy, 1e-4,
+                   "Gf, Eq 32");
             expect_close(walk.fracture(), c.fracture_energy, 1e-4, c.fracture_energy);
         }
     }
@@ -66,7 +69,8 @@ TEST(ConsistentLaw, SlidingUnderPressureIsEq10AndThenFriction) {
         walk.go({closure, 4 * c.critical_sliding}, 4000);
         EXPECT_TRUE(walk.history().failed_closed);
         const double residual = pressure * std::tan(c.friction_angle);
-        expect_close(walk.traction().shear, residual, 1e-12, residual);
+        verify("law: consistent, residual shear (MPa)", walk.traction().shear / MPa, residual / MPa, 1e-11,
+               "tan(phi) sigma_n, Eq 12");
         walk.go({closure, 0}, 4000);
         expect_close(walk.traction().shear, -residual, 1e-12, residual);
         walk.go({0.1 * c.critical_opening, 0}, 100);
@@ -93,7 +97,7 @@ TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
         EXPECT_LE(open, closed);
         EXPECT_GT(walk.fracture(), before);
         const double again = walk.to({-tiny, sliding}).shear;
-        expect_close(again, open, 1e-9, closed);  // and back without a jump
+        expect_close(again, open, 1e-9, closed);                     // and back without a jump
         expect_close(walk.mismatch(), 0, 1e-12, c.fracture_energy);  // round-off
     }
 }
@@ -121,7 +125,8 @@ TEST(ConsistentLaw, EnergyOnRandomPaths) {
             EXPECT_GE(walk.least_friction(), -c.shear_stiffness * step * step);  // a trapezium over a reversal
             EXPECT_GE(walk.stored(), 0);
             EXPECT_FALSE(walk.healed());
-            expect_close(walk.mismatch(), 0, 1e-12, c.fracture_energy);
+            verify("law: consistent, random paths, mismatch over Gf", walk.mismatch(), 0, 1e-12, "it has a potential",
+                   c.fracture_energy);
             EXPECT_EQ(walk.traction().shear, -mirrored.traction().shear);
             EXPECT_EQ(walk.fracture(), mirrored.fracture());
             EXPECT_TRUE(walk.history().failed());
@@ -129,7 +134,8 @@ TEST(ConsistentLaw, EnergyOnRandomPaths) {
             booked += walk.fracture() + walk.friction();
         }
         EXPECT_GT(booked, 24 * 0.1 * c.fracture_energy);
-        EXPECT_LT(error, 2e-4 * booked);  // jumps at peaks times half a step
+        verify("law: consistent, random paths, work less what was booked over that", error, 0, 2e-4,
+               "0 but for jumps at peaks within a step", booked);
     }
 }
 
@@ -153,8 +159,11 @@ TEST(ConsistentLaw, TractionIsTheGradientOfTheStoredEnergy) {
         const double normal = (energy(opening + d, h.motion.sliding) - energy(opening - d, h.motion.sliding)) / (2 * d);
         const double shear = (energy(opening, h.motion.sliding + d) - energy(opening, h.motion.sliding - d)) / (2 * d);
         EXPECT_GT(std::abs(normal), 0);
-        expect_close(t.normal, normal, 1e-9, c.tensile_strength);  // quadratic: exact but for round-off
-        expect_close(t.shear, shear, 1e-9, c.tensile_strength);
+        // quadratic: exact but for round-off
+        verify("law: consistent, normal traction less the slope of the energy over tc", t.normal, normal, 1e-9,
+               "central differences", c.tensile_strength);
+        verify("law: consistent, shear traction less the slope of the energy over tc", t.shear, shear, 1e-9,
+               "central differences", c.tensile_strength);
     }
 }
 

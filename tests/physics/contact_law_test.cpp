@@ -11,6 +11,7 @@
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
@@ -22,6 +23,8 @@ using test::expect_close;
 using test::mm;
 using test::MPa;
 using test::name_of_law;
+using test::verify;
+using test::verify_between;
 constexpr double e = std::numbers::e;
 
 /// ∫ f over [a, b] by Gauss's rule with five points on `panels` panels: exact for the linear parts, below 1e-15 for e^(−x).
@@ -49,10 +52,11 @@ TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
         const double before = integral(traction, 0, c.critical_opening, 8);
         traction(c.critical_opening * (1 + 1e-13));  // the reading `continuous` remembers where it failed
         const double after = integral(traction, c.critical_opening * (1 + 1e-13), c.ultimate_opening, 8);
-        expect_close(before + after, c.fracture_energy, 1e-9, c.fracture_energy);
-        expect_close(before + after, 412.97965, 1e-7, 412.97965);  // printed to eight digits
+        verify("law: area under opening (J/m2)", before + after, c.fracture_energy, 1e-9, "Gf, Eqs 14, 32");
+        verify("law: area under opening as printed (J/m2)", before + after, 412.97965, 1e-7, "Eq 32 by hand, eight digits");
         expect_close(before, c.tensile_strength * c.critical_opening * (e - 2), 1e-12, before);
-        expect_close(before / c.fracture_energy, 0.0040, 0.0125, 0.0040);  // 0.40 %, two digits
+        verify("law: its part before the peak over Gf", before / c.fracture_energy, 0.0040, 0.0125,
+               "tc dct (e - 2)/Gf, two digits");
         EXPECT_EQ(walk.to({c.ultimate_opening * 1.001, 0}).normal, 0);
         EXPECT_TRUE(walk.history().separated);
     }
@@ -75,7 +79,7 @@ TEST(ContactLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
 
 TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
     const ContactParameters c = augig_contact();
-    expect_close(c.critical_sliding, 2.9025e-3 * mm, 2e-5, c.critical_sliding);  // five digits
+    verify("law: critical sliding (mm)", c.critical_sliding / mm, 2.9025e-3, 2e-5, "Eq 11, five digits");
     for (const ContactLaw& law : all_laws(c)) {
         for (const double pressure : {1 * MPa, 20 * MPa, 100 * MPa}) {
             SCOPED_TRACE(name_of_law(law));
@@ -90,9 +94,10 @@ TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
                 return t.shear;
             };
             const double energy = integral(traction, 0, c.critical_sliding, 8);
-            expect_close(energy, 155.46, 5e-5, 155.46);  // five digits
+            verify("law: shear to its peak under pressure (J/m2)", energy, 155.46, 5e-5, "cc dcs (e - 2), five digits");
             expect_close(energy, c.cohesion * c.critical_sliding * (e - 2), 1e-12, energy);
-            expect_close(traction(c.critical_sliding * (1 - 1e-12)), c.cohesion, 1e-12, c.cohesion);
+            verify("law: shear peak at any pressure (MPa)", traction(c.critical_sliding * (1 - 1e-12)) / MPa, c.cohesion / MPa,
+                   1e-11, "cc, Eq 10");
             EXPECT_LE(largest, c.cohesion * (1 + 1e-14));
             EXPECT_FALSE(walk.history().failed());
             traction(c.critical_sliding * (1 + 1e-12));
@@ -111,9 +116,10 @@ TEST(ContactLaw, FailedContactUnderPressureKeepsFriction) {
             walk.to({-pressure / law.kt, 0});
             return walk.go({-pressure / law.kt, 4 * c.critical_sliding}, 4000).shear;
         };
-        expect_close(residual(20 * MPa), 22.814 * MPa, 3e-5, 22.814 * MPa);  // digits printed
-        expect_close(residual(30 * MPa), 34.2 * MPa, 1e-3, 34.2 * MPa);
-        expect_close(residual(100 * MPa), 114.1 * MPa, 1e-3, 114.1 * MPa);
+        // tolerances: the digits printed
+        verify("law: residual shear at 20 MPa (MPa)", residual(20 * MPa) / MPa, 22.814, 3e-5, "tan(phi) sigma_n, Eq 12");
+        verify("law: residual shear at 30 MPa (MPa)", residual(30 * MPa) / MPa, 34.2, 1e-3, "tan(phi) sigma_n, Eq 12");
+        verify("law: residual shear at 100 MPa (MPa)", residual(100 * MPa) / MPa, 114.1, 1e-3, "tan(phi) sigma_n, Eq 12");
         EXPECT_GT(residual(100 * MPa), c.cohesion);  // it hardens
     }
 }
@@ -130,18 +136,21 @@ TEST(ContactLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
         walk.go({closure, reach}, 2000);
         const ContactTraction before = walk.traction();
         const ContactTraction after = walk.to({closure, reach - 1e-3 * c.critical_sliding});
-        expect_close((before.shear - after.shear) / (1e-3 * c.critical_sliding), law.ks, 1e-10, law.ks);
+        verify("law: unloading slope of friction (Pa/m)", (before.shear - after.shear) / (1e-3 * c.critical_sliding), law.ks,
+               1e-10, "ks");
         walk.to({closure, reach});
         const double work = walk.work();
         const double friction = walk.friction();
         walk.go({closure, -reach}, 8000);
-        expect_close(walk.traction().shear, -residual, 1e-12, residual);  // reversed slip, reversed friction
+        verify("law: friction after slip is reversed (MPa)", walk.traction().shear / MPa, -residual / MPa, 1e-11,
+               "changes its sign");
         walk.go({closure, reach}, 8000);
         expect_close(walk.traction().shear, residual, 1e-12, residual);
         const double slip = 2 * (2 * reach - 2 * residual / law.ks);
         EXPECT_GT(slip, 0);
         // trapezia at the four corners of the loop: 4e-8
-        expect_close(walk.friction() - friction, residual * slip, 1e-6, residual * slip);
+        verify("law: loop at the residual, dissipation (J/m2)", walk.friction() - friction, residual * slip, 1e-6,
+               "traction times slip");
         expect_close(walk.work() - work, residual * slip, 1e-6, residual * slip);
     }
 }
@@ -174,7 +183,8 @@ TEST(ContactLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
         ContactWalk walk(law);
         walk.to({-tiny, 0});
         expect_close(walk.go({-tiny, s}, 4000).shear, closed, 1e-10, closed);
-        expect_close(walk.to({tiny, s}).shear, open, 1e-10, closed);
+        verify("law: shear on opening over that before, " + std::string(name_of(law.variant)), walk.to({tiny, s}).shear / closed,
+               open / closed, 1e-10, "the reading's branches at opening 0");
         walk.go({tiny, 0}, 4000);
         walk.to({-tiny, 0});
         EXPECT_FALSE(walk.history().failed());
@@ -219,7 +229,8 @@ TEST(ContactLaw, ACycleThroughFailure) {
         expect_close(walk.traction().shear, -residual, 1e-12, residual);
         walk.go({0.5 * pulled, 0}, 4000);
         expect_close(walk.traction().normal, 0.5 * torn, 1e-12, torn);  // no healing, nothing lost by being closed
-        expect_close(walk.balance(), 0, 2e-3, walk.fracture());         // to the steps: three jumps of τ
+        verify("law: cycle through failure, work less what was booked over fracture", walk.balance(), 0, 2e-3,
+               "0 but for three jumps of shear within a step", walk.fracture());
     }
 }
 
@@ -269,8 +280,10 @@ TEST(ContactLaw, TractionIsTheGradientOfTheStoredEnergyBeforeDamage) {
                 // central differences: h²/6 of the third derivative, 1e-10, and round-off of 1e-16/1e-5
                 const double normal = (energy({m.opening + h, m.sliding}) - energy({m.opening - h, m.sliding})) / (2 * h);
                 const double shear = (energy({m.opening, m.sliding + h}) - energy({m.opening, m.sliding - h})) / (2 * h);
-                expect_close(t.normal, normal, 1e-8, law.tc);
-                expect_close(t.shear, shear, 1e-8, law.tc);
+                verify("law: normal traction less the slope of the energy over tc", t.normal, normal, 1e-8, "central differences",
+                       law.tc);
+                verify("law: shear traction less the slope of the energy over tc", t.shear, shear, 1e-8, "central differences",
+                       law.tc);
             }
         }
     }

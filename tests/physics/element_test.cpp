@@ -9,12 +9,14 @@
 
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
 
 using test::expect_close;
 using test::MPa;
+using test::verify;
 
 constexpr double E = 25.8e9;
 constexpr double nu = 0.23;
@@ -54,7 +56,9 @@ TEST(Element, PatchNumbers) {
         const PlaneElasticity c = make_plane_elasticity(E, nu, plane);
         const std::array<double, 4> stress = triangle_stress(c, state_of(c, u));
         for (std::size_t i = 0; i < 4; ++i) {
-            expect_close(stress[i] / scale, exact[i], 1e-10, exact[0], "component " + std::to_string(i));
+            constexpr const char* component[] = {"xx", "yy", "xy", "zz"};
+            const std::string name = "elements: CST patch, plane " + std::string(name_of(plane)) + ", " + component[i] + " (MPa)";
+            verify(name, stress[i] / scale / MPa, exact[i] / MPa, 1e-10, "Hooke's law", exact[0] / MPa);
             expect_close(stress[i] / scale, printed[i] * MPa, 2e-7, 2.5 * MPa, "printed " + std::to_string(i));
         }
     };
@@ -75,7 +79,8 @@ TEST(Element, RigidRotationGivesNoStress) {
         const Displacements u = rotation(degrees * std::numbers::pi / 180);
         farthest = std::max(farthest, length(u[1] - u[0]));
         for (const double s : triangle_stress(c, state_of(c, u))) {
-            expect_close(s, 0, 1e-9, E * 1e-4, "at " + std::to_string(degrees));  // 1e-4: the strain at failure
+            // 1e-4: the strain at failure
+            verify("elements: one CST through 360 deg, stress over E 1e-4", s, 0, 1e-9, "no stress from rotation", E * 1e-4);
         }
     }
     EXPECT_GT(farthest, 0.01);  // twice the edge: it really turned
@@ -119,8 +124,11 @@ TEST(Element, ForcesAreTheGradientOfTheEnergyAtLargeRotation) {
             const double h = 1e-8;
             for (std::size_t k = 0; k < 3; ++k) {
                 // round-off of the energy over h: 1e-16 · W/(f h) ≈ 1e-13 · 1e3
-                expect_close(-(energy(k, h, 0) - energy(k, -h, 0)) / (2 * h), f[k].x, 1e-7, scale);
-                expect_close(-(energy(k, 0, h) - energy(k, 0, -h)) / (2 * h), f[k].y, 1e-7, scale);
+                for (const auto& [slope, force] : {std::pair{(energy(k, h, 0) - energy(k, -h, 0)) / (2 * h), f[k].x},
+                                                   std::pair{(energy(k, 0, h) - energy(k, 0, -h)) / (2 * h), f[k].y}}) {
+                    verify("elements: CST force plus the slope of its energy, turned by up to 143 deg, over force", force, -slope,
+                           1e-7, "central differences", scale);
+                }
             }
             const Vector2 sum = f[0] + f[1] + f[2];
             expect_close(length(sum), 0, 1e-14, scale);

@@ -6,12 +6,13 @@
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
 
-using test::expect_close;
 using test::SmallRun;
+using test::verify;
 
 struct Momenta {
     Vector2 linear;
@@ -55,9 +56,10 @@ TEST(Momentum, KeptWhileContactsFailAndEverythingTurns) {
             for (int i = 0; i < 100; ++i) {
                 run.steps(100);
                 const Momenta now = momenta_of(run);
-                expect_close(now.linear.x, before.linear.x, 1e-12, before.linear_scale);
-                expect_close(now.linear.y, before.linear.y, 1e-12, before.linear_scale);
-                expect_close(now.angular, before.angular, 1e-12, before.angular_scale);
+                verify("dynamics: momentum while it cracks and turns, drift over sum |p|", length(now.linear - before.linear), 0,
+                       1e-12, "conserved", before.linear_scale);
+                verify("dynamics: angular momentum while it cracks and turns, drift over sum |x||p|", now.angular, before.angular,
+                       1e-12, "conserved", before.angular_scale);
                 largest_turn = std::max(largest_turn, turn(run));
                 forces = std::max(forces, run.measured().unbalanced_ratio);
             }

@@ -6,6 +6,7 @@
 
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using test::augig_law;
 using test::expect_close;
 using test::SmallRun;
+using test::verify;
 
 /// One grain of two triangles, 20 × 20 mm.
 Specimen block() {
@@ -52,8 +54,9 @@ TEST(Platen, ABlockBounces) {
     }
     ASSERT_GT(steps_in_contact, 1000);
     const double expected = std::numbers::pi * std::sqrt(run.mass() / k);
-    expect_close(static_cast<double>(steps_in_contact) * run.parameters.time_step, expected, 1e-3, expected);
-    expect_close(run.mean(run.state.velocity).y, speed, 1e-3, speed);
+    verify("dynamics: block on a penalty floor, contact time (s)",
+           static_cast<double>(steps_in_contact) * run.parameters.time_step, expected, 1e-3, "pi sqrt(m/k)");
+    verify("dynamics: block on a penalty floor, speed after (m/s)", run.mean(run.state.velocity).y, speed, 1e-3, "that before");
     expect_close(run.mean(run.state.velocity).x, 0, 1e-3, speed);
     expect_close(largest, speed * std::sqrt(k * run.mass()), 2e-3, largest);  // and with the force of that spring
     const Energies e = run.measured().energies;
@@ -111,10 +114,10 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
         const double pushed = pressure * run.specimen.height;
         const double stretch = pushed / (2 * 6.98e13 * 0.02);  // of the friction springs
         if (share < 1) {
-            expect_close(held, pushed, 1e-2, pushed);
+            verify("dynamics: block between platens, friction below its limit (N)", held, pushed, 1e-2, "the push");
             EXPECT_LT(slip, 10 * stretch);
         } else {
-            expect_close(held, limit, 1e-9, limit);
+            verify("dynamics: block between platens, friction when it slips (N)", held, limit, 1e-9, "tan(phi) N");
             EXPECT_GT(slip, 100 * stretch);
             // Booked: traction times slip, within what slips first and last at the corners.
             expect_close(m.energies.platen - at_rest.energies.platen, limit * slip, 0.02, limit * slip);
@@ -139,7 +142,8 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     run.steps(3000, loading);
     const Measurement m = run.measured();
     // Free to lengthen along y: by ν(1 + ν) p/E of its height, 5e-5.
-    expect_close(m.membrane_force, pressure * run.specimen.height, 2e-4, pressure * run.specimen.height);
+    verify("dynamics: force of the membrane (N)", m.membrane_force, pressure * run.specimen.height, 2e-4,
+           "pressure times height");
     double area = 0;
     double xx = 0;
     double yy = 0;
@@ -151,7 +155,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
         yy += a * frame.element_stress[e][1];
     }
     // Mean stress of grains and contacts in equilibrium, contacts' share of the area being none.
-    expect_close(xx / area, -pressure, 5e-3, pressure);
+    verify("dynamics: mean stress under a membrane (MPa)", xx / area * 1e-6, -pressure * 1e-6, 5e-3, "its pressure");
     expect_close(yy / area, 0, 5e-3, pressure);
     EXPECT_GT(m.energies.external, 0);
     expect_close(m.energies.imbalance(), 0, 1e-3, m.energies.stored());

@@ -78,11 +78,16 @@ std::string number(double value) { return fmt::format("{:.6g}", value); }
 
 void verify(const std::string& name, double measured, double expected, double tolerance, const std::string& source, double scale,
             const char* file, int line) {
-    const double error = std::abs(measured - expected) / (scale == 0 ? std::abs(expected) : std::abs(scale));
+    const double size = scale == 0 ? std::abs(expected) : std::abs(scale);
+    const double error = std::abs(measured - expected) / size;
     const bool exact = error < round_off;
     const double badness = error / tolerance;
-    rows().add({name, number(exact ? expected : measured), number(expected), exact ? "< 1e-12" : fmt::format("{:.1e}", error),
-                number(tolerance), source, std::isnan(badness) ? HUGE_VAL : badness});
+    rows().add({name,
+                number(exact           ? expected
+                       : expected == 0 ? measured / size
+                                       : measured),
+                number(expected), exact ? "< 1e-12" : fmt::format("{:.1e}", error), number(tolerance), source,
+                std::isnan(badness) ? HUGE_VAL : badness});
     if (!(error <= tolerance)) {
         ADD_FAILURE_AT(file, line) << name << ": measured " << measured << ", expected " << expected << " (" << source
                                    << "): off by " << error << ", tolerance " << tolerance;

@@ -11,10 +11,12 @@
 
 #include "share/error.hpp"
 #include "share/mohr_coulomb.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
 
+using test::verify;
 constexpr double MPa = 1e6;
 constexpr double degree = std::numbers::pi / 180;
 
@@ -113,15 +115,20 @@ std::array<double, 2> root(const Terms& cohesion, const Terms& friction) {
 double contact_cohesion(double x1) { return 61.05 + 30.525 * x1; }     // MPa
 double contact_friction_angle(double x2) { return 53.0 + 7.95 * x2; }  // deg
 
-void expect_near(const Terms& surface, const Terms& printed, double tolerance) {
-    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(surface[i], printed[i], tolerance) << "term " << i;
+void expect_near(const std::string& name, const Terms& surface, const Terms& printed, double tolerance) {
+    constexpr const char* term[] = {"1", "x1", "x2", "x1 x2", "x1^2", "x2^2"};
+    for (std::size_t i = 0; i < 6; ++i) {
+        verify("calibration: " + name + ", term " + term[i], surface[i], printed[i], tolerance, "Eq 19", 1);
+    }
 }
 
 TEST(Calibration, StrengthsOfTable7GiveItsCohesionsAndFrictionAngles) {
     for (const DesignRun& run : table7()) {
         const MohrCoulomb envelope = fit(run);
-        EXPECT_EQ(to_tenths(envelope.cohesion / MPa), run.cohesion) << "run " << run.number;
-        EXPECT_EQ(to_tenths(envelope.friction_angle / degree), run.friction_angle) << "run " << run.number;
+        verify("calibration: Table 7, C of every run rounded (MPa)", to_tenths(envelope.cohesion / MPa), run.cohesion, 1e-15,
+               "as printed, to 0.1");
+        verify("calibration: Table 7, phi of every run rounded (deg)", to_tenths(envelope.friction_angle / degree),
+               run.friction_angle, 1e-15, "as printed, to 0.1");
         EXPECT_GT(envelope.r_squared, 0.85);
         EXPECT_NEAR(envelope.intercept, 2 * envelope.cohesion * std::sqrt(envelope.slope), 1);
     }
@@ -144,13 +151,13 @@ TEST(Calibration, RoundedValuesGiveEquation19AndTheCalibratedContact) {
     }
     const Terms c = full_quadratic(runs, cohesion);
     const Terms phi = full_quadratic(runs, friction);
-    expect_near(c, {11.12, 7.36, -4.94, -7.48, 1.32, 6.89}, 0.006);
-    expect_near(phi, {66.98, -4.66, 15.76, 4.78, -0.60, -7.98}, 0.006);
+    expect_near("C of rounded values", c, {11.12, 7.36, -4.94, -7.48, 1.32, 6.89}, 0.006);
+    expect_near("phi of rounded values", phi, {66.98, -4.66, 15.76, 4.78, -0.60, -7.98}, 0.006);
     const auto x = root(c, phi);
-    EXPECT_NEAR(x[0], 0.443, 0.0005);
-    EXPECT_NEAR(x[1], -0.533, 0.0005);
-    EXPECT_NEAR(contact_cohesion(x[0]), 74.57, 0.02);
-    EXPECT_NEAR(contact_friction_angle(x[1]), 48.76, 0.01);
+    verify("calibration: root, x1", x[0], 0.443, 0.0005, "paper, three digits", 1);
+    verify("calibration: root, x2", x[1], -0.533, 0.0005, "paper, three digits", 1);
+    verify("calibration: contact cohesion (MPa)", contact_cohesion(x[0]), 74.57, 0.02, "paper", 1);
+    verify("calibration: contact friction angle (deg)", contact_friction_angle(x[1]), 48.76, 0.01, "paper", 1);
 }
 
 TEST(Calibration, UnroundedValuesGiveNearlyTheSame) {
@@ -163,11 +170,12 @@ TEST(Calibration, UnroundedValuesGiveNearlyTheSame) {
     }
     const Terms c = full_quadratic(runs, cohesion);
     const Terms phi = full_quadratic(runs, friction);
-    expect_near(c, {11.098, 7.388, -4.938, -7.467, 1.322, 6.901}, 0.001);
-    expect_near(phi, {66.962, -4.654, 15.738, 4.785, -0.608, -7.955}, 0.001);
+    expect_near("C of unrounded values", c, {11.098, 7.388, -4.938, -7.467, 1.322, 6.901}, 0.001);
+    expect_near("phi of unrounded values", phi, {66.962, -4.654, 15.738, 4.785, -0.608, -7.955}, 0.001);
     const auto x = root(c, phi);
-    EXPECT_NEAR(contact_cohesion(x[0]), 74.62, 0.01);
-    EXPECT_NEAR(contact_friction_angle(x[1]), 48.77, 0.01);
+    verify("calibration: contact cohesion from unrounded values (MPa)", contact_cohesion(x[0]), 74.62, 0.01, "computed apart", 1);
+    verify("calibration: contact friction angle from unrounded values (deg)", contact_friction_angle(x[1]), 48.77, 0.01,
+           "computed apart", 1);
 }
 
 TEST(MohrCoulomb, ALineGivesItsOwnCohesionAndFriction) {

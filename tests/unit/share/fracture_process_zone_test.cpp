@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "share/units.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack {
 namespace {
@@ -114,14 +115,16 @@ TEST(FractureProcessZone, Table9) {
     for (int m = 8; m <= 12; ++m) {
         for (int n = 13; n <= 18; ++n) {
             const double b = fpz::lennard_jones_b(m, n);
-            EXPECT_EQ(rounded(b, 2), table[static_cast<std::size_t>(m - 8)][static_cast<std::size_t>(n - 13)]) << m << ", " << n;
+            test::verify("calibration: Table 9, worst of b(m, n) rounded", rounded(b, 2),
+                         table[static_cast<std::size_t>(m - 8)][static_cast<std::size_t>(n - 13)], 1e-15, "Table 9");
             const double q = (m + 1.0) / (n + 1.0);  // the other form of the same
             EXPECT_NEAR(b, (1.0 / m - 1.0 / n) / (std::pow(q, (m + 1.0) / (n - m)) - std::pow(q, (n + 1.0) / (n - m))), 1e-14);
         }
     }
-    EXPECT_NEAR(fpz::lennard_jones_b(8, 13), 0.298187, 5e-7);
-    EXPECT_NEAR(fpz::lennard_jones_b(10, 15), 0.243237, 5e-7);
-    EXPECT_NEAR(fpz::lennard_jones_b(12, 18), 0.200165, 5e-7);
+    // half of the last digit
+    test::verify("calibration: b(8, 13)", fpz::lennard_jones_b(8, 13), 0.298187, 5e-7, "Eq 31", 1);
+    test::verify("calibration: b(10, 15)", fpz::lennard_jones_b(10, 15), 0.243237, 5e-7, "Eq 31", 1);
+    test::verify("calibration: b(12, 18)", fpz::lennard_jones_b(12, 18), 0.200165, 5e-7, "Eq 31", 1);
 }
 
 TEST(FractureProcessZone, BIsEnergyOverStrengthAndLengthOfThePotential) {
