@@ -10,8 +10,8 @@
 namespace graincrack {
 
 struct BrazilianSplit {
-    /// 2F/(π t D) when the tensile cracks of one network (linked by cracks of either mode) first span `spanning_share` of the diameter along the load, Pa;
-    /// empty if they never do.
+    /// 2F/(π t D) when the tensile cracks of one network (linked by cracks of either mode) first span `spanning_share` of the
+    /// diameter along the load, Pa; empty if they never do.
     std::optional<double> spanning_stress;
     /// Mean distance of the first tensile cracks (the first 5 % of those at the peak, two points at least) from the centre
     /// over the radius; empty without any.

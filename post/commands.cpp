@@ -9,13 +9,14 @@
 #include <map>
 
 #include "post/cracks/crack_map.hpp"
-#include "post/envelope.hpp"
+#include "post/envelope_table.hpp"
 #include "post/fpz_table.hpp"
 #include "post/info.hpp"
 #include "post/load_curve.hpp"
 #include "post/moduli.hpp"
 #include "post/picture/picture.hpp"
 #include "post/picture/plot_curve.hpp"
+#include "post/picture/plot_envelope.hpp"
 #include "post/picture/plot_specimen.hpp"
 #include "post/strength.hpp"
 #include "post/strength_summary.hpp"
@@ -46,15 +47,25 @@ void info(const PostOptions& options, std::ostream& out) {
     }
 }
 
+std::vector<RunData> read_runs(const std::vector<std::string>& files) {
+    std::vector<RunData> runs;
+    for (const std::string& file : files) runs.push_back(read_run_data(file));
+    return runs;
+}
+
 Drawing picture_of(const PostOptions& options) {
     if (options.picture == "specimen") return draw_specimen(read_specimen(H5Input(only_file(options))));
     if (options.picture == "cracks") return draw_cracks(RunReader(only_file(options)), options.crack_map);
     if (options.picture == "curve") {
-        std::vector<RunData> runs;
-        for (const std::string& file : options.files) runs.push_back(read_run_data(file));
-        return draw_curves(runs);
+        std::vector<LaboratoryCurve> laboratory;
+        for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
+        return draw_curves(read_runs(options.files), laboratory);
     }
-    throw UsageError("plot " + options.picture + ": unknown; specimen, curve or cracks");
+    if (options.picture == "envelope") {
+        const std::vector<RunData> runs = read_runs(options.files);
+        return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material);
+    }
+    throw UsageError("plot " + options.picture + ": unknown");
 }
 
 void plot(const PostOptions& options) {

@@ -16,11 +16,12 @@ namespace graincrack {
 /// What a call of graincrack-post asks for; each command uses its part.
 struct PostOptions {
     std::string command;             ///< "info", "history", "strength", "moduli", "envelope", "fpz", "cracks", "plot"
-    std::string picture;             ///< plot: "specimen", "curve" or "cracks"
+    std::string picture;             ///< plot: "specimen", "curve", "cracks", "envelope"
     std::vector<std::string> files;  ///< "-" is stdin
     std::string output;              ///< folder (cracks) or picture (plot)
     std::string material;
     TableFormat format = TableFormat::tsv;
+    std::vector<std::string> laboratory;  ///< plot curve: tables of measured curves
     bool summary = false;
     CappedRuns capped_runs = CappedRuns::refuse;
     bool check = false;

@@ -26,6 +26,12 @@ void add_format(CLI::App* command, PostOptions& options) {
                             "form of the table: tab-separated with one header line, or JSON lines");
 }
 
+void add_capped(CLI::App* command, PostOptions& options) {
+    add_choice<CappedRuns>(*command, "--capped", options.capped_runs,
+                           {{"refuse", CappedRuns::refuse}, {"accept", CappedRuns::accept}},
+                           "runs that the strain cap ended: refuse them, or take their largest stress for a peak and say so");
+}
+
 void add_info(CLI::App& app, PostOptions& options) {
     CLI::App* info = add_command(app, "info", "what is in a specimen or run");
     add_files(info, options, "files", "specimens or runs");
@@ -48,11 +54,7 @@ void add_tables(CLI::App& app, PostOptions& options) {
     table("moduli",
           "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
           "and predicted from contact compliance");
-    CLI::App* envelope =
-        table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of compression tests, 95 % intervals");
-    add_choice<CappedRuns>(*envelope, "--capped", options.capped_runs,
-                           {{"refuse", CappedRuns::refuse}, {"accept", CappedRuns::accept}},
-                           "runs that the strain cap ended: refuse them, or take their largest stress for a peak and say so");
+    add_capped(table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals"), options);
     CLI::App* fpz = add_command(app, "fpz", "the fracture process zone of a rock, every number with its equation");
     fpz->add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
     add_format(fpz, options);
@@ -74,7 +76,12 @@ void add_plots(CLI::App& app, PostOptions& options) {
         return command;
     };
     picture("specimen", "the grains of a specimen", "file");
-    picture("curve", "stress against axial and lateral strain, several runs on one plot", "runs");
+    CLI::App* curve = picture("curve", "stress against axial and lateral strain, several runs on one plot", "runs");
+    curve
+        ->add_option("--laboratory", options.laboratory,
+                     "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain")
+        ->type_name("FILE");
+    add_capped(picture("envelope", "Mohr circles of a set of tests, Mohr-Coulomb and Hoek-Brown envelopes", "runs"), options);
     CLI::App* cracks = picture("cracks", "crack map: tensile red, shear black", "run");
     cracks->add_option("--frame", options.crack_map.frame, "frame: first, peak, last or a number from 0")->capture_default_str();
     add_quantity(*cracks, "--time", options.crack_map.time, frame_time, "frame nearest to a simulated time");

@@ -13,4 +13,6 @@ std::string test_title(const RunHeader& header) {
     return header.material.empty() ? test : test + ", " + header.material;
 }
 
+std::string peak_words(const RunData& run) { return peak_kind(run, load_curve(run)) == "drop" ? "peak" : "largest stress"; }
+
 }  // namespace graincrack

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,6 +21,26 @@ Colour palette::phase(std::size_t i) {
 
 void Drawing::rectangle(Pixel top_left, Pixel bottom_right, Colour fill) {
     polygon({top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}}, fill);
+}
+
+void Drawing::add(const Drawing& other, Pixel offset) {
+    const auto moved = [&](Pixel p) { return Pixel{p.x + offset.x, p.y + offset.y}; };
+    for (Shape shape : other.shapes_) {
+        if (auto* polygon = std::get_if<Polygon>(&shape)) {
+            for (Pixel& p : polygon->corners) p = moved(p);
+        } else if (auto* line = std::get_if<Polyline>(&shape)) {
+            for (Pixel& p : line->points) p = moved(p);
+        } else if (auto* text = std::get_if<Text>(&shape)) {
+            text->at = moved(text->at);
+        }
+        shapes_.push_back(std::move(shape));
+    }
+}
+
+double text_width(const std::string& words, double size) {
+    // Bytes that continue a UTF-8 character are not counted; DejaVu Sans, the widest of the fonts tried, has 0.58 em a letter.
+    const auto letters = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    return 0.58 * size * static_cast<double>(letters);
 }
 
 namespace {

@@ -78,6 +78,10 @@ public:
     }
     void text(Text text) { shapes_.emplace_back(std::move(text)); }
 
+    /// All shapes of another drawing, moved.
+    void add(const Drawing& other, Pixel offset);
+    void set_height(int height) { height_ = height; }
+
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
@@ -90,6 +94,9 @@ private:
 
 /// The drawing as an SVG document. Neighbouring shapes of one style share a path.
 std::string to_svg(const Drawing& drawing);
+
+/// About how wide words come out, in pixels: fonts differ between machines.
+double text_width(const std::string& words, double size);
 
 /// About `wanted` round numbers (1, 2, 5 × 10^k apart) inside [low, high], for the ticks of an axis.
 std::vector<double> round_ticks(double low, double high, int wanted);

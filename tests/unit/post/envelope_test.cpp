@@ -1,4 +1,4 @@
-#include "post/envelope.hpp"
+#include "post/envelope_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,6 +60,81 @@ TEST(Envelope, RecoversPlantedHoekBrown) {
     EXPECT_NEAR(fit->sigma_ci.value, 122e6, 100);
     EXPECT_NEAR(fit->mi.value, 28, 1e-4);
     EXPECT_NEAR(*fit->mi.low, 28, 1e-3);
+}
+
+TEST(Envelope, HoekBrownWithTensionIsAnchoredAtTheTensileStrength) {
+    const std::vector<double> confining{0, 4e6, 8e6};
+    std::vector<double> strength;
+    for (double s : confining) strength.push_back(hoek_brown(122e6, 14, s));
+    const double planted = 122e6 / 2 * (std::sqrt(14.0 * 14 + 4) - 14);
+    const auto exact = fit_hoek_brown(confining, strength, std::vector<double>{planted});
+    ASSERT_TRUE(exact.has_value());
+    EXPECT_NEAR(exact->mi.value, 14, 1e-3);
+    EXPECT_NEAR(exact->tensile_strength(), planted, 10);
+    EXPECT_NEAR(exact->strength(-planted), 0, 10);  // where σ1 = 0
+    EXPECT_TRUE(std::isnan(exact->strength(-1.3 * planted)));
+    // A smaller tensile strength draws mi up, so that the curve comes between.
+    const auto drawn = fit_hoek_brown(confining, strength, std::vector<double>{0.8 * planted, 0.8 * planted});
+    EXPECT_GT(drawn->mi.value, 14.5);
+    EXPECT_LT(drawn->tensile_strength(), planted);
+    EXPECT_GT(drawn->tensile_strength(), 0.8 * planted);
+}
+
+TEST(Envelope, CurvatureHasTheSignOfTheData) {
+    const std::vector<double> confining{0, 4e6, 8e6};
+    std::vector<double> concave;
+    for (double s : confining) concave.push_back(hoek_brown(122e6, 28, s));
+    const auto bent = fit_envelope(confining, concave).curvature;
+    ASSERT_TRUE(bent.has_value());
+    // Three points: c is the second difference over 2 h², h = 4 MPa
+    EXPECT_NEAR(bent->value, (concave[2] - 2 * concave[1] + concave[0]) / (2 * 4e6 * 4e6), 1e-12);
+    EXPECT_LT(bent->value, 0);
+    EXPECT_FALSE(bent->low.has_value());
+    EXPECT_FALSE(fit_envelope(std::vector<double>{0, 8e6}, std::vector<double>{1e8, 1.5e8}).curvature.has_value());
+}
+
+TEST(Envelope, LineImpliesATensileStrength) {
+    const std::vector<double> confining{0, 4e6, 8e6};
+    std::vector<double> strength;
+    for (double s : confining) strength.push_back(mohr_coulomb(21e6, 53 / degrees, s));
+    const double phi = 53 / degrees;
+    EXPECT_NEAR(fit_envelope(confining, strength).tensile_strength(), 2 * 21e6 * std::cos(phi) / (1 + std::sin(phi)), 1);
+}
+
+TEST(Envelope, SeedsGiveTheirOwnConstants) {
+    EnvelopeTests tests;
+    const std::vector<double> cohesions{20e6, 21e6, 25e6};
+    for (std::size_t i = 0; i < cohesions.size(); ++i) {
+        for (double s : {0.0, 4e6, 8e6}) {
+            tests.compression.push_back({s, mohr_coulomb(cohesions[i], 50 / degrees, s), static_cast<std::int64_t>(i + 1)});
+        }
+    }
+    tests.compression.push_back({0, 100e6, 9});  // a seed with one pressure only is left out
+    const auto seeds = fit_seed_envelopes(tests);
+    ASSERT_TRUE(seeds.has_value());
+    EXPECT_EQ(seeds->seeds, 3U);
+    EXPECT_NEAR(seeds->cohesion.mean.value, 22e6, 10);
+    EXPECT_NEAR(*seeds->cohesion.deviation, std::sqrt(7.0) * 1e6, 10);
+    EXPECT_NEAR(seeds->friction_angle.mean.value * degrees, 50, 1e-6);
+    tests.compression.resize(3);
+    EXPECT_FALSE(fit_seed_envelopes(tests).has_value());
+}
+
+TEST(Envelope, IntervalsOverSeedsCoverPlantedCohesion) {
+    Normal normal;
+    constexpr int sets = 2000;
+    int covered = 0;
+    for (int i = 0; i < sets; ++i) {
+        EnvelopeTests tests;
+        for (std::int64_t seed = 1; seed <= 5; ++seed) {  // each seed is a rock of its own: C normal about 21 MPa, σ 0.85
+            const double cohesion = 21e6 + 0.85e6 * normal();
+            for (double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, mohr_coulomb(cohesion, 53 / degrees, s), seed});
+        }
+        const auto seeds = fit_seed_envelopes(tests);
+        covered += *seeds->cohesion.mean.low <= 21e6 && 21e6 <= *seeds->cohesion.mean.high ? 1 : 0;
+    }
+    EXPECT_GT(covered, 0.935 * sets);  // 95 % with a standard error of 0.5 %
+    EXPECT_LT(covered, 0.965 * sets);
 }
 
 TEST(Envelope, TwoTestsGiveValuesWithoutIntervals) {
@@ -162,6 +237,25 @@ TEST_F(EnvelopeTable, RowOfThreeRuns) {
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
     EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_deg")), 53, 1e-4);
     EXPECT_NE(field(out.str(), "hoek_brown_mi"), "");
+}
+
+TEST_F(EnvelopeTable, TensileTestsStandBesideWhatTheEnvelopesImply) {
+    std::ostringstream out;
+    Recipe disc;
+    disc.test = "brazilian";
+    disc.plane = PlaneCondition::stress;  // stiffnesses follow the plane condition: the same rock
+    disc.peak = 8.8e6;
+    test::write_run(folder_.file("disc"), disc);
+    const std::vector<std::string> runs{run("0", 0), run("4", 4e6), run("8", 8e6), folder_.file("disc"),
+                                        run("t", 0, "tension", 6e6)};
+    write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::refuse, notes_);
+    EXPECT_EQ(field(out.str(), "runs"), "3");
+    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
+    EXPECT_EQ(field(out.str(), "brazilian_tensile_strength_MPa"), "8.8");
+    EXPECT_EQ(field(out.str(), "direct_tensile_strength_MPa"), "6");
+    EXPECT_EQ(field(out.str(), "tension_from"), "tension");
+    EXPECT_NE(field(out.str(), "hoek_brown_with_tension_mi"), "");
+    EXPECT_EQ(field(out.str(), "whole_seeds"), "0");
 }
 
 TEST_F(EnvelopeTable, OtherTestsAndOneConfiningPressureAreRefused) {

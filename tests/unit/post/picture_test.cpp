@@ -6,12 +6,15 @@
 #include <vtkPNGReader.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "post/picture/plot_cracks.hpp"
 #include "post/picture/plot_curve.hpp"
+#include "post/picture/plot_envelope.hpp"
 #include "post/picture/plot_specimen.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -93,6 +96,32 @@ TEST_F(Picture, CurveAndSpecimenAreDrawn) {
     EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 500);  // counts of cracks
     write_picture(draw_specimen(recipe_.specimen), path("specimen.png"));
     EXPECT_GT(pixels_of(path("specimen.png"), palette::grain), 200000);
+}
+
+TEST_F(Picture, LaboratoryCurvesStandBesideRuns) {
+    std::ofstream(path("lab.tsv")) << "axial_strain_percent\tlateral_strain_percent\tstress_MPa\n0\t0\t0\n0.3\t-0.1\t80\n";
+    const LaboratoryCurve curve = read_laboratory_curve(path("lab.tsv"));
+    EXPECT_DOUBLE_EQ(curve.axial_strain[1], 0.003);
+    EXPECT_DOUBLE_EQ(curve.lateral_strain[1], -0.001);
+    EXPECT_DOUBLE_EQ(curve.stress[1], 80e6);
+    const std::vector<RunData> runs{read_run_data(path("run.h5"))};
+    const std::string svg = to_svg(draw_curves(runs, {curve}));
+    EXPECT_NE(svg.find("laboratory: lab.tsv"), std::string::npos);
+    EXPECT_EQ(to_svg(draw_curves(runs)).find("laboratory"), std::string::npos);
+    std::ofstream(path("bad.tsv")) << "axial_strain\tstress_MPa\n0\tmuch\n";
+    test::expect_one_line<InputError>([&] { (void)read_laboratory_curve(path("bad.tsv")); }, {"bad.tsv", "line 2", "much"});
+}
+
+TEST_F(Picture, EnvelopeShowsCirclesAndBothCurves) {
+    EnvelopeTests tests;
+    for (double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
+    tests.brazilian = {8e6};
+    const std::string svg = to_svg(draw_envelope(tests, "rock"));
+    for (const char* words : {"σ3 = 4 MPa", "Mohr–Coulomb", "Hoek–Brown", "centre of the disc", "φ = 53.1"}) {
+        EXPECT_NE(svg.find(words), std::string::npos) << words;  // sin φ = 8/10
+    }
+    write_picture(draw_envelope(tests, "rock"), path("envelope.png"));
+    EXPECT_GT(pixels_of(path("envelope.png"), palette::series(0)), 500);
 }
 
 TEST_F(Picture, CurvesOfDifferentTestsDoNotShareAPlot) {

@@ -1,0 +1,37 @@
+// Tables from files: TSV (or comma-separated) with one header line; lines that begin with # are passed over.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace graincrack {
+
+class TableFile {
+public:
+    /// \param path a file or "-" \throws InputError if it cannot be read or a row has another number of fields than the header
+    explicit TableFile(const std::string& path);
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+    [[nodiscard]] std::size_t n_rows() const { return rows_.size(); }
+    [[nodiscard]] bool has(const std::string& column) const;
+
+    /// A column of numbers. \throws InputError if it is missing, a field is no number, or one is empty
+    [[nodiscard]] std::vector<double> numbers(const std::string& column) const;
+    /// The same with NaN for empty fields.
+    [[nodiscard]] std::vector<double> numbers_or_nan(const std::string& column) const;
+    /// A column as it stands. \throws InputError if it is missing
+    [[nodiscard]] std::vector<std::string> words(const std::string& column) const;
+
+private:
+    [[nodiscard]] std::size_t index(const std::string& column) const;
+    [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+
+    std::string name_;
+    std::vector<std::string> columns_;
+    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::size_t> lines_;  ///< of the file, for messages
+};
+
+}  // namespace graincrack

@@ -1,0 +1,106 @@
+#include "post/picture/chart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace graincrack {
+namespace {
+
+/// Lines of one colour in a drawing.
+std::vector<Polyline> lines_of(const Drawing& drawing, Colour colour) {
+    std::vector<Polyline> lines;
+    for (const Drawing::Shape& shape : drawing.shapes()) {
+        const auto* line = std::get_if<Polyline>(&shape);
+        if (line != nullptr && line->colour == colour) lines.push_back(*line);
+    }
+    return lines;
+}
+
+constexpr Colour pen{1, 2, 3};
+
+Chart unit_chart(const std::optional<Axis>& right = std::nullopt) {
+    return {ChartText{"title", {}}, Axis{"x", 0, 1}, Axis{"y", 0, 1}, right};
+}
+
+TEST(Chart, WhatLeavesTheFrameIsCutAtIt) {
+    Chart chart = unit_chart();
+    const std::vector<double> x{-1, 2};
+    const std::vector<double> y{-1, 2};
+    chart.line(x, y, Stroke{pen, 2});
+    chart.line(std::vector<double>{0, 1}, std::vector<double>{0, 1}, Stroke{pen, 2});
+    const auto lines = lines_of(chart.finish(), pen);
+    ASSERT_EQ(lines.size(), 2U);
+    for (std::size_t end : {0U, 1U}) {
+        EXPECT_NEAR(lines[0].points[end].x, lines[1].points[end].x, 1e-9);
+        EXPECT_NEAR(lines[0].points[end].y, lines[1].points[end].y, 1e-9);
+    }
+}
+
+TEST(Chart, NothingInterruptsButTheFrameAndNaN) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Chart chart = unit_chart();
+    chart.line(std::vector<double>{0, 0.2, 0.4, 0.6, 0.8}, std::vector<double>{0, 0.5, nan, 0.5, 1}, Stroke{pen, 2});
+    chart.line(std::vector<double>{0, 0.5, 1}, std::vector<double>{0.5, 2, 0.5}, Stroke{pen, 2});  // out and in again
+    EXPECT_EQ(lines_of(chart.finish(), pen).size(), 4U);
+}
+
+TEST(Chart, DashesCoverHalfTheLineAboutAndKeepItsDirection) {
+    Chart chart = unit_chart();
+    chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2, true});
+    double length = 0;
+    const auto lines = lines_of(chart.finish(), pen);
+    EXPECT_GT(lines.size(), 5U);
+    for (const Polyline& line : lines) {
+        length += line.points.back().x - line.points.front().x;
+        EXPECT_NEAR(line.points.back().y, line.points.front().y, 1e-9);
+    }
+    EXPECT_NEAR(length / 830, 1 / 1.8, 0.03);  // dashes of 1 and gaps of 0.8 over the width of the frame, 830 pixels
+}
+
+TEST(Chart, TheRightScaleIsItsOwn) {
+    Chart chart = unit_chart(Axis{"n", 0, 100});
+    chart.line(std::vector<double>{0, 1}, std::vector<double>{50, 50}, Stroke{pen, 2}, Chart::Side::right);
+    chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2});
+    const auto lines = lines_of(chart.finish(), pen);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_NEAR(lines[0].points[0].y, lines[1].points[0].y, 1e-9);
+}
+
+TEST(Chart, LogarithmicScaleSpacesDecadesEvenly) {
+    Chart chart{ChartText{}, Axis{"x", 0.1, 10, true}, Axis{"y", 0, 1}};
+    chart.line(std::vector<double>{0.1, 1, 10}, std::vector<double>{0, 0.5, 1}, Stroke{pen, 2});
+    const auto lines = lines_of(chart.finish(), pen);
+    ASSERT_EQ(lines.size(), 1U);
+    ASSERT_EQ(lines[0].points.size(), 3U);
+    EXPECT_NEAR(lines[0].points[1].x, (lines[0].points[0].x + lines[0].points[2].x) / 2, 1e-9);
+}
+
+TEST(Chart, LegendWrapsAndThePageGrows) {
+    Chart few = unit_chart();
+    few.legend(Stroke{pen, 2}, "one");
+    Chart many = unit_chart();
+    for (int i = 0; i < 12; ++i) many.legend(Stroke{pen, 2}, "an entry of some length");
+    const Drawing page = many.finish();
+    EXPECT_GT(page.height(), few.finish().height() + 100);
+    for (const Drawing::Shape& shape : page.shapes()) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (text != nullptr) {
+            EXPECT_LT(text->at.y, page.height());
+        }
+    }
+}
+
+TEST(Chart, RangesLeaveNaNOut) {
+    const auto [low, high] = padded_range(std::vector<double>{1, std::nan(""), 3}, 0.1);
+    EXPECT_DOUBLE_EQ(low, 0.8);
+    EXPECT_DOUBLE_EQ(high, 3.2);
+    EXPECT_EQ(padded_range(std::vector<double>{}, 0.1).second, 1);
+    const auto [one_low, one_high] = padded_range(std::vector<double>{5}, 0.1);
+    EXPECT_LT(one_low, 5);
+    EXPECT_GT(one_high, 5);
+}
+
+}  // namespace
+}  // namespace graincrack
