@@ -18,6 +18,7 @@
 #include "post/picture/plot_curve.hpp"
 #include "post/picture/plot_envelope.hpp"
 #include "post/picture/plot_specimen.hpp"
+#include "post/picture/plot_surface.hpp"
 #include "post/strength.hpp"
 #include "post/strength_summary.hpp"
 #include "share/error.hpp"
@@ -65,12 +66,19 @@ Drawing picture_of(const PostOptions& options) {
         const std::vector<RunData> runs = read_runs(options.files);
         return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material);
     }
+    if (options.picture == "surface") return draw_surface(ccd::solve_problem(only_file(options), options.ccd));
     throw UsageError("plot " + options.picture + ": unknown");
 }
 
 void plot(const PostOptions& options) {
     require_picture_name(options.output);
     write_picture(picture_of(options), options.output);
+}
+
+void ccd_command(const PostOptions& options, std::ostream& out) {
+    if (options.picture == "design") return ccd::write_design(out, options.ccd, options.format);
+    if (options.picture == "fit") return ccd::write_fit(out, only_file(options), options.ccd, options.format);
+    ccd::write_solution(out, only_file(options), options.ccd, options.format);
 }
 
 }  // namespace
@@ -86,6 +94,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
         {"cracks", [&] { export_crack_map(RunReader(only_file(options)), options.output, options.verbosity); }},
+        {"ccd", [&] { ccd_command(options, out); }},
         {"plot", [&] { plot(options); }},
     };
     const auto command = commands.find(options.command);

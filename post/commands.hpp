@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/ccd/tables.hpp"
 #include "post/envelope.hpp"
 #include "post/picture/plot_cracks.hpp"
 #include "post/table.hpp"
@@ -16,12 +17,13 @@ namespace graincrack {
 /// What a call of graincrack-post asks for; each command uses its part.
 struct PostOptions {
     std::string command;             ///< "info", "history", "strength", "moduli", "envelope", "fpz", "cracks", "plot"
-    std::string picture;             ///< plot: "specimen", "curve", "cracks", "envelope"
+    std::string picture;             ///< the second word of `plot` or `ccd`
     std::vector<std::string> files;  ///< "-" is stdin
     std::string output;              ///< folder (cracks) or picture (plot)
     std::string material;
     TableFormat format = TableFormat::tsv;
     std::vector<std::string> laboratory;  ///< plot curve: tables of measured curves
+    ccd::Options ccd;
     bool summary = false;
     CappedRuns capped_runs = CappedRuns::refuse;
     bool check = false;

@@ -11,6 +11,8 @@ namespace {
 constexpr Quantity frame_time{"time", Dimension::time, 0, std::numeric_limits<double>::infinity(), "simulated time"};
 constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
 
+constexpr Quantity significance{"alpha", Dimension::one, 0, 1, "level of significance", true};
+
 const char* const examples =
     "  graincrack-post strength uniaxial.h5 brazilian.h5\n"
     "  graincrack-post plot cracks uniaxial.h5 --frame peak -o cracks.png\n";
@@ -60,6 +62,54 @@ void add_tables(CLI::App& app, PostOptions& options) {
     add_format(fpz, options);
 }
 
+void add_names(CLI::App* command, const std::string& option, std::vector<std::string>& target, const std::string& type,
+               const std::string& help) {
+    command->add_option(option, target, help)->type_name(type)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+/// Options of everything that fits a model to the runs of a design.
+void add_model(CLI::App* command, PostOptions& options) {
+    add_files(command, options, "table", "table of the runs: x1, x2, … and the responses");
+    add_names(command, "--factor", options.ccd.factors, "NAME=LOW:HIGH",
+              "factor with its values at -1 and +1, if the table has no x1");
+    add_choice<bool>(*command, "--model", options.ccd.model.reduce, {{"full", false}, {"backward", true}},
+                     "full quadratic, or reduced by backward elimination that keeps the hierarchy");
+    add_quantity(*command, "--alpha", options.ccd.model.alpha, significance, "p above which elimination leaves a term out",
+                 "0.1");
+}
+
+void add_goals(CLI::App* command, PostOptions& options) {
+    add_names(command, "--target", options.ccd.targets, "NAME=[LOW:]TARGET[:HIGH]",
+              "wanted value of a response; limits are the measured extremes unless given");
+    add_names(command, "--maximise", options.ccd.maxima, "NAME=LOW:GOOD", "response as large as can be, useless at LOW");
+    add_names(command, "--minimise", options.ccd.minima, "NAME=GOOD:HIGH", "response as small as can be, useless at HIGH");
+}
+
+void add_ccd(CLI::App& app, PostOptions& options) {
+    CLI::App* ccd = add_command(app, "ccd", "central composite designs: runs to make, response surfaces, the factors wanted");
+    ccd->require_subcommand(1);
+    CLI::App* design = add_command(*ccd, "design", "the runs of a central composite design");
+    add_names(design, "--factor", options.ccd.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, unit in its name");
+    add_choice<ccd::Star>(*design, "--star", options.ccd.star,
+                          {{"rotatable", ccd::Star::rotatable}, {"face-centred", ccd::Star::face_centred}},
+                          "star points at (2^k)^(1/4), or on the faces");
+    add_integer<std::size_t>(*design, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
+    add_format(design, options);
+    CLI::App* fit = add_command(*ccd, "fit", "quadratic response surfaces: coefficients, analysis of variance, lack of fit");
+    add_model(fit, options);
+    add_names(fit, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
+    using FitTable = ccd::Options::FitTable;
+    add_choice<FitTable>(*fit, "--table", options.ccd.fit_table,
+                         {{"terms", FitTable::terms}, {"anova", FitTable::anova}, {"summary", FitTable::summary}},
+                         "what to print");
+    add_format(fit, options);
+    CLI::App* solve =
+        add_command(*ccd, "solve", "factors at which the responses are as wanted (desirability), within the design");
+    add_model(solve, options);
+    add_goals(solve, options);
+    add_format(solve, options);
+}
+
 void add_maps(CLI::App& app, PostOptions& options) {
     CLI::App* cracks = add_command(app, "cracks", "grains and cracks as VTK series, catalogue and rosette");
     add_files(cracks, options, "run", "run file");
@@ -82,6 +132,10 @@ void add_plots(CLI::App& app, PostOptions& options) {
                      "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain")
         ->type_name("FILE");
     add_capped(picture("envelope", "Mohr circles of a set of tests, Mohr-Coulomb and Hoek-Brown envelopes", "runs"), options);
+    CLI::App* surface = add_command(*plot, "surface", "contours of response surfaces with the optimum and its joint region");
+    add_model(surface, options);
+    add_goals(surface, options);
+    surface->add_option("-o,--output", options.output, "picture: .png or .svg")->required();
     CLI::App* cracks = picture("cracks", "crack map: tensile red, shear black", "run");
     cracks->add_option("--frame", options.crack_map.frame, "frame: first, peak, last or a number from 0")->capture_default_str();
     add_quantity(*cracks, "--time", options.crack_map.time, frame_time, "frame nearest to a simulated time");
@@ -99,12 +153,13 @@ std::optional<PostOptions> read_options(int argc, const char* const* argv) {
     app.require_subcommand(1);
     add_info(app, options);
     add_tables(app, options);
+    add_ccd(app, options);
     add_maps(app, options);
     add_plots(app, options);
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
     const CLI::App* command = app.get_subcommands().front();
     options.command = command->get_name();
-    if (options.command == "plot") options.picture = command->get_subcommands().front()->get_name();
+    if (!command->get_subcommands().empty()) options.picture = command->get_subcommands().front()->get_name();
     options.verbosity = common.verbosity;
     return options;
 }

@@ -101,6 +101,52 @@ TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
     EXPECT_NEAR(value("tensile_strength_from_toughness", ""), 10.3, 0.05);
 }
 
+TEST_F(Commands, DesignFitAndSolveByTheirTables) {
+    PostOptions options;
+    options.command = "ccd";
+    options.picture = "design";
+    options.ccd.factors = {"contact_cohesion_MPa=30.525:91.575", "contact_friction_angle_deg=45.05:60.95"};
+    const std::string design = output_of(options);
+    EXPECT_EQ(test::parse_tsv(design).size(), 14U);
+    EXPECT_EQ(design.substr(0, design.find('\n')), "run\tx1\tx2\tcontact_cohesion_MPa\tcontact_friction_angle_deg");
+    EXPECT_EQ(test::field(design, "contact_cohesion_MPa", 4), "17.88113");
+
+    options.ccd = {};
+    options.files = {std::string(GRAINCRACK_TEST_DATA) + "/table7.csv"};
+    options.picture = "fit";
+    options.ccd.responses = {"C_MPa", "phi_deg"};
+    const std::string terms = output_of(options);
+    EXPECT_EQ(test::field(terms, "term", 3), "x1 x2");
+    EXPECT_NEAR(std::stod(test::field(terms, "coefficient", 3)), -7.48, 0.006);  // Eq 19
+    options.ccd.fit_table = ccd::Options::FitTable::anova;
+    const std::string anova = output_of(options);
+    double parts = 0;  // model and residual make up the total
+    for (std::size_t row : {0U, 6U}) parts += std::stod(test::field(anova, "sum_of_squares", row));
+    EXPECT_NEAR(parts, std::stod(test::field(anova, "sum_of_squares", 9)), 1e-3);
+    EXPECT_EQ(test::field(anova, "source", 7), "lack of fit");
+    options.ccd.fit_table = ccd::Options::FitTable::summary;
+    EXPECT_NEAR(std::stod(test::field(output_of(options), "r_squared", 1)), 0.944, 0.0005);
+
+    options.picture = "solve";
+    options.ccd.targets = {"C_MPa=21", "phi_deg=53"};
+    const std::string solution = output_of(options);
+    EXPECT_NEAR(std::stod(test::field(solution, "cc_MPa")), 74.57, 0.02);
+    EXPECT_NEAR(std::stod(test::field(solution, "phic_deg")), 48.76, 0.01);
+    EXPECT_LT(std::stod(test::field(solution, "cc_MPa_region_low")), 72);
+    EXPECT_GT(std::stod(test::field(solution, "cc_MPa_region_high")), 77);
+    EXPECT_EQ(test::field(solution, "region_reaches_edge"), "no");
+
+    options.command = "plot";
+    options.picture = "surface";
+    options.output = folder_.file("surface.svg");
+    (void)output_of(options);
+    EXPECT_NE(test::read_text(options.output).find("cc, MPa 74.57"), std::string::npos);
+    options.command = "ccd";
+    options.picture = "solve";
+    options.ccd.targets = {};
+    EXPECT_THROW((void)output_of(options), UsageError);
+}
+
 TEST_F(Commands, WrongUseIsRefused) {
     EXPECT_THROW((void)output_of(call("strength", {"-", "-"})), UsageError);
     EXPECT_THROW((void)output_of(call("history", {"run.h5", "run.h5"})), UsageError);

@@ -1,0 +1,58 @@
+// Factors at which the responses are as wanted: the largest desirability within the design.
+#pragma once
+
+#include <vector>
+
+#include "post/ccd/desirability.hpp"
+#include "post/ccd/model.hpp"
+
+namespace graincrack::ccd {
+
+/// Where a design allows to predict: each factor within its runs, and no farther from the centre than the farthest run.
+class Region {
+public:
+    explicit Region(const std::vector<std::vector<double>>& coded);
+    [[nodiscard]] bool holds(const std::vector<double>& coded) const;
+    [[nodiscard]] double low(std::size_t factor) const { return low_[factor]; }
+    [[nodiscard]] double high(std::size_t factor) const { return high_[factor]; }
+    [[nodiscard]] std::size_t n_factors() const { return low_.size(); }
+    /// Points of a grid over the region, `per_factor` along each factor.
+    [[nodiscard]] std::vector<std::vector<double>> grid(std::size_t per_factor) const;
+
+private:
+    std::vector<double> low_;
+    std::vector<double> high_;
+    double radius_ = 0;
+};
+
+struct Optimum {
+    std::vector<double> coded;
+    double desirability = 0;
+};
+
+/// All places of the largest desirability that the search finds, the nearest to the centre first: a grid, then simplexes
+/// (Nelder–Mead, GSL) from its best points. Empty if the desirability is 0 everywhere.
+/// \param models one for each goal
+std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region);
+
+/// The factors for which the targets lie within the joint 95 % confidence region of the responses' means (Box & Hunter
+/// 1954): δᵀ V⁻¹ δ ≤ q ν/(ν − q + 1) F(q, ν − q + 1), δ the q differences to the targets, V_ij = S_ij √(h_i h_j), S the
+/// covariance of the residuals with ν degrees of freedom, h the leverages.
+class ConfidenceRegion {
+public:
+    /// \param models of the responses that have targets, one for each; the same runs in all
+    ConfidenceRegion(std::vector<Model> models, std::vector<double> targets);
+    /// Whether there are residuals enough to tell.
+    [[nodiscard]] bool is_known() const { return limit_ > 0; }
+    /// The statistic over its limit: up to 1 within the region.
+    [[nodiscard]] double operator()(const std::vector<double>& coded) const;
+    [[nodiscard]] bool holds(const std::vector<double>& coded) const { return (*this)(coded) <= 1; }
+
+private:
+    std::vector<Model> models_;
+    std::vector<double> targets_;
+    std::vector<std::vector<double>> covariance_;
+    double limit_ = 0;
+};
+
+}  // namespace graincrack::ccd

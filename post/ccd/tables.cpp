@@ -1,0 +1,228 @@
+#include "post/ccd/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "share/error.hpp"
+
+namespace graincrack::ccd {
+
+namespace {
+
+std::vector<Factor> parse_factors(const std::vector<std::string>& texts) {
+    std::vector<Factor> factors;
+    for (const std::string& text : texts) factors.push_back(parse_factor(text));
+    return factors;
+}
+
+Cell optional_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+
+void write_terms(TableWriter& table, const std::string& response, const Model& model) {
+    const Regression& fit = model.regression();
+    for (std::size_t i = 0; i < model.terms().size(); ++i) {
+        const double error = fit.standard_error(i);
+        const Estimate value = estimate(fit.coefficients[i], error * error, fit.freedom);
+        const bool known = fit.freedom > 0;
+        table.row({response, model.terms()[i].name(), value.value, known ? Cell(error) : Cell(),
+                   known ? Cell(value.value / error) : Cell(), optional_cell(model.p_value(i)), optional_cell(value.low),
+                   optional_cell(value.high)});
+    }
+}
+
+/// Sums of squares; that of a term is what leaving it out alone would add to the residual (partial, type III).
+void write_anova(TableWriter& table, const std::string& response, const Model& model) {
+    const Regression& fit = model.regression();
+    const double variance = fit.variance();
+    const auto row = [&](const std::string& source, double sum, int freedom, std::optional<double> f, std::optional<double> p) {
+        table.row({response, source, sum, static_cast<std::int64_t>(freedom), freedom > 0 ? Cell(sum / freedom) : Cell(),
+                   optional_cell(f), optional_cell(p)});
+    };
+    const auto tested = model.significance();
+    row("model", fit.total_sum - fit.residual_sum, static_cast<int>(model.terms().size()) - 1,
+        tested ? std::optional(tested->f) : std::nullopt, tested ? std::optional(tested->p) : std::nullopt);
+    for (std::size_t i = 1; i < model.terms().size(); ++i) {
+        const double sum = fit.coefficients[i] * fit.coefficients[i] / fit.inverse[i][i];
+        row(model.terms()[i].name(), sum, 1, variance > 0 ? std::optional(sum / variance) : std::nullopt, model.p_value(i));
+    }
+    row("residual", fit.residual_sum, fit.freedom, std::nullopt, std::nullopt);
+    if (const auto lack = model.lack_of_fit()) {
+        row("lack of fit", lack->sum, lack->freedom, lack->f, lack->p);
+        row("pure error", lack->pure_error_sum, lack->pure_error_freedom, std::nullopt, std::nullopt);
+    }
+    row("total", fit.total_sum, static_cast<int>(model.response().size()) - 1, std::nullopt, std::nullopt);
+}
+
+void write_summary(TableWriter& table, const std::string& response, const Model& model) {
+    const Regression& fit = model.regression();
+    const auto tested = model.significance();
+    const auto lack = model.lack_of_fit();
+    std::string names;
+    for (const Term& term : model.terms()) names += (names.empty() ? "" : ", ") + term.name();
+    table.row({response, names, static_cast<std::int64_t>(model.response().size()), fit.r_squared(),
+               optional_cell(fit.adjusted_r_squared()), fit.predicted_r_squared(), fit.press,
+               fit.freedom > 0 ? Cell(std::sqrt(fit.variance())) : Cell(), tested ? Cell(tested->f) : Cell(),
+               tested ? Cell(tested->p) : Cell(), lack ? Cell(lack->f) : Cell(), lack ? Cell(lack->p) : Cell()});
+}
+
+struct FitTableForm {
+    std::vector<std::string> columns;
+    void (*write)(TableWriter&, const std::string&, const Model&);
+};
+
+FitTableForm form_of(Options::FitTable kind) {
+    switch (kind) {
+        case Options::FitTable::anova:
+            return {{"response", "source", "sum_of_squares", "freedom", "mean_square", "F", "p"}, write_anova};
+        case Options::FitTable::summary:
+            return {{"response", "terms", "runs", "r_squared", "adjusted_r_squared", "predicted_r_squared", "press",
+                     "residual_deviation", "F", "p", "lack_of_fit_F", "lack_of_fit_p"},
+                    write_summary};
+        case Options::FitTable::terms: break;
+    }
+    return {{"response", "term", "coefficient", "standard_error", "t", "p", "low", "high"}, write_terms};
+}
+
+/// Bounds of the joint region along each factor, by a grid over the design.
+struct RegionExtent {
+    std::vector<double> low;
+    std::vector<double> high;
+    double share = 0;           ///< of the design that lies in the region
+    bool reaches_edge = false;  ///< the region goes on beyond the design
+};
+
+std::optional<RegionExtent> extent_of(const Problem& problem) {
+    if (!problem.confidence.is_known()) return std::nullopt;
+    const Region design(problem.runs.coded);
+    const std::size_t n = design.n_factors();
+    const std::size_t fine = n == 1 ? 2001 : n == 2 ? 201 : n == 3 ? 41 : 11;
+    const auto places = design.grid(fine);
+    RegionExtent extent{std::vector<double>(n, HUGE_VAL), std::vector<double>(n, -HUGE_VAL), 0, false};
+    const auto beyond = [&](std::vector<double> place) {
+        for (double& x : place) x *= 1 + 2.0 / static_cast<double>(fine);
+        return !design.holds(place);
+    };
+    std::size_t inside = 0;
+    for (const auto& place : places) {
+        if (!problem.confidence.holds(place)) continue;
+        ++inside;
+        extent.reaches_edge = extent.reaches_edge || beyond(place);
+        for (std::size_t k = 0; k < n; ++k) {
+            extent.low[k] = std::min(extent.low[k], place[k]);
+            extent.high[k] = std::max(extent.high[k], place[k]);
+        }
+    }
+    if (inside == 0) return std::nullopt;
+    extent.share = static_cast<double>(inside) / static_cast<double>(places.size());
+    return extent;
+}
+
+std::vector<std::string> solution_columns(const Problem& problem) {
+    std::vector<std::string> columns{"optimum"};
+    for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) columns.push_back(fmt::format("x{}", k + 1));
+    for (const Factor& factor : problem.runs.factors) {
+        for (const char* end : {"", "_region_low", "_region_high"}) columns.push_back(factor.name + end);
+    }
+    for (const char* name : {"desirability", "region_share_of_design", "region_reaches_edge"}) columns.emplace_back(name);
+    for (const Goal& goal : problem.goals) {
+        for (const char* end : {"", "_confidence_low", "_confidence_high", "_prediction_low", "_prediction_high"}) {
+            columns.push_back(goal.response + end);
+        }
+    }
+    return columns;
+}
+
+std::vector<Cell> solution_row(const Problem& problem, std::size_t index, const std::optional<RegionExtent>& extent) {
+    const Optimum& optimum = problem.optima[index];
+    std::vector<Cell> row{static_cast<std::int64_t>(index + 1)};
+    for (const double x : optimum.coded) row.emplace_back(x);
+    for (std::size_t k = 0; k < optimum.coded.size(); ++k) {
+        const Factor& factor = problem.runs.factors[k];
+        row.emplace_back(factor.value(optimum.coded[k]));
+        row.push_back(extent ? Cell(factor.value(extent->low[k])) : Cell());
+        row.push_back(extent ? Cell(factor.value(extent->high[k])) : Cell());
+    }
+    row.emplace_back(optimum.desirability);
+    row.push_back(extent ? Cell(extent->share) : Cell());
+    row.push_back(extent ? Cell(std::string(extent->reaches_edge ? "yes" : "no")) : Cell());
+    for (const Model& model : problem.models) {
+        const Estimate mean = model.confidence(optimum.coded);
+        const Estimate single = model.prediction(optimum.coded);
+        row.emplace_back(mean.value);
+        for (const auto& end : {mean.low, mean.high, single.low, single.high}) row.push_back(optional_cell(end));
+    }
+    return row;
+}
+
+std::vector<Goal> parse_goals(const Options& options) {
+    std::vector<Goal> goals;
+    for (const auto& text : options.targets) goals.push_back(parse_goal(text, Goal::Kind::target, "--target"));
+    for (const auto& text : options.maxima) goals.push_back(parse_goal(text, Goal::Kind::maximum, "--maximise"));
+    for (const auto& text : options.minima) goals.push_back(parse_goal(text, Goal::Kind::minimum, "--minimise"));
+    if (goals.empty()) throw UsageError("ccd solve: no goal; give --target NAME=VALUE, --maximise or --minimise");
+    return goals;
+}
+
+}  // namespace
+
+void write_design(std::ostream& out, const Options& options, TableFormat format) {
+    const std::vector<Factor> factors = parse_factors(options.factors);
+    constexpr std::size_t most = 10;
+    if (factors.empty() || factors.size() > most) {
+        throw UsageError(fmt::format("--factor: {} given; 1 to {} factors NAME=LOW:HIGH are needed", factors.size(), most));
+    }
+    std::vector<std::string> columns{"run"};
+    for (std::size_t k = 0; k < factors.size(); ++k) columns.push_back(fmt::format("x{}", k + 1));
+    for (const Factor& factor : factors) columns.push_back(factor.name);
+    TableWriter table(out, columns, format);
+    std::int64_t number = 0;
+    for (const auto& coded : coded_runs(factors.size(), options.star, options.centre_runs)) {
+        std::vector<Cell> row{++number};
+        for (const double x : coded) row.emplace_back(x);
+        for (std::size_t k = 0; k < factors.size(); ++k) row.emplace_back(factors[k].value(coded[k]));
+        table.row(row);
+    }
+}
+
+void write_fit(std::ostream& out, const std::string& file, const Options& options, TableFormat format) {
+    if (options.responses.empty()) throw UsageError("ccd fit: no response; give --response NAME, a column of the table");
+    const TableFile input(file);
+    const Runs runs = read_runs(input, parse_factors(options.factors));
+    std::vector<Model> models;
+    for (const auto& response : options.responses) models.push_back(fit_response(input, runs, response, options.model));
+    const FitTableForm form = form_of(options.fit_table);
+    TableWriter table(out, form.columns, format);
+    for (std::size_t i = 0; i < models.size(); ++i) form.write(table, options.responses[i], models[i]);
+}
+
+Problem solve_problem(const std::string& file, const Options& options) {
+    std::vector<Goal> goals = parse_goals(options);
+    const TableFile input(file);
+    Runs runs = read_runs(input, parse_factors(options.factors));
+    std::vector<Model> models;
+    std::vector<Model> with_target;
+    std::vector<double> targets;
+    for (Goal& goal : goals) {
+        set_limits(goal, input.numbers(goal.response));
+        models.push_back(fit_response(input, runs, goal.response, options.model));
+        if (goal.kind != Goal::Kind::target) continue;
+        with_target.push_back(models.back());
+        targets.push_back(goal.target);
+    }
+    std::vector<Optimum> optima = solve(models, goals, Region(runs.coded));
+    if (optima.empty()) {
+        throw InputError(input.name() + ": nowhere within the design are all goals met to any degree; widen their limits");
+    }
+    return {
+        std::move(runs), std::move(goals), std::move(models), std::move(optima), {std::move(with_target), std::move(targets)}};
+}
+
+void write_solution(std::ostream& out, const std::string& file, const Options& options, TableFormat format) {
+    const Problem problem = solve_problem(file, options);
+    const std::optional<RegionExtent> extent = extent_of(problem);
+    TableWriter table(out, solution_columns(problem), format);
+    for (std::size_t i = 0; i < problem.optima.size(); ++i) table.row(solution_row(problem, i, extent));
+}
+
+}  // namespace graincrack::ccd

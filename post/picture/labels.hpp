@@ -1,0 +1,11 @@
+// Words for axes and legends from the names of columns.
+#pragma once
+
+#include <string>
+
+namespace graincrack {
+
+/// "contact_cohesion_MPa" → "contact cohesion, MPa"; "friction_angle_deg" → "friction angle, °".
+std::string label_words(const std::string& column);
+
+}  // namespace graincrack
