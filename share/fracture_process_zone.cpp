@@ -43,6 +43,10 @@ double mode_i_fracture_energy(const Rock& rock, PlaneCondition plane) {
     return square(rock.mode_i_toughness) / effective_modulus(rock, plane);
 }
 
+double mode_ii_fracture_energy(const Rock& rock, PlaneCondition plane) {
+    return square(rock.mode_ii_toughness) / effective_modulus(rock, plane);
+}
+
 double critical_displacement(double strength, double stiffness) { return e * strength / stiffness; }
 
 double ultimate_displacement(double fracture_energy, double tensile_strength, double critical_displacement) {

@@ -38,6 +38,8 @@ double shear_stiffness(const Rock& rock, PlaneCondition plane);
 double mixed_mode_fracture_energy(const Rock& rock, PlaneCondition plane);
 /// G_I = K_IC² / Ẽ, J/m².
 double mode_i_fracture_energy(const Rock& rock, PlaneCondition plane);
+/// G_II = K_IIC² / Ẽ, J/m².
+double mode_ii_fracture_energy(const Rock& rock, PlaneCondition plane);
 /// δct = e tc / kt, Eq 8, or δcs = e cc / ks, Eq 11, m.
 double critical_displacement(double strength, double stiffness);
 /// δut = 2 Gf/tc − (2e − 5) δct, from Eq 14, m. May fall below δct: then Gf is too small for the elastic branch.

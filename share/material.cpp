@@ -71,7 +71,13 @@ std::vector<Table> tables_of(Material& material) {
           {"friction_angle", quantity::contact_friction_angle, to(contact.friction_angle), true},
           {"normal_stiffness", quantity::contact_normal_stiffness, to_optional(contact.normal_stiffness), false},
           {"shear_stiffness", quantity::contact_shear_stiffness, to_optional(contact.shear_stiffness), false},
-          {"fracture_energy", quantity::fracture_energy, to_optional(contact.fracture_energy), false}}},
+          {"fracture_energy", quantity::fracture_energy, to_optional(contact.fracture_energy), false},
+          {"mode_ii_fracture_energy", quantity::mode_ii_fracture_energy, to_optional(contact.mode_ii_fracture_energy), false},
+          {"residual_tensile_strength", quantity::contact_residual_tensile_strength,
+           to_optional(contact.residual_tensile_strength), false},
+          {"residual_cohesion", quantity::contact_residual_cohesion, to_optional(contact.residual_cohesion), false},
+          {"residual_friction_angle", quantity::contact_residual_friction_angle, to_optional(contact.residual_friction_angle),
+           false}}},
         {"platen", {{"friction_angle", quantity::platen_friction, to(material.platen_friction_angle), false}}},
         {"laboratory", {}},
     };
@@ -233,13 +239,10 @@ ContactParameters contact_parameters(const Material& material, PlaneCondition pl
     p.critical_opening = fpz::critical_displacement(p.tensile_strength, p.normal_stiffness);
     p.critical_sliding = fpz::critical_displacement(p.cohesion, p.shear_stiffness);
     p.ultimate_opening = fpz::ultimate_displacement(p.fracture_energy, p.tensile_strength, p.critical_opening);
-    if (!(p.ultimate_opening >= p.critical_opening)) {
-        const double least = fpz::fracture_energy(p.tensile_strength, p.critical_opening, p.critical_opening);
-        throw UsageError(fmt::format(
-            "--fracture-energy: {} ({}) is less than a contact of tensile strength {} takes to its peak; at least {} J/m2 fits",
-            format_quantity(p.fracture_energy, Dimension::fracture_energy), name_of(chosen.kind),
-            format_quantity(p.tensile_strength, Dimension::stress), format_number(least, 4)));
-    }
+    p.mode_ii_fracture_energy = contact.mode_ii_fracture_energy.value_or(fpz::mode_ii_fracture_energy(rock, plane));
+    p.residual_tensile_strength = contact.residual_tensile_strength.value_or(0);
+    p.residual_cohesion = contact.residual_cohesion.value_or(0);
+    p.residual_friction_angle = contact.residual_friction_angle.value_or(contact.friction_angle);
     return p;
 }
 

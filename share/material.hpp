@@ -21,6 +21,11 @@ struct ContactMaterial {
     std::optional<double> normal_stiffness;  ///< kt, Pa/m
     std::optional<double> shear_stiffness;   ///< ks, Pa/m
     std::optional<double> fracture_energy;   ///< Gf, J/m²
+    // of single laws only
+    std::optional<double> mode_ii_fracture_energy;    ///< G_II, J/m²
+    std::optional<double> residual_tensile_strength;  ///< Pa
+    std::optional<double> residual_cohesion;          ///< Pa
+    std::optional<double> residual_friction_angle;    ///< rad
 };
 
 /// [laboratory]: measured values, by key, in SI; not read by the solver.
@@ -60,7 +65,7 @@ std::string_view name_of(FractureEnergyChoice::Kind kind);
 /// The choice `contact_parameters` makes: `choice`; else the material's own value; else mode-i.
 FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice);
 
-/// All parameters of a contact, derived and validated: what a law needs.
+/// All parameters of a contact, derived: what a law needs.
 struct ContactParameters {
     double normal_stiffness = 0;  ///< kt, Pa/m
     double shear_stiffness = 0;   ///< ks, Pa/m
@@ -70,12 +75,17 @@ struct ContactParameters {
     double fracture_energy = 0;   ///< Gf, J/m²
     double critical_opening = 0;  ///< δct, m (Eq 8)
     double critical_sliding = 0;  ///< δcs, m (Eq 11)
-    double ultimate_opening = 0;  ///< δut, m (Eq 14)
+    double ultimate_opening = 0;  ///< δut, m (Eq 14); below δct if Gf is too small for a law with this branch
+    // of single laws only
+    double mode_ii_fracture_energy = 0;    ///< G_II, J/m²; K_IIC²/Ẽ unless given
+    double residual_tensile_strength = 0;  ///< after failure, Pa
+    double residual_cohesion = 0;          ///< after failure, Pa
+    double residual_friction_angle = 0;    ///< after failure, rad; φc unless given
 };
 
 /// Derives the contact parameters of a material for a plane condition (Eqs 3–5, 8, 11, 14, 32).
-/// An explicit `choice` wins over the material's own fracture energy; without either the choice is mode-i.
-/// \throws UsageError if the fracture energy is too small for the elastic branch (δut < δct), naming the least that fits.
+/// An explicit `choice` wins over the material's own fracture energy; without either the choice is mode-i. Whether the energies
+/// are enough depends on the law.
 ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
                                      const std::optional<FractureEnergyChoice>& choice);
 

@@ -89,13 +89,21 @@ inline constexpr Quantity contact_tensile_strength{
     "contact_tensile_strength", Dimension::stress, 0, 1e12, "tensile strength t_c of a contact", true};
 inline constexpr Quantity contact_cohesion{"contact_cohesion", Dimension::stress, 0, 1e12, "cohesion c_c of a contact", true};
 inline constexpr Quantity contact_friction_angle{"contact_friction_angle", Dimension::angle, 0, 1.55,
-                                                 "friction angle of a failed contact"};
+                                                 "friction angle phi_c of a contact"};
 inline constexpr Quantity contact_normal_stiffness{
     "contact_normal_stiffness", Dimension::stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true};
 inline constexpr Quantity contact_shear_stiffness{
     "contact_shear_stiffness", Dimension::stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true};
 inline constexpr Quantity fracture_energy{
     "fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true};
+inline constexpr Quantity mode_ii_fracture_energy{
+    "mode_ii_fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to slide a unit of contact area apart", true};
+inline constexpr Quantity contact_residual_tensile_strength{"contact_residual_tensile_strength", Dimension::stress, 0, 1e12,
+                                                            "tensile strength of a failed contact"};
+inline constexpr Quantity contact_residual_cohesion{"contact_residual_cohesion", Dimension::stress, 0, 1e12,
+                                                    "cohesion of a failed contact"};
+inline constexpr Quantity contact_residual_friction_angle{"contact_residual_friction_angle", Dimension::angle, 0, 1.55,
+                                                          "friction angle of a failed contact"};
 inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};
 
 // --- specimen --------------------------------------------------------------------------------------------------------

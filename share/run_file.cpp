@@ -48,7 +48,8 @@ namespace {
 
 constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
 
-/// Every attribute of /run once: writing and reading are the same list.
+/// Every attribute of /run once: writing and reading are the same list. `newer` ones may be missing from older files, which then
+/// mean the default.
 template <class Header, class Visit>
 void visit_header(Header& h, Visit&& visit) {
     visit("test", h.test);
@@ -71,6 +72,10 @@ void visit_header(Header& h, Visit&& visit) {
     visit("critical_opening", h.contact.critical_opening, Dimension::length);
     visit("critical_sliding", h.contact.critical_sliding, Dimension::length);
     visit("ultimate_opening", h.contact.ultimate_opening, Dimension::length);
+    visit.newer("mode_ii_fracture_energy", h.contact.mode_ii_fracture_energy, Dimension::fracture_energy);
+    visit.newer("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
+    visit.newer("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
+    visit.newer("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit("platen_speed", h.platen_speed, Dimension::speed);
@@ -100,6 +105,7 @@ struct HeaderWriter {
     void operator()(const char* name, const double& value, Dimension dimension) const {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
+    void newer(const char* name, const double& value, Dimension dimension) const { (*this)(name, value, dimension); }
 };
 
 struct HeaderReader {
@@ -110,6 +116,9 @@ struct HeaderReader {
     }
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
+    }
+    void newer(const char* name, double& value, Dimension /*dimension*/) const {
+        value = file.attribute_or<double>(schema::run_group, name, value);
     }
 };
 

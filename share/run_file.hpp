@@ -26,9 +26,9 @@ enum class CrackMode : std::uint8_t { tensile = 0, shear = 1 };
 struct RunHeader {
     std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
     std::string material;                ///< name of the material
-    std::string contact_law;             ///< "literal" | "scaled" | "continuous"
+    std::string contact_law;             ///< a name of solver/law/table.hpp
     std::string coupling;                ///< "full" | "none"
-    std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"
+    std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"; "none" with a law without
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;

@@ -18,7 +18,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "share/material.hpp"
 #include "solver/law/table.hpp"
@@ -26,22 +25,31 @@
 namespace graincrack {
 
 inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant variant, Coupling coupling) {
-    ContactLaw law{variant,
-                   coupling,
-                   p.normal_stiffness,
-                   p.shear_stiffness,
-                   p.tensile_strength,
-                   std::tan(p.friction_angle),
-                   p.critical_opening,
-                   p.critical_sliding,
-                   p.ultimate_opening,
-                   0,
-                   1 / p.critical_opening,
-                   1 / p.critical_sliding,
-                   p.shear_stiffness / (std::numbers::e * p.tensile_strength),
-                   p.fracture_energy};
-    law.w = contact_law::with_law(variant, [&](auto kind) { return decltype(kind)::open_weight(law); });
+    ContactLaw law{};
+    law.variant = variant;
+    law.coupling = coupling;
+    law.kt = p.normal_stiffness;
+    law.ks = p.shear_stiffness;
+    law.tc = p.tensile_strength;
+    law.cc = p.cohesion;
+    law.tan_phi = std::tan(p.friction_angle);
+    law.gf = p.fracture_energy;
+    law.g2 = p.mode_ii_fracture_energy;
+    law.residual_tc = p.residual_tensile_strength;
+    law.residual_cc = p.residual_cohesion;
+    law.residual_tan_phi = std::tan(p.residual_friction_angle);
+    law.dct = p.critical_opening;
+    law.dcs = p.critical_sliding;
+    law.dut = p.ultimate_opening;
+    law.inv_dct = 1 / law.dct;
+    law.inv_dcs = 1 / law.dcs;
+    contact_law::with_law(variant, [&law](auto kind) { decltype(kind)::complete(law); });
     return law;
+}
+
+/// The least fracture energies with which a law works: what its peaks take.
+inline FractureEnergies least_fracture_energies(const ContactLaw& law) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::least_energies(law); });
 }
 
 /// Recoverable energy per area of a contact point in its present motion, J/m².
@@ -57,9 +65,9 @@ inline double damage(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::damage(law, history); });
 }
 
-/// The part of the law that vector units work on.
-inline IntactLaw make_intact_law(const ContactLaw& law) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::intact_law(law); });
+/// What the law gives for an intact point, without a branch. \see contact_stage.cpp
+inline IntactResponse intact_response(const ContactLaw& law, const IntactPoint& point) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::intact(law, point); });
 }
 
 namespace contact_law {

@@ -1,8 +1,8 @@
 // The contact stage of a step: jumps of displacement → law → nodal forces, block by block.
 //
 // A block is worked on in passes over arrays on the stack: gather (scalar, indexed), frame and motion (vector), the law of
-// intact points that stay on their branch and short of their peak (vector, no branch), the full law for all others (scalar,
-// few), nodal forces (vector), scatter to the slots.
+// points that stay intact (vector, no branch), the full law for all others (scalar, few), nodal forces (vector), scatter to the
+// slots. Sums are over fixed lanes, so that every vector unit adds in the same order.
 #include <cmath>
 
 #include "solver/step.hpp"
@@ -12,16 +12,20 @@ namespace graincrack {
 namespace {
 
 constexpr std::int32_t n = contacts_per_block;
+constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
+static_assert(n % lanes == 0);
 
 /// A block's contacts side by side; [p] is the contact point.
 struct Batch {
     alignas(64) double edge_x[n], edge_y[n], edge_squared[n], area[n];
     alignas(64) double jump_x[2][n], jump_y[2][n];
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
-    alignas(64) double old_opening[2][n], opening[2][n], sliding[2][n];
+    alignas(64) double old_opening[2][n], opening[2][n], old_sliding[2][n], sliding[2][n];
     alignas(64) double normal_traction[2][n], shear_traction[2][n];
     alignas(64) double intact[2][n];    ///< 1 while the point has not failed, else 0
     alignas(64) double ordinary[2][n];  ///< 1 where the intact law holds, else 0
+    alignas(64) double cohesion_left[2][n];
+    alignas(64) double fracture[2][n];  ///< booked by the intact law, J
     alignas(64) double force[8][n];     ///< x, y on a1, a2, b1, b2
 };
 
@@ -44,6 +48,8 @@ void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
         b.jump_y[1][i] = ub2.y - ua2.y;
         for (std::int32_t p = 0; p < 2; ++p) {
             b.old_opening[p][i] = s.opening[2 * c + p];
+            b.old_sliding[p][i] = s.sliding[2 * c + p];
+            b.cohesion_left[p][i] = s.cohesion_left[2 * c + p];
             b.intact[p][i] = s.failed[2 * c + p] == 0 ? 1.0 : 0.0;
         }
     }
@@ -67,25 +73,57 @@ GRAINCRACK_VECTOR_TARGETS void find_motions(std::int32_t count, Batch& b) {
 }
 
 /// \return number of points that need the full law
-GRAINCRACK_VECTOR_TARGETS double apply_intact_law(const ContactLaw& law, std::int32_t count, Batch& b) {
-    const IntactLaw intact = make_intact_law(law);
-    double left_over = 0;
+template <class Law>
+GRAINCRACK_VECTOR_TARGETS std::int32_t apply_intact_law(const ContactLaw& constants, std::int32_t count, Batch& b) {
+    const ContactLaw law = constants;  // a copy that no store can change
+    std::int32_t left_over = 0;
     for (std::int32_t p = 0; p < 2; ++p) {
         for (std::int32_t i = 0; i < count; ++i) {
-            const double opening = b.opening[p][i];
-            const double sliding = b.sliding[p][i];
-            const IntactTraction t = intact_traction(intact, opening, sliding);
-            b.normal_traction[p][i] = t.normal;
-            b.shear_traction[p][i] = t.shear;
-            const double old = b.old_opening[p][i];
-            const double stays = opening >= 0 ? (old >= 0 ? intact.follows_open : 0.0) : (old >= 0 ? 0.0 : intact.follows_closed);
-            b.ordinary[p][i] = (t.load <= 1 ? stays : 0.0) * b.intact[p][i];
+            const IntactResponse r = Law::intact(
+                law, {b.old_opening[p][i], b.old_sliding[p][i], b.opening[p][i], b.sliding[p][i], b.cohesion_left[p][i]});
+            const double ordinary = r.holds * b.intact[p][i];
+            b.normal_traction[p][i] = r.normal;
+            b.shear_traction[p][i] = r.shear;
+            b.ordinary[p][i] = ordinary;
+            if constexpr (Law::damages_intact) {
+                b.cohesion_left[p][i] = ordinary == 0 ? b.cohesion_left[p][i] : r.cohesion_left;
+                b.fracture[p][i] = ordinary == 0 ? 0.0 : b.area[i] * r.fracture;
+            }
         }
         for (std::int32_t i = 0; i < count; ++i) {
-            left_over += 1 - b.ordinary[p][i];
+            left_over += b.ordinary[p][i] == 0 ? 1 : 0;
         }
     }
     return left_over;
+}
+
+/// Sum over the points of a block that are open, or closed.
+GRAINCRACK_VECTOR_TARGETS double fracture_sum(const Batch& b, bool open) {
+    double sum[lanes] = {};
+    for (std::int32_t p = 0; p < 2; ++p) {
+        for (std::int32_t i = 0; i < n; i += lanes) {
+            for (std::int32_t k = 0; k < lanes; ++k) {
+                sum[k] += (b.opening[p][i + k] >= 0) == open ? b.fracture[p][i + k] : 0.0;
+            }
+        }
+    }
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+/// Damage before the peak: β and the energy it takes, on the branch it happens on.
+void book_intact_damage(std::int32_t block, Range range, Batch& b, State& s) {
+    for (std::int32_t p = 0; p < 2; ++p) {
+        for (std::int32_t i = range.size(); i < n; ++i) {
+            b.fracture[p][i] = b.opening[p][i] = 0;
+        }
+        for (std::int32_t i = 0; i < range.size(); ++i) {
+            const auto point = 2 * static_cast<std::size_t>(range.begin + i) + static_cast<std::size_t>(p);
+            s.cohesion_left[point] = b.cohesion_left[p][i];
+            s.fracture_energy[point] += b.fracture[p][i];
+        }
+    }
+    s.contact_sums[block].fracture_tension += fracture_sum(b, true);
+    s.contact_sums[block].fracture_shear += fracture_sum(b, false);
 }
 
 /// The full law at one point: energies and events on top of the traction.
@@ -95,6 +133,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     const ContactGeometry& g = a.contacts[c];
     ContactHistory& history = s.points[point];
     history.motion = {s.opening[point], s.sliding[point]};
+    history.cohesion_left = s.cohesion_left[point];
     const ContactResponse r = update_contact(law, to, history);
     ContactSums& sums = s.contact_sums[block];
     const double fracture = g.point_area * r.dissipation.fracture;
@@ -123,6 +162,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     }
     history = r.history;
     s.failed[point] = history.failed() ? 1 : 0;
+    s.cohesion_left[point] = history.cohesion_left;
     return r.traction;
 }
 
@@ -190,7 +230,15 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
     Batch batch;
     gather(a, s, range, batch);
     find_motions(range.size(), batch);
-    if (apply_intact_law(law, range.size(), batch) > 0) {
+    const std::int32_t left_over = contact_law::with_law(law.variant, [&](auto kind) {
+        using Law = decltype(kind);
+        const std::int32_t n_left = apply_intact_law<Law>(law, range.size(), batch);
+        if constexpr (Law::damages_intact) {
+            book_intact_damage(block, range, batch, s);
+        }
+        return n_left;
+    });
+    if (left_over > 0) {
         apply_full_law(a, law, block, step, s, batch);
     }
     find_forces(range.size(), batch);

@@ -2,6 +2,7 @@
 
 #include "share/command_line.hpp"
 #include "share/error.hpp"
+#include "solver/contact_options.hpp"
 
 namespace graincrack {
 namespace {
@@ -12,35 +13,9 @@ const char* const examples =
 
 /// Values of options that end in a request only together with the material.
 struct RawOptions {
-    std::string material;
-    std::optional<double> contact_tensile_strength, contact_cohesion, contact_friction_angle, platen_friction, confining_pressure;
-    std::optional<FractureEnergyChoice> fracture_energy;
-    std::string plane;
+    ContactOptions contact;
+    std::optional<double> platen_friction, confining_pressure;
 };
-
-void add_material_options(CLI::App& command, RawOptions& raw) {
-    command.add_option("--material", raw.material, "material: a name of share/materials or a TOML file")
-        ->required()
-        ->type_name("NAME");
-    add_quantity(command, "--contact-tensile-strength", raw.contact_tensile_strength, quantity::contact_tensile_strength,
-                 "tensile strength tc of the contacts instead of the material's");
-    add_quantity(command, "--contact-cohesion", raw.contact_cohesion, quantity::contact_cohesion,
-                 "cohesion cc of the contacts instead of the material's");
-    add_quantity(command, "--contact-friction-angle", raw.contact_friction_angle, quantity::contact_friction_angle,
-                 "friction angle of failed contacts instead of the material's");
-    add_fracture_energy(
-        command, raw.fracture_energy,
-        "fracture energy of the contacts: mixed (Eq 32), mode-i (K_IC^2/E~) or a value; mode-i unless the material has one");
-}
-
-void add_law_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
-    std::vector<std::pair<std::string, LawVariant>> laws;
-    for (const LawDescription& law : all_contact_laws()) laws.emplace_back(law.name, law.variant);
-    add_choice<LawVariant>(command, "--contact-law", request.law, laws, "contact law; see share/doc/laws.md");
-    add_choice<Coupling>(command, "--coupling", request.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
-                         "full: failure in one mode takes the cohesion in both; none: each mode for itself");
-    add_choice(command, "--plane", raw.plane, {"strain", "stress"}, "plane condition");
-}
 
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
     LoadingRequest& loading = request.loading;
@@ -68,8 +43,7 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
                    const std::string& help) {
     CLI::App* command = app.add_subcommand(std::string(name_of(test)), help);
     command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
-    add_material_options(*command, raw);
-    add_law_options(*command, options.request, raw);
+    add_contact_options(*command, raw.contact);
     add_run_options(*command, options.request, raw, test == TestKind::triaxial);
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
@@ -77,21 +51,9 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
 }
 
 void complete_request(SimulationRequest& request, const RawOptions& raw) {
-    Material material = read_material(raw.material);
-    material.contact.tensile_strength = raw.contact_tensile_strength.value_or(material.contact.tensile_strength);
-    material.contact.cohesion = raw.contact_cohesion.value_or(material.contact.cohesion);
-    material.contact.friction_angle = raw.contact_friction_angle.value_or(material.contact.friction_angle);
-    const bool brazilian = request.loading.test == TestKind::brazilian;
-    request.plane = raw.plane.empty() ? (brazilian ? PlaneCondition::stress : PlaneCondition::strain)
-                                      : (raw.plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain);
-    request.contact = contact_parameters(material, request.plane, raw.fracture_energy);
-    using Kind = FractureEnergyChoice::Kind;
-    const Kind kind =
-        raw.fracture_energy ? raw.fracture_energy->kind : (material.contact.fracture_energy ? Kind::value : Kind::mode_i);
-    request.fracture_energy_choice = kind == Kind::mixed ? "mixed" : (kind == Kind::mode_i ? "mode-i" : "value");
-    request.loading.platen_friction = raw.platen_friction.value_or(material.platen_friction_angle);
+    apply_contact_options(raw.contact, request);
+    request.loading.platen_friction = raw.platen_friction.value_or(request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
-    request.material = std::move(material);
 }
 
 }  // namespace

@@ -47,8 +47,9 @@ struct State {
     std::vector<Vector2> contact_force;   ///< [4 c] slots, N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
+    std::vector<double> cohesion_left;    ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
-    std::vector<ContactHistory> points;   ///< [2 c] what failed points remember; see `history_of`
+    std::vector<ContactHistory> points;   ///< [2 c] what failed points remember besides; see `history_of`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     std::vector<PlatenPoint> platen_points;
     std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
@@ -58,10 +59,11 @@ struct State {
     StepLoading loading;                            ///< at `time`
 };
 
-/// History of contact point 2 c + p with its present motion.
+/// History of contact point 2 c + p with its present motion and cohesion.
 inline ContactHistory history_of(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
+    history.cohesion_left = state.cohesion_left[point];
     return history;
 }
 

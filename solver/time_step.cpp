@@ -34,7 +34,6 @@ void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vecto
 }
 
 void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
-    const double shear_stiffness = std::max(law.ks, law.w * law.kt);
     for (const ContactGeometry& g : a.contacts) {
         const Vector2 t = (1 / (2 * g.point_area)) * g.edge;
         const Vector2 n{t.y, -t.x};
@@ -43,7 +42,7 @@ void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<
             const std::int32_t on_b = g.nodes[2 + p];
             const Vector2 jump = x[on_b] - x[on_a];
             const Vector2 force =
-                (g.point_area * law.kt * dot(jump, n)) * n + (g.point_area * shear_stiffness * dot(jump, t)) * t;
+                (g.point_area * law.kt * dot(jump, n)) * n + (g.point_area * law.stiffest_shear * dot(jump, t)) * t;
             y[on_b] += force;
             y[on_a] -= force;
         }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "solver/exponential.hpp"
 #include "solver/law/friction.hpp"
@@ -33,10 +34,13 @@ inline bool is_lost_open(const ContactLaw& law, const ContactHistory& h) {
 
 /// What the three readings have in common.
 struct PaperCompression {
+    static constexpr bool damages_intact = false;
+    /// Eq 14 with δut = δct: the softening branch is a fall.
+    static FractureEnergies least_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
     static void advance_closed(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         r.traction.normal = law.kt * to.opening;
         if (is_frictional(law, r.history)) {
-            slide(law, to, r);
+            slide(law, to, friction_limit(law, to), r);
             r.history.motion = to;
             return;
         }

@@ -37,9 +37,17 @@ inline double consistent_damage(const ContactLaw& law, double load, double stiff
 }
 
 struct Consistent {
-    static constexpr LawDescription description{LawVariant::consistent, "consistent",
-                                                "one damage variable, an energy, no mismatch", false};
-    static double open_weight(const ContactLaw& law) { return law.ks / law.kt; }
+    static constexpr LawDescription description{.variant = LawVariant::consistent,
+                                                .name = "consistent",
+                                                .meaning = "one damage variable, an energy, no mismatch",
+                                                .fracture_energy = true};
+    static constexpr bool damages_intact = true;
+    /// In pure opening. A direction in which the way to the peak takes more than Gf has no softening and takes that.
+    static FractureEnergies least_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
+    static void complete(ContactLaw& law) {
+        law.stiffest_shear = law.ks;
+        law.inv_dso = law.ks / (std::numbers::e * law.tc);
+    }
 
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
@@ -71,15 +79,15 @@ struct Consistent {
         const double limit = friction_limit(law, to);
         const double load = std::abs(to.sliding) * law.inv_dcs;
         ContactResponse friction{{}, h, {}};
-        slide(law, to, friction);
+        slide(law, to, limit, friction);
         h.slip = friction.history.slip;
         r.dissipation.friction += h.friction_share * friction.dissipation.friction;
         double frictional_shear = friction.traction.shear;
         if (load <= 1) {
             const double before = h.cohesion_left;
             h.cohesion_left = std::min(before, exp_of_minus(load));
-            r.dissipation.fracture +=
-                0.25 * law.ks * (from.sliding * from.sliding + to.sliding * to.sliding) * (before - h.cohesion_left);
+            const double q_before = law.ks * from.sliding * from.sliding;
+            r.dissipation.fracture += 0.25 * (q_before + law.ks * to.sliding * to.sliding) * (before - h.cohesion_left);
         } else if (h.cohesion_left > 0) {
             // The peak is passed: the cohesive share goes on with friction, from the traction it had.
             const double share = 1 - h.friction_share;
@@ -108,15 +116,19 @@ struct Consistent {
         return 0.5 * (law.kt * m.opening * m.opening + h.cohesion_left * shear + h.friction_share * law.ks * elastic * elastic);
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_share; }
-    static IntactLaw intact_law(const ContactLaw& law) {
-        return {law.kt,
-                law.ks,
-                law.w * law.kt,
-                law.inv_dct * law.inv_dct,
-                law.w * law.inv_dct * law.inv_dct,
-                law.inv_dcs * law.inv_dcs,
-                0.0,  // every point books damage
-                0.0};
+    /// Damage before the peak, on either branch; the same arithmetic as above.
+    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
+        const bool open = p.opening >= 0;
+        const double x = open ? p.opening * law.inv_dct : 0.0;
+        const double y = p.sliding * (open ? law.inv_dso : law.inv_dcs);
+        const double load = std::sqrt(x * x + y * y);
+        const double left = std::min(p.cohesion_left, exp_of_minus(load));
+        const double normal = open ? law.kt * p.opening * p.opening : 0.0;
+        const double old_normal = open ? law.kt * p.old_opening * p.old_opening : 0.0;
+        const double q = normal + law.ks * p.sliding * p.sliding;
+        const double old_q = old_normal + law.ks * p.old_sliding * p.old_sliding;
+        return {(open ? left : 1.0) * law.kt * p.opening, left * law.ks * p.sliding, load <= 1 ? stays_on_its_side(p) : 0.0, left,
+                0.25 * (old_q + q) * (p.cohesion_left - left)};
     }
 };
 

@@ -7,8 +7,6 @@
 // as mismatch.
 #pragma once
 
-#include <numbers>
-
 #include "solver/law/compression.hpp"
 #include "solver/law/intact.hpp"
 
@@ -53,9 +51,15 @@ inline double continuous_mismatch(const ContactLaw& law, const ContactMotion& fr
 }
 
 struct Continuous : PaperCompression {
-    static constexpr LawDescription description{LawVariant::continuous, "continuous",
-                                                "single-valued before damage, shear strength c_c while open", true};
-    static double open_weight(const ContactLaw& law) { return law.ks / law.kt; }
+    static constexpr LawDescription description{.variant = LawVariant::continuous,
+                                                .name = "continuous",
+                                                .meaning = "single-valued before damage; shear strength c_c while open",
+                                                .coupling = true,
+                                                .fracture_energy = true};
+    static void complete(ContactLaw& law) {
+        law.w = law.ks / law.kt;
+        law.stiffest_shear = std::max(law.ks, law.w * law.kt);
+    }
 
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
@@ -107,10 +111,11 @@ struct Continuous : PaperCompression {
         }
         return h.failed_open ? continuous_damage(law, h.max_displacement, h.peak_displacement) : 0;
     }
-    static IntactLaw intact_law(const ContactLaw& law) {
-        return {law.kt, law.ks, law.ks, law.inv_dct * law.inv_dct, law.inv_dcs * law.inv_dcs, law.inv_dcs * law.inv_dcs,
-                0.0,  // open points book mismatch
-                1.0};
+    /// Closed points only: open ones book mismatch.
+    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
+        const double load = std::sqrt(law.inv_dcs * law.inv_dcs * p.sliding * p.sliding);
+        return {law.kt * p.opening, law.ks * exp_of_minus(load) * p.sliding,
+                load <= 1 && p.opening < 0 ? stays_on_its_side(p) : 0.0};
     }
 };
 

@@ -6,8 +6,6 @@
 // The stored energies of the two branches differ at δn = 0: that is booked as mismatch.
 #pragma once
 
-#include <numbers>
-
 #include "solver/law/compression.hpp"
 #include "solver/law/intact.hpp"
 
@@ -80,25 +78,39 @@ struct Effective : PaperCompression {
         }
         return law.dut > law.dct ? std::min(1.0, (h.max_displacement - law.dct) / (law.dut - law.dct)) : 1.0;
     }
-    static IntactLaw intact_law(const ContactLaw& law) {
-        return {law.kt,
-                law.ks,
-                law.w * law.kt,
-                law.inv_dct * law.inv_dct,
-                law.w * law.inv_dct * law.inv_dct,
-                law.inv_dcs * law.inv_dcs,
-                1.0,
-                1.0};
+    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
+        const bool open = p.opening >= 0;
+        const double normal_weight = law.inv_dct * law.inv_dct;
+        const double shear_weight = open ? law.w * law.inv_dct * law.inv_dct : law.inv_dcs * law.inv_dcs;
+        const double load =
+            std::sqrt((open ? normal_weight : 0.0) * p.opening * p.opening + shear_weight * p.sliding * p.sliding);
+        const double decay = exp_of_minus(load);
+        return {law.kt * (open ? decay : 1.0) * p.opening, (open ? law.w * law.kt : law.ks) * decay * p.sliding,
+                load <= 1 ? stays_on_its_side(p) : 0.0};
     }
 };
 
 struct Literal : Effective {
-    static constexpr LawDescription description{LawVariant::literal, "literal", "the text as printed", true};
-    static double open_weight(const ContactLaw& /*law*/) { return 1; }
+    static constexpr LawDescription description{.variant = LawVariant::literal,
+                                                .name = "literal",
+                                                .meaning = "the text as printed",
+                                                .coupling = true,
+                                                .fracture_energy = true};
+    static void complete(ContactLaw& law) {
+        law.w = 1;
+        law.stiffest_shear = std::max(law.ks, law.kt);
+    }
 };
 struct Scaled : Effective {
-    static constexpr LawDescription description{LawVariant::scaled, "scaled", "the text with sliding weighted by ks/kt", true};
-    static double open_weight(const ContactLaw& law) { return law.ks / law.kt; }
+    static constexpr LawDescription description{.variant = LawVariant::scaled,
+                                                .name = "scaled",
+                                                .meaning = "the text with sliding weighted by ks/kt",
+                                                .coupling = true,
+                                                .fracture_energy = true};
+    static void complete(ContactLaw& law) {
+        law.w = law.ks / law.kt;
+        law.stiffest_shear = std::max(law.ks, law.w * law.kt);
+    }
 };
 
 }  // namespace graincrack::contact_law

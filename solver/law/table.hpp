@@ -3,18 +3,22 @@
 // A law is a type with static pure functions; share/doc/laws.md tells how to add one:
 //
 //   description                     its row of the table
-//   open_weight(law)                shear stiffness of the open branch over kt, for the stable time step
+//   least_energies(law)             the least Gf (G_I) and G_II with which the law works; 0 where it has none
+//   complete(law)                   sets the constants that are its own; `stiffest_shear` in any case
 //   advance_open(law, to, r)        an open point moves to an open motion: r.history changes, r.traction is set, r.dissipation
 //   grows advance_closed(law, to, r)      the same for closed motions close(law, history)             an open point arrives at δn
 //   = 0 and will be closed; history.motion is there already stored_energy(law, history)     recoverable energy per area, a
-//   function of state damage(law, history)            0 to 1 intact_law(law)                 what vector units may work on
+//   function of state damage(law, history)            0 to 1 intact(law, point)              what vector units work on: the same
+//   for intact points, without a branch damages_intact                  true if that changes `cohesion_left` or books fracture
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "solver/law/combined.hpp"
 #include "solver/law/consistent.hpp"
 #include "solver/law/continuous.hpp"
+#include "solver/law/coulomb_slip.hpp"
 #include "solver/law/effective.hpp"
 
 namespace graincrack {
@@ -24,7 +28,7 @@ template <class... Laws>
 struct Table {
     static constexpr std::array<LawDescription, sizeof...(Laws)> descriptions{Laws::description...};
 };
-using AllLaws = Table<Literal, Scaled, Continuous, Consistent>;
+using AllLaws = Table<Literal, Scaled, Continuous, Consistent, CoulombSlip, Combined>;
 
 template <class First, class... Rest, class Action>
 constexpr auto with_law(Table<First, Rest...> /*table*/, LawVariant variant, const Action& action) {

@@ -12,17 +12,27 @@
 namespace graincrack {
 
 /// The contact laws (--contact-law); the order is that of `all_contact_laws`.
-enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent };
+enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent, coulomb_slip, combined };
 /// What failure in one mode does to the other (--coupling).
 enum class Coupling : std::uint8_t { full, none };
 constexpr std::string_view name_of(Coupling coupling) { return coupling == Coupling::full ? "full" : "none"; }
+
+/// Fracture energies, J/m².
+struct FractureEnergies {
+    double opening = 0;  ///< Gf, G_I
+    double sliding = 0;  ///< G_II
+};
 
 /// A row of the table of laws.
 struct LawDescription {
     LawVariant variant;
     std::string_view name;     ///< as options and files spell it
     std::string_view meaning;  ///< in a few words
-    bool has_coupling;         ///< --coupling makes a difference; else the law couples the modes by nature
+    // What it uses beyond stiffnesses, tensile strength, cohesion and friction angle:
+    bool coupling = false;                 ///< --coupling; a law without couples the modes by nature
+    bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II
+    bool mode_ii_fracture_energy = false;  ///< G_II
+    bool residual_strength = false;        ///< residual tensile strength, cohesion and friction angle
 };
 
 struct ContactMotion {
@@ -37,8 +47,10 @@ struct ContactTraction {
 /// What a contact point remembers.
 struct ContactHistory {
     ContactMotion motion;                       ///< of the last update
-    double max_displacement = 0;                ///< δmax once failed open, m
+    double max_displacement = 0;                ///< δmax once failed open (literal, scaled, continuous), m
     double peak_displacement = 0;               ///< δpk (continuous), m
+    double largest_open = 0;                    ///< largest δn/o_p once past 1, else 0 (combined)
+    double largest_slid = 0;                    ///< largest |δs|/s_p once past 1, else 0 (combined)
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
     double cohesion_left = 1;                   ///< β (consistent)
     double friction_share = 0;                  ///< a (consistent)
@@ -66,7 +78,7 @@ struct ContactResponse {
 inline ContactHistory broken_contact() {
     ContactHistory h;
     h.failed_open = h.failed_closed = h.separated = true;
-    h.max_displacement = std::numeric_limits<double>::max();  // nothing is left of either branch
+    h.max_displacement = h.largest_open = h.largest_slid = std::numeric_limits<double>::max();  // nothing is left
     h.cohesion_left = 0;
     h.friction_share = 1;
     return h;

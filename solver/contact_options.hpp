@@ -1,0 +1,30 @@
+// The options of graincrack-solve that make the contacts: material, law and parameters.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "share/command_line.hpp"
+#include "solver/simulation.hpp"
+
+namespace graincrack {
+
+/// Values that end in a request only together with the material.
+struct ContactOptions {
+    std::string material;
+    std::string plane;  ///< "strain", "stress" or empty: strain, but stress for brazilian
+    LawVariant law = SimulationRequest{}.law;
+    Coupling coupling = Coupling::full;
+    std::optional<double> normal_stiffness, shear_stiffness, tensile_strength, cohesion, friction_angle;
+    std::optional<double> residual_tensile_strength, residual_cohesion, residual_friction_angle;
+    std::optional<FractureEnergyChoice> fracture_energy;
+    std::optional<double> mode_ii_fracture_energy;
+};
+
+void add_contact_options(CLI::App& command, ContactOptions& options);
+
+/// Reads the material and sets material, contact, plane, law and coupling of a request whose test is known.
+/// \throws InputError; UsageError for a parameter that the law does not use or that does not fit it
+void apply_contact_options(const ContactOptions& options, SimulationRequest& request);
+
+}  // namespace graincrack
