@@ -14,11 +14,14 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
     }
     const ContactParameters& p = a.contact;
     const ContactParameters& q = b.contact;
-    if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle) {
+    if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle ||
+        p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||
+        p.residual_friction_angle != q.residual_friction_angle) {
         return "the contact parameters";
     }
     if (a.plane == b.plane && (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
-                               p.fracture_energy != q.fracture_energy)) {
+                               p.fracture_energy != q.fracture_energy ||
+                               p.mode_ii_fracture_energy != q.mode_ii_fracture_energy)) {
         return "the stiffness or fracture energy of the contacts";
     }
     return "";

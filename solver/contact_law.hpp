@@ -76,7 +76,7 @@ namespace contact_law {
 template <class Law>
 void cross(const ContactLaw& law, bool opens, double sliding, ContactResponse& r) {
     const double before = Law::stored_energy(law, r.history);
-    const double fracture = r.dissipation.fracture;
+    const double booked = r.dissipation.fracture + r.dissipation.friction;
     const ContactMotion edge{0, sliding};
     if (opens) {
         Law::advance_open(law, edge, r);
@@ -87,7 +87,8 @@ void cross(const ContactLaw& law, bool opens, double sliding, ContactResponse& r
     // Stored energy of the closed branch at δn → 0−: a zero opening counts as open, so approach it from below.
     ContactHistory after = r.history;
     after.motion.opening = opens ? 0.0 : -std::numeric_limits<double>::denorm_min();
-    r.dissipation.mismatch += before - Law::stored_energy(law, after) - (r.dissipation.fracture - fracture);
+    r.dissipation.mismatch +=
+        before - Law::stored_energy(law, after) - (r.dissipation.fracture + r.dissipation.friction - booked);
     r.history.motion.opening = after.motion.opening;
 }
 

@@ -45,6 +45,7 @@ struct Combined {
     static constexpr LawDescription description{.variant = LawVariant::combined,
                                                 .name = "combined",
                                                 .meaning = "softening of FEM/DEM codes with G_I and G_II",
+                                                .potential = true,
                                                 .fracture_energy = true,
                                                 .mode_ii_fracture_energy = true};
     static constexpr bool damages_intact = false;

@@ -40,6 +40,7 @@ struct Consistent {
     static constexpr LawDescription description{.variant = LawVariant::consistent,
                                                 .name = "consistent",
                                                 .meaning = "one damage variable, an energy, no mismatch",
+                                                .potential = true,
                                                 .fracture_energy = true};
     static constexpr bool damages_intact = true;
     /// In pure opening. A direction in which the way to the peak takes more than Gf has no softening and takes that.

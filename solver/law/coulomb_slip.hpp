@@ -24,6 +24,7 @@ struct CoulombSlip {
     static constexpr LawDescription description{.variant = LawVariant::coulomb_slip,
                                                 .name = "coulomb-slip",
                                                 .meaning = "UDEC's Coulomb slip with residual strength",
+                                                .potential = true,
                                                 .residual_strength = true};
     static constexpr bool damages_intact = false;
     static FractureEnergies least_energies(const ContactLaw& /*law*/) { return {}; }

@@ -28,6 +28,7 @@ struct LawDescription {
     LawVariant variant;
     std::string_view name;     ///< as options and files spell it
     std::string_view meaning;  ///< in a few words
+    bool potential = false;    ///< it has an energy everywhere: no mismatch, whatever the path
     // What it uses beyond stiffnesses, tensile strength, cohesion and friction angle:
     bool coupling = false;                 ///< --coupling; a law without couples the modes by nature
     bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
@@ -99,71 +98,6 @@ TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
         const double again = walk.to({-tiny, sliding}).shear;
         expect_close(again, open, 1e-9, closed);                     // and back without a jump
         expect_close(walk.mismatch(), 0, 1e-12, c.fracture_energy);  // round-off
-    }
-}
-
-// Random paths: the energy closes, nothing is made, nothing heals, mirror images agree.
-TEST(ConsistentLaw, EnergyOnRandomPaths) {
-    for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
-        const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
-        double error = 0;
-        double booked = 0;
-        for (unsigned seed = 0; seed < 24; ++seed) {
-            std::mt19937_64 generator(seed);
-            const auto next = [&generator] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
-            ContactWalk walk(law_of(c));
-            ContactWalk mirrored(law_of(c));
-            for (int i = 0; i < 12; ++i) {
-                const double reach = i % 3 == 2 ? 0.5 * c.ultimate_opening : 2 * c.critical_opening;
-                const double opening = reach * next();
-                const double sliding = 2 * c.critical_sliding * next();
-                walk.go({opening, sliding}, 2000);
-                mirrored.go({opening, -sliding}, 2000);
-            }
-            EXPECT_GE(walk.least_fracture(), -1e-12 * c.fracture_energy);
-            const double step = 4 * c.critical_sliding / 2000;
-            EXPECT_GE(walk.least_friction(), -c.shear_stiffness * step * step);  // a trapezium over a reversal
-            EXPECT_GE(walk.stored(), 0);
-            EXPECT_FALSE(walk.healed());
-            verify("law: consistent, random paths, mismatch over Gf", walk.mismatch(), 0, 1e-12, "it has a potential",
-                   c.fracture_energy);
-            EXPECT_EQ(walk.traction().shear, -mirrored.traction().shear);
-            EXPECT_EQ(walk.fracture(), mirrored.fracture());
-            EXPECT_TRUE(walk.history().failed());
-            error += std::abs(walk.balance());
-            booked += walk.fracture() + walk.friction();
-        }
-        EXPECT_GT(booked, 24 * 0.1 * c.fracture_energy);
-        verify("law: consistent, random paths, work less what was booked over that", error, 0, 2e-4,
-               "0 but for jumps at peaks within a step", booked);
-    }
-}
-
-// The traction is the gradient of the stored energy at fixed damage and slip.
-TEST(ConsistentLaw, TractionIsTheGradientOfTheStoredEnergy) {
-    const ContactParameters c = augig_contact();
-    const ContactLaw law = law_of(c);
-    ContactWalk walk(law);
-    walk.go({0.4 * c.ultimate_opening, 0}, 4000);
-    for (const double opening : {0.1 * c.ultimate_opening, -0.3 * c.critical_opening}) {
-        ContactHistory h = walk.history();
-        h.motion = {opening, 0.2 * c.critical_opening};
-        h.slip = 0.19 * c.critical_opening;
-        const ContactTraction t = update_contact(law, h.motion, h).traction;
-        const auto energy = [&](double normal, double shear) {
-            ContactHistory at = h;
-            at.motion = {normal, shear};
-            return stored_energy(law, at);
-        };
-        const double d = 1e-4 * c.critical_opening;
-        const double normal = (energy(opening + d, h.motion.sliding) - energy(opening - d, h.motion.sliding)) / (2 * d);
-        const double shear = (energy(opening, h.motion.sliding + d) - energy(opening, h.motion.sliding - d)) / (2 * d);
-        EXPECT_GT(std::abs(normal), 0);
-        // quadratic: exact but for round-off
-        verify("law: consistent, normal traction less the slope of the energy over tc", t.normal, normal, 1e-9,
-               "central differences", c.tensile_strength);
-        verify("law: consistent, shear traction less the slope of the energy over tc", t.shear, shear, 1e-9,
-               "central differences", c.tensile_strength);
     }
 }
 

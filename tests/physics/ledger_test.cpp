@@ -82,9 +82,13 @@ Ledger loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
 }
 
 TEST(Ledger, ClosesThroughFailure) {
-    for (const ContactLaw& law :
-         test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
+    ContactParameters weak = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
+    weak.cohesion = 30 * test::MPa;
+    for (ContactLaw law : test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
         SCOPED_TRACE(test::name_of_law(law));
+        if (law.variant == LawVariant::coulomb_slip) {
+            law = make_contact_law(weak, law.variant, law.coupling);  // its strength grows with pressure: hardly a contact failed
+        }
         const Ledger ledger = loaded(law, TestKind::uniaxial);
         EXPECT_GT(ledger.failed, 20U);
         EXPECT_GT(ledger.peak, 1e6);

@@ -59,5 +59,16 @@ TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
     EXPECT_EQ(digest_of(request(TestKind::uniaxial, 2), summary), first);
 }
 
+// Damage before the peak is summed by lanes and blocks.
+TEST(Threads, OneAndTwoGiveTheSameDigestWithDamageBeforeThePeak) {
+    SimulationRequest damaged = request(TestKind::tension, 1);
+    damaged.law = LawVariant::consistent;
+    SimulationSummary summary;
+    const std::string first = digest_of(damaged, summary);
+    EXPECT_GT(summary.tensile_cracks, 5U);
+    damaged.threads = 2;
+    EXPECT_EQ(digest_of(damaged, summary), first);
+}
+
 }  // namespace
 }  // namespace graincrack

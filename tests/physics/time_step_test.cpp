@@ -19,7 +19,6 @@ using test::SmallRun;
 using test::verify;
 using test::verify_between;
 
-constexpr LawVariant all_readings[] = {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent};
 constexpr double pressed = 1e-9;  // m: platens that touch, far short of what moves a contact off its initial stiffness
 constexpr double moved = 1e-14;   // m: small against that
 
@@ -36,7 +35,8 @@ SmallRun between_platens(const Specimen& specimen, const ContactLaw& law, const 
 // Against an eigenvalue of the forces that the solver really exerts. Above it nothing is stable; below, time is lost.
 TEST(TimeStep, BelowTheExactOneWithPlatens) {
     for (const Specimen& s : {test::union_jack_grid(4, 6, 0.02, 0.03), test::jittered_grid(5, 6, 0.02, 0.03, 0.25)}) {
-        for (const LawVariant variant : all_readings) {
+        for (const LawDescription& described : all_contact_laws()) {
+            const LawVariant variant = described.variant;
             const SmallRun run = between_platens(s, augig_law(variant));
             EXPECT_FALSE(run.boundary.platen_points.empty());
             verify_between("dynamics: stable step over that of the solver's own forces, with platens",
@@ -131,7 +131,8 @@ TEST(TimeStep, SecondOrder) {
 }
 
 TEST(TimeStep, EnergyOfAnUndampedRunStays) {
-    for (const LawVariant variant : {LawVariant::scaled, LawVariant::continuous}) {
+    for (const LawVariant variant :
+         {LawVariant::scaled, LawVariant::continuous, LawVariant::coulomb_slip, LawVariant::combined}) {
         SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law(variant));
         run.set_velocity([](const Vector2& p) {
             return Vector2{0.5 * std::sin(150 * p.y), 0.5 * std::sin(100 * p.x + 200 * p.y)};

@@ -12,14 +12,21 @@
 
 namespace graincrack::test {
 
-/// Every reading of the text with every coupling; `consistent` has tests of its own.
+/// Every law there is, with every coupling it knows.
 inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     std::vector<ContactLaw> laws;
-    for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous}) {
-        for (const Coupling coupling : {Coupling::full, Coupling::none}) {
-            laws.push_back(make_contact_law(contact, variant, coupling));
+    for (const LawDescription& law : all_contact_laws()) {
+        laws.push_back(make_contact_law(contact, law.variant, Coupling::full));
+        if (law.coupling) {
+            laws.push_back(make_contact_law(contact, law.variant, Coupling::none));
         }
     }
+    return laws;
+}
+/// The readings of the text that keep its curves on both branches as they are: literal, scaled, continuous.
+inline std::vector<ContactLaw> readings_of_the_text(const ContactParameters& contact) {
+    std::vector<ContactLaw> laws = all_laws(contact);
+    std::erase_if(laws, [](const ContactLaw& law) { return !description_of(law.variant).coupling; });
     return laws;
 }
 inline std::string name_of_law(const ContactLaw& law) {
@@ -28,7 +35,7 @@ inline std::string name_of_law(const ContactLaw& law) {
 
 class ContactWalk {
 public:
-    explicit ContactWalk(const ContactLaw& law) : law_(law) {}
+    explicit ContactWalk(const ContactLaw& law, const ContactHistory& start = {}) : law_(law), history_(start) {}
 
     /// One update. Work per area is the trapezium of the tractions before and after.
     ContactTraction to(const ContactMotion& motion) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -102,8 +103,8 @@ void verify_between(const std::string& name, double measured, double low, double
                               : open_above ? fmt::format(">= {}", number(low))
                                            : fmt::format("{} to {}", number(low), number(high));
     // The nearer to a bound the worse.
-    const double badness = open_below   ? 1 + (measured - high) / std::max(std::abs(high), std::abs(measured))
-                           : open_above ? 1 + (low - measured) / std::max(std::abs(low), std::abs(measured))
+    const double badness = open_below   ? 1 + (measured - high) / std::max({std::abs(high), std::abs(measured), DBL_MIN})
+                           : open_above ? 1 + (low - measured) / std::max({std::abs(low), std::abs(measured), DBL_MIN})
                                         : std::abs(2 * measured - low - high) / (high - low);
     rows().add({name, number(measured), bound, "", "", source, std::isnan(badness) ? HUGE_VAL : badness});
     if (!(measured >= low && measured <= high)) {

@@ -109,11 +109,13 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
     EXPECT_EQ(
         complaint(stone + "cohesio = 3\n"),
         "line 13: unknown key contact.cohesio (did you mean cohesion?); known are tensile_strength, cohesion, friction_angle, "
-        "normal_stiffness, shear_stiffness, fracture_energy");
+        "normal_stiffness, shear_stiffness, fracture_energy, mode_ii_fracture_energy, residual_tensile_strength, "
+        "residual_cohesion, "
+        "residual_friction_angle");
     EXPECT_EQ(complaint("colour = 'red'\n" + stone), "line 1: unknown key colour; known outside of tables is only name");
     EXPECT_EQ(complaint("name = 'x'\n" + contact), "rock.young_modulus is missing; it is the Young's modulus of the rock, in Pa");
     EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
-              "contact.friction_angle is missing; it is the friction angle of a failed contact, in rad");
+              "contact.friction_angle is missing; it is the friction angle phi_c of a contact, in rad");
     EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
     EXPECT_NE(complaint(stone + "[platen]\nfriction_angle = '5 MPa'\n")
                   .find("line 14: platen.friction_angle: \"5 MPa\" has the unit of a stress"),
@@ -166,6 +168,13 @@ TEST_F(MaterialFile, ContactParametersOfAugigGranite) {
     const ContactParameters given =
         contact_parameters(granite, PlaneCondition::stress, FractureEnergyChoice{FractureEnergyChoice::Kind::value, 90});
     EXPECT_EQ(given.fracture_energy, 90);
+    const double least = fpz::fracture_energy(p.tensile_strength, p.critical_opening, p.critical_opening);
+    const auto with = [&](double Gf) {
+        const FractureEnergyChoice choice{FractureEnergyChoice::Kind::value, Gf};
+        return contact_parameters(granite, PlaneCondition::strain, choice).ultimate_opening;
+    };
+    EXPECT_GE(with(least * 1.000001), p.critical_opening);
+    EXPECT_LT(with(least * 0.999999), p.critical_opening);
 }
 
 TEST_F(MaterialFile, OwnValuesWinOverDerivedOnesAndAChoiceOverTheFile) {
@@ -182,25 +191,25 @@ TEST_F(MaterialFile, OwnValuesWinOverDerivedOnesAndAChoiceOverTheFile) {
     EXPECT_NEAR(contact_parameters(granite, PlaneCondition::strain, mode_i).fracture_energy, 82.6, 0.05);
 }
 
-TEST_F(MaterialFile, FractureEnergyTooSmallForThePeak) {
-    const Material granite = read_material("augig-granite");
-    const auto with = [&](double Gf) {
-        return contact_parameters(granite, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::value, Gf});
-    };
-    const double dct = std::numbers::e * 24.15e6 / fpz::normal_stiffness(granite.rock, PlaneCondition::strain);
-    const double least = 24.15e6 * dct * (std::numbers::e - 2);
-    const ContactParameters brittle = with(least * 1.000001);
-    EXPECT_GE(brittle.ultimate_opening, brittle.critical_opening);
-    try {
-        with(1);
-        FAIL();
-    } catch (const UsageError& error) {
-        EXPECT_STREQ(
-            error.what(),
-            "--fracture-energy: 1 J/m2 (value) is less than a contact of tensile strength 24.15 MPa takes to its peak; at least "
-            "1.657 J/m2 fits");
-        EXPECT_NEAR(least, 1.657, 0.001);
-    }
+TEST_F(MaterialFile, ParametersOfSingleLaws) {
+    Material granite = read_material("augig-granite");
+    const ContactParameters derived = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
+    EXPECT_NEAR(derived.mode_ii_fracture_energy, 330.4, 0.05);  // 9 MPa² m (1 − 0.23²)/25.8 GPa
+    EXPECT_NEAR(derived.mode_ii_fracture_energy,
+                fpz::mixed_mode_fracture_energy(granite.rock, PlaneCondition::strain) -
+                    fpz::mode_i_fracture_energy(granite.rock, PlaneCondition::strain),
+                1e-10);
+    EXPECT_EQ(derived.residual_tensile_strength, 0);
+    EXPECT_EQ(derived.residual_cohesion, 0);
+    EXPECT_EQ(derived.residual_friction_angle, derived.friction_angle);
+    granite = read_material(write(stone + "mode_ii_fracture_energy = '300J/m2'\nresidual_tensile_strength = '1MPa'\n"
+                                          "residual_cohesion = '2MPa'\nresidual_friction_angle = '30deg'\n")
+                                .string());
+    const ContactParameters given = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
+    EXPECT_EQ(given.mode_ii_fracture_energy, 300);
+    EXPECT_EQ(given.residual_tensile_strength, 1e6);
+    EXPECT_EQ(given.residual_cohesion, 2e6);
+    EXPECT_DOUBLE_EQ(given.residual_friction_angle, 30 * degree);
 }
 
 TEST(FractureEnergyOption, WordsAndValues) {

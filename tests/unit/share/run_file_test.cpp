@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <set>
 
@@ -35,7 +36,7 @@ RunHeader header() {
     h.fracture_energy_choice = "mixed";
     h.plane = PlaneCondition::stress;
     h.rock = {1.5, 2.5, 3.5, 4.5, 5.5, 6.5};
-    h.contact = {7.5, 8.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5};
+    h.contact = {7.5, 8.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 0, 0, 0, 0};
     h.platen_friction = 16.5;
     h.confining_pressure = 17.5;
     h.platen_speed = 18.5;
@@ -56,6 +57,10 @@ RunHeader header() {
     h.confinement_mean = 29.5;
     h.confinement_deviation = 30.5;
     h.damping_share = 31.5;
+    h.contact.mode_ii_fracture_energy = 32.5;
+    h.contact.residual_tensile_strength = 33.5;
+    h.contact.residual_cohesion = 34.5;
+    h.contact.residual_friction_angle = 35.5;
     return h;
 }
 
@@ -157,7 +162,11 @@ TEST(RunFile, HeaderRoundTrip) {
                                       r.platen_force_difference,
                                       r.confinement_mean,
                                       r.confinement_deviation,
-                                      r.damping_share};
+                                      r.damping_share,
+                                      r.contact.mode_ii_fracture_energy,
+                                      r.contact.residual_tensile_strength,
+                                      r.contact.residual_cohesion,
+                                      r.contact.residual_friction_angle};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         EXPECT_EQ(numbers[i], 1.5 + static_cast<double>(i)) << "member " << i;
     }
@@ -165,6 +174,28 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(run.wall_time(), 12.25);
     EXPECT_EQ(run.threads(), 3);
     EXPECT_EQ(run.specimen().contact_nodes, specimen().contact_nodes);
+}
+
+// A file from before an attribute was there: as if its name were another.
+TEST(RunFile, AnOlderHeaderHasTheDefaults) {
+    const TemporaryFolder folder;
+    write_run(folder.file("new.h5"), [](RunWriter& w) { w.append_history(history(1)); });
+    std::ifstream input(folder.file("new.h5"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    for (const std::string name : {"mode_ii_fracture_energy", "contact_residual_tensile_strength", "contact_residual_cohesion",
+                                   "contact_residual_friction_angle"}) {
+        const std::size_t at = bytes.find(name + '\0');
+        ASSERT_NE(at, std::string::npos) << name;
+        bytes[at] = 'X';
+    }
+    std::ofstream(folder.file("old.h5"), std::ios::binary) << bytes;
+    const RunReader run(folder.file("old.h5"));
+    EXPECT_FALSE(run.file().has_attribute("/run", "contact_residual_cohesion"));
+    EXPECT_EQ(run.header().contact.mode_ii_fracture_energy, 0);
+    EXPECT_EQ(run.header().contact.residual_tensile_strength, 0);
+    EXPECT_EQ(run.header().contact.residual_cohesion, 0);
+    EXPECT_EQ(run.header().contact.residual_friction_angle, 0);
+    EXPECT_EQ(run.header().contact.cohesion, header().contact.cohesion);
 }
 
 TEST(RunFile, HistoryInPieces) {

@@ -1,0 +1,160 @@
+// The law `coulomb-slip`: strengths, residual values, what happens open, and its energies, against values by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/contact_walk.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::augig_contact;
+using test::ContactWalk;
+using test::degree;
+using test::expect_close;
+using test::MPa;
+using test::verify;
+
+/// tc 24.15 MPa, cc 74.57 MPa, φ 48.76°; residual 3 MPa, 10 MPa, 30°.
+ContactParameters with_residual() {
+    ContactParameters c = augig_contact();
+    c.residual_tensile_strength = 3 * MPa;
+    c.residual_cohesion = 10 * MPa;
+    c.residual_friction_angle = 30 * degree;
+    return c;
+}
+ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::coulomb_slip, Coupling::full); }
+
+TEST(CoulombSlip, ShearUnderPressurePeaksAtCohesionAndFrictionAndFallsToTheResidualOnes) {
+    const ContactLaw law = law_of(with_residual());
+    struct Case {
+        double pressure, peak, residual;  // MPa; c + σ tan φ and c_r + σ tan φ_r by hand
+    };
+    for (const auto& [pressure, peak, residual] :
+         {Case{0, 74.57, 10}, Case{20, 97.3839, 21.5470}, Case{100, 188.6395, 67.7350}}) {
+        const double closure = -pressure * MPa / law.kt - 1e-30;
+        ContactWalk walk(law);
+        walk.to({closure, 0});
+        const double at_peak = peak * MPa / law.ks;
+        expect_close(walk.to({closure, 0.5 * at_peak}).shear, 0.5 * peak * MPa, 1e-12, peak * MPa);  // linear
+        walk.go({closure, at_peak * (1 - 1e-5)}, 10);
+        EXPECT_FALSE(walk.history().failed());
+        verify("law: coulomb-slip, peak shear (MPa)", walk.largest_shear() / MPa, peak, 2e-5, "c + sigma_n tan(phi) by hand");
+        walk.to({closure, at_peak * (1 + 1e-5)});
+        EXPECT_TRUE(walk.history().failed_closed);
+        EXPECT_EQ(walk.history().first_mode, CrackMode::shear);
+        verify("law: coulomb-slip, residual shear (MPa)", walk.traction().shear / MPa, residual, 2e-5,
+               "c_r + sigma_n tan(phi_r) by hand");
+        // what the spring lost: ½ (τ² − τ_r²)/ks
+        const double lost = 0.5 * (std::pow(peak * MPa, 2) - std::pow(residual * MPa, 2)) / law.ks;
+        verify("law: coulomb-slip, fracture energy of the fall (J/m2)", walk.fracture(), lost, 5e-5, "(tau^2 - tau_r^2)/(2 ks)");
+        EXPECT_EQ(point_state(walk.history()), PointState::failed_shear);
+    }
+}
+
+TEST(CoulombSlip, LoopsAtTheResidualDissipateTractionTimesSlip) {
+    const ContactLaw law = law_of(with_residual());
+    const double closure = -20 * MPa / law.kt;
+    const double residual = 10 * MPa + 20 * MPa * std::tan(30 * degree);
+    const double reach = 5e-6;
+    ContactWalk walk(law);
+    walk.to({closure, 0});
+    walk.go({closure, reach}, 2000);
+    const double friction = walk.friction();
+    const double work = walk.work();
+    walk.go({closure, -reach}, 4000);
+    expect_close(walk.traction().shear, -residual, 1e-12, residual);
+    walk.go({closure, reach}, 4000);
+    const double slip = 2 * (2 * reach - 2 * residual / law.ks);
+    // trapezia at the corners of the loop: the square of a step's elastic traction
+    verify("law: coulomb-slip, loop at the residual, dissipation (J/m2)", walk.friction() - friction, residual * slip, 1e-5,
+           "traction times slip");
+    expect_close(walk.work() - work, walk.friction() - friction, 1e-12, residual * slip);
+}
+
+TEST(CoulombSlip, TensionIsLinearAndThenGone) {
+    const ContactParameters c = augig_contact();
+    const ContactLaw law = law_of(c);
+    ContactWalk walk(law);
+    const double strain_at_peak = c.tensile_strength / law.kt;
+    walk.go({strain_at_peak * (1 - 1e-9), 0}, 10);
+    verify("law: coulomb-slip, tensile strength (MPa)", walk.traction().normal / MPa, 24.15, 1e-8, "tc");
+    walk.to({strain_at_peak * (1 + 1e-9), 0});
+    EXPECT_EQ(walk.traction().normal, 0);
+    EXPECT_EQ(walk.history().first_mode, CrackMode::tensile);
+    EXPECT_EQ(point_state(walk.history()), PointState::separated);
+    expect_close(walk.fracture(), 0.5 * c.tensile_strength * strain_at_peak, 1e-8, walk.fracture());
+    walk.go({-strain_at_peak, 0}, 10);
+    walk.go({0.5 * strain_at_peak, 0}, 10);
+    EXPECT_EQ(walk.traction().normal, 0);  // no healing
+}
+
+// Open: the Coulomb line goes on into tension.
+TEST(CoulombSlip, TensionLowersTheShearStrength) {
+    const ContactParameters c = augig_contact();
+    const ContactLaw law = law_of(c);
+    const double normal = 20 * MPa;
+    const double strength = 51.7561 * MPa;  // 74.57 − 20 tan 48.76°, by hand
+    ContactWalk walk(law);
+    walk.go({normal / law.kt, 0}, 10);
+    walk.go({normal / law.kt, strength / law.ks * (1 - 1e-5)}, 10);
+    EXPECT_FALSE(walk.history().failed());
+    verify("law: coulomb-slip, shear strength at 20 MPa of tension (MPa)", walk.largest_shear() / MPa, strength / MPa, 2e-5,
+           "c - sigma_n tan(phi) by hand");
+    const double stored = walk.stored();
+    walk.to({normal / law.kt, strength / law.ks * (1 + 1e-5)});
+    EXPECT_EQ(walk.traction().normal, 0);  // above the residual tension of nothing: separated
+    EXPECT_EQ(walk.traction().shear, 0);
+    EXPECT_EQ(walk.history().first_mode, CrackMode::tensile);  // by the files' convention: it was open
+    expect_close(walk.fracture(), stored, 5e-5, stored);
+}
+
+// Failed in shear, then opened: the residual tension is borne once, shear on the residual strength relaxes as friction.
+TEST(CoulombSlip, ResidualTensionIsBorneOnceAndNothingAfter) {
+    const ContactLaw law = law_of(with_residual());
+    const double closure = -20 * MPa / law.kt;
+    ContactWalk walk(law);
+    walk.to({closure, 0});
+    walk.go({closure, 3e-6}, 2000);
+    ASSERT_TRUE(walk.history().failed_closed);
+    const double opening = 3 * MPa / law.kt;
+    walk.go({opening * (1 - 1e-9), 3e-6}, 4000);
+    verify("law: coulomb-slip, residual tensile strength (MPa)", walk.traction().normal / MPa, 3, 1e-8, "as given");
+    const double limit = 10 * MPa - 3 * MPa * std::tan(30 * degree);
+    expect_close(walk.traction().shear, limit, 1e-6, limit);  // the slip on the way here was in steps
+    EXPECT_FALSE(walk.history().separated);
+    const double fracture = walk.fracture();
+    const double friction = walk.friction();
+    const double stored = walk.stored();
+    walk.to({opening * (1 + 1e-9), 3e-6});
+    EXPECT_TRUE(walk.history().separated);
+    EXPECT_EQ(walk.traction().shear, 0);
+    expect_close(walk.fracture() - fracture, 0.5 * 3 * MPa * opening, 1e-8, stored);
+    expect_close(walk.friction() - friction, 0.5 * limit * limit / law.ks, 1e-6, stored);
+    // Closed again it pushes, slips, and holds its residual cohesion; opened again it pulls no more.
+    walk.go({closure, 3e-6}, 100);
+    walk.go({closure, 0}, 2000);
+    const double residual = 10 * MPa + 20 * MPa * std::tan(30 * degree);
+    expect_close(walk.traction().shear, -residual, 1e-12, residual);
+    walk.go({0.5 * opening, 0}, 100);
+    EXPECT_EQ(walk.traction().normal, 0);
+    EXPECT_EQ(walk.traction().shear, 0);
+    expect_close(walk.mismatch(), 0, 1e-12, fracture);
+}
+
+// Stiffness of the user's: it is what the law has.
+TEST(CoulombSlip, StiffnessAsGiven) {
+    Material granite = test::augig_granite();
+    granite.contact.normal_stiffness = 4e14;
+    granite.contact.shear_stiffness = 1e14;
+    const ContactLaw law = law_of(contact_parameters(granite, PlaneCondition::strain, {}));
+    const ContactTraction t = update_contact(law, {-1e-8, 2e-8}, {}).traction;
+    EXPECT_EQ(t.normal, -1e-8 * 4e14);
+    EXPECT_EQ(t.shear, 2e-8 * 1e14);
+}
+
+}  // namespace
+}  // namespace graincrack
