@@ -319,6 +319,33 @@ TEST(ContactLawPaths, NoTangentIsStifferThanTheTimeStepKnows) {
     }
 }
 
+// Pull past the peak, close, slide until nothing but friction is left, back, open: friction changes its sign, what is lost stays
+// lost, the books close.
+TEST(ContactLawPaths, ACycleThroughFailure) {
+    const ContactParameters c = augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
+    const double pulled = 0.3 * c.ultimate_opening;
+    const double pressure = 20e6;
+    const double closed = -pressure / c.normal_stiffness;
+    const double residual = pressure * std::tan(c.friction_angle);
+    for (const ContactLaw& law : all_laws(c)) {
+        SCOPED_TRACE(name_of_law(law));
+        ContactWalk walk(law);
+        const double torn = walk.go({pulled, 0}, 4000).normal;
+        EXPECT_TRUE(walk.history().failed_open);
+        walk.go({closed, 0}, 1000);
+        EXPECT_EQ(walk.traction().normal, law.kt * closed);
+        EXPECT_EQ(walk.traction().shear, 0);
+        walk.go({closed, 8 * c.critical_sliding}, 20000);
+        verify("law: cycle, friction there and back over tan(phi) sigma_n", walk.traction().shear / residual, 1, 1e-12, "1");
+        walk.go({closed, 0}, 20000);
+        verify("law: cycle, friction there and back over tan(phi) sigma_n", -walk.traction().shear / residual, 1, 1e-12, "1");
+        walk.go({0.5 * pulled, 0}, 4000);
+        EXPECT_LE(walk.traction().normal, 0.5 * torn * (1 + 1e-12));  // the secant it was torn to, or less
+        verify("law: cycle, work less what was booked over that", walk.balance(), 0, 1e-4, "0 but for jumps within a step",
+               walk.fracture() + walk.friction());
+    }
+}
+
 // What has separated pulls no more, however it is moved; it pushes and rubs when closed.
 TEST(ContactLawPaths, ASeparatedContactOnlyPushesAndRubs) {
     const ContactParameters c = augig_contact();

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -44,6 +46,14 @@ TEST(ContactLawPoint, TheTableHasEveryLawOnce) {
         EXPECT_TRUE(names.insert(law.name).second) << law.name;
     }
     EXPECT_EQ(names.size(), 6U);
+}
+
+TEST(ContactLawPoint, ThePageHasASectionForEveryLaw) {
+    std::ifstream file(GRAINCRACK_SOURCE "/share/doc/laws.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const LawDescription& law : all_contact_laws()) {
+        EXPECT_NE(page.find("\n## `" + std::string(law.name) + "`"), std::string::npos) << law.name;
+    }
 }
 
 // The areas to the peaks: Eq 14 with δut = δct; two thirds of the rectangle under Munjiza's parabola.
