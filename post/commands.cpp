@@ -17,8 +17,10 @@
 #include "post/picture/picture.hpp"
 #include "post/picture/plot_curve.hpp"
 #include "post/picture/plot_envelope.hpp"
+#include "post/picture/plot_size_effect.hpp"
 #include "post/picture/plot_specimen.hpp"
 #include "post/picture/plot_surface.hpp"
+#include "post/size_effect.hpp"
 #include "post/strength.hpp"
 #include "post/strength_summary.hpp"
 #include "share/error.hpp"
@@ -66,6 +68,7 @@ Drawing picture_of(const PostOptions& options) {
         const std::vector<RunData> runs = read_runs(options.files);
         return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material);
     }
+    if (options.picture == "size-effect") return draw_size_effect(collect_sizes(read_runs(options.files), options.capped_runs));
     if (options.picture == "surface") return draw_surface(ccd::solve_problem(only_file(options), options.ccd));
     throw UsageError("plot " + options.picture + ": unknown");
 }
@@ -92,6 +95,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
          [&] { (options.summary ? write_strength_summary : write_strength_table)(out, options.files, options.format); }},
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
+        {"size-effect", [&] { write_size_effect_table(out, read_runs(options.files), options.format, options.capped_runs); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
         {"cracks", [&] { export_crack_map(RunReader(only_file(options)), options.output, options.verbosity); }},
         {"ccd", [&] { ccd_command(options, out); }},

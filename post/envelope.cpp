@@ -1,7 +1,5 @@
 #include "post/envelope.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,7 +8,6 @@
 
 #include "post/regression.hpp"
 #include "post/same_material.hpp"
-#include "post/strength.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -35,22 +32,6 @@ std::optional<Estimate> curvature_of(std::span<const double> confining, std::spa
     if (!fit) return std::nullopt;
     const double unit = 1 / (scale * scale);
     return estimate(fit->coefficients[2] * unit, std::pow(fit->standard_error(2) * unit, 2), fit->freedom);
-}
-
-/// Whether the run ended by the strain cap. \throws InputError if it has no peak and may not stand here
-bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs) {
-    if (strength.peak_kind == "drop") return false;
-    if (strength.peak_kind != "cap") {
-        throw InputError(run.name + ": was stopped (" + run.header.stop_reason +
-                         ") before a peak; an envelope needs runs that fell behind their peak");
-    }
-    if (capped_runs == CappedRuns::refuse) {
-        throw InputError(
-            fmt::format("{}: ended by the strain cap ({:.3g} %) without a peak, its largest stress is no strength; "
-                        "run it further (--max-strain), or take it as it is with --capped accept",
-                        run.name, 100 * run.header.max_strain));
-    }
-    return true;
 }
 
 /// \throws InputError if two compression tests cannot stand in one envelope
@@ -123,7 +104,7 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRun
         } else {
             (run.header.test == "brazilian" ? tests.brazilian : tests.direct_tension).push_back(strength.value());
         }
-        if (is_capped(run, strength, capped_runs)) ++tests.capped;
+        if (is_capped(run, strength, capped_runs, "an envelope")) ++tests.capped;
     }
     if (tests.compression.empty()) {
         throw InputError(runs.front().name +

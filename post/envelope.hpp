@@ -8,6 +8,7 @@
 #include "post/hoek_brown.hpp"
 #include "post/load_curve.hpp"
 #include "post/statistics.hpp"
+#include "post/strength.hpp"
 #include "share/mohr_coulomb.hpp"
 
 namespace graincrack {
@@ -47,10 +48,6 @@ struct EnvelopeTests {
     /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
     [[nodiscard]] const std::vector<double>& tensile() const { return direct_tension.empty() ? brazilian : direct_tension; }
 };
-
-/// What to do with a run that the strain cap ended: its largest stress is no peak, and a line through such values depends
-/// on where the tests were told to end.
-enum class CappedRuns { refuse, accept };
 
 /// Sorts runs by test.
 /// \throws InputError for a run without a peak: one that the strain cap ended, unless accepted, or that was stopped; for one

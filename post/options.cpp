@@ -57,6 +57,8 @@ void add_tables(CLI::App& app, PostOptions& options) {
           "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
           "and predicted from contact compliance");
     add_capped(table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals"), options);
+    add_capped(table("size-effect", "power law of strength against mean edge, a fit for each test and confining pressure"),
+               options);
     CLI::App* fpz = add_command(app, "fpz", "the fracture process zone of a rock, every number with its equation");
     fpz->add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
     add_format(fpz, options);
@@ -132,6 +134,7 @@ void add_plots(CLI::App& app, PostOptions& options) {
                      "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain")
         ->type_name("FILE");
     add_capped(picture("envelope", "Mohr circles of a set of tests, Mohr-Coulomb and Hoek-Brown envelopes", "runs"), options);
+    add_capped(picture("size-effect", "strength against mean edge with the power law", "runs"), options);
     CLI::App* surface = add_command(*plot, "surface", "contours of response surfaces with the optimum and its joint region");
     add_model(surface, options);
     add_goals(surface, options);

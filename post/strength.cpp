@@ -1,11 +1,14 @@
 #include "post/strength.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "post/brazilian.hpp"
 #include "post/cracks/run_state.hpp"
+#include "share/error.hpp"
 
 namespace graincrack {
 
@@ -94,6 +97,21 @@ Strength measure_strength(const RunData& run) {
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];
     strength.shear_cracks = run.history[HistoryColumn::shear_cracks][curve.peak];
     return strength;
+}
+
+bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs, const std::string& what) {
+    if (strength.peak_kind == "drop") return false;
+    if (strength.peak_kind != "cap") {
+        throw InputError(run.name + ": was stopped (" + run.header.stop_reason + ") before a peak; " + what +
+                         " needs runs that fell behind their peak");
+    }
+    if (capped_runs == CappedRuns::refuse) {
+        throw InputError(
+            fmt::format("{}: ended by the strain cap ({:.3g} %) without a peak, its largest stress is no strength; "
+                        "run it further (--max-strain), or take it as it is with --capped accept",
+                        run.name, 100 * run.header.max_strain));
+    }
+    return true;
 }
 
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {

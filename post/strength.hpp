@@ -33,6 +33,14 @@ inline constexpr std::array<double, 3> strain_marks{0.01, 0.02, 0.03};
 /// \throws InputError if the run has no usable curve
 Strength measure_strength(const RunData& run);
 
+/// What to do with a run that the strain cap ended: its largest stress is no peak, and a fit through such values depends on
+/// where the tests were told to end.
+enum class CappedRuns { refuse, accept };
+/// Whether the run ended by the strain cap.
+/// \param what needs a peak, with an article: "an envelope"
+/// \throws InputError if it has no peak and may not stand here: a capped run unless accepted, a stopped one always
+bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs, const std::string& what);
+
 /// Writes the table `strength`, DESIGN's columns; all runs are measured before the first row is written.
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
 

@@ -1,0 +1,130 @@
+#include "post/size_effect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include "post/picture/plot_size_effect.hpp"
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+const std::vector<double> edges{2e-3, 3e-3, 5e-3, 7.5e-3};
+
+RunData run_of(double edge, double strength, const std::string& test = "brazilian") {
+    test::Recipe recipe;
+    recipe.test = test;
+    recipe.plane = PlaneCondition::stress;
+    recipe.peak = strength;
+    RunData run;
+    run.name = "run.h5";
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    run.specimen = {0.08, 0.08, 1, 100, edge};
+    return run;
+}
+
+TEST(SizeEffect, ExactPowerLawIsRecoveredByBothFits) {
+    std::vector<double> strength;
+    for (double edge : edges) strength.push_back(5e6 * std::pow(edge * 1e3, 0.39));
+    for (const auto& law : {fit_power_law_log(edges, strength), fit_power_law(edges, strength)}) {
+        ASSERT_TRUE(law.has_value());
+        EXPECT_NEAR(law->exponent.value, 0.39, 1e-9);
+        EXPECT_NEAR(*law->exponent.high, 0.39, 1e-6);
+        EXPECT_NEAR(law->coefficient, 5e6, 1);
+    }
+    EXPECT_FALSE(fit_power_law_log({1e-3, 1e-3}, {1, 2}).has_value());
+}
+
+TEST(SizeEffect, ASizeWeighsAsItsSeeds) {
+    // Two sizes: the line goes through the means of the logarithms, however many runs each has.
+    const auto law = fit_power_law_log({2e-3, 2e-3, 2e-3, 8e-3}, {1e6, 2e6, 4e6, 4e6});
+    EXPECT_NEAR(law->exponent.value, std::log(2.0) / std::log(4.0), 1e-12);
+    EXPECT_TRUE(law->exponent.low.has_value());
+}
+
+TEST(SizeEffect, IntervalsCoverThePlantedExponent) {
+    std::mt19937 engine{20140439};
+    const auto normal = [&] {
+        const double u = (static_cast<double>(engine()) + 1) / 4294967297.0;
+        const double v = static_cast<double>(engine()) / 4294967296.0;
+        return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
+    };
+    constexpr int sets = 2000;
+    int by_log = 0;
+    int by_value = 0;
+    for (int s = 0; s < sets; ++s) {
+        std::vector<double> edge;
+        std::vector<double> relative;
+        std::vector<double> absolute;
+        for (double e : edges) {
+            for (int seed = 0; seed < 3; ++seed) {
+                const double strength = 5e6 * std::pow(e * 1e3, 0.39);
+                edge.push_back(e);
+                relative.push_back(strength * std::exp(0.06 * normal()));
+                absolute.push_back(strength + 0.5e6 * normal());
+            }
+        }
+        const auto log_law = fit_power_law_log(edge, relative);
+        const auto law = fit_power_law(edge, absolute);
+        ASSERT_TRUE(law.has_value());
+        by_log += *log_law->exponent.low <= 0.39 && 0.39 <= *log_law->exponent.high ? 1 : 0;
+        by_value += *law->exponent.low <= 0.39 && 0.39 <= *law->exponent.high ? 1 : 0;
+    }
+    for (int covered : {by_log, by_value}) {  // 95 % with a standard error of 0.5 %
+        EXPECT_GT(covered, 0.935 * sets);
+        EXPECT_LT(covered, 0.965 * sets);
+    }
+}
+
+TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
+    std::vector<RunData> runs;
+    for (double edge : edges) {
+        runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.39)));
+        runs.push_back(run_of(edge, 120e6, "uniaxial"));
+    }
+    std::ostringstream out;
+    write_size_effect_table(out, runs, TableFormat::tsv, CappedRuns::refuse);
+    const std::string table = out.str();
+    EXPECT_EQ(test::parse_tsv(table).size(), 5U);
+    EXPECT_EQ(test::field(table, "test"), "brazilian");
+    EXPECT_EQ(test::field(table, "exponent"), "0.39");
+    EXPECT_EQ(test::field(table, "coefficient"), "5");
+    EXPECT_EQ(test::field(table, "paper_exponent"), "0.39");
+    EXPECT_EQ(test::field(table, "theory_exponent"), "0.5");
+    // (9π/32) E Gf/tc² over the edge, plane stress
+    const double zone = 9 * std::numbers::pi / 32 * 25.8e9 * 82.6 / (24.15e6 * 24.15e6);
+    EXPECT_NEAR(std::stod(test::field(table, "zone_over_smallest_edge")), zone / 2e-3, 1e-5);
+    EXPECT_NEAR(std::stod(test::field(table, "exponent", 2)), 0, 1e-9);
+    EXPECT_EQ(test::field(table, "paper_exponent", 2), "");
+    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, CappedRuns::refuse)));
+    EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
+    EXPECT_NE(svg.find("theory"), std::string::npos);
+}
+
+TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
+    std::ostringstream out;
+    const std::vector<RunData> one{run_of(2e-3, 8e6), run_of(2e-3, 9e6)};
+    test::expect_one_line<InputError>([&] { write_size_effect_table(out, one, TableFormat::tsv, CappedRuns::refuse); },
+                                      {"one mean edge (2 mm)"});
+    std::vector<RunData> capped{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
+    capped[1].header.stop_reason = "strain cap";
+    capped[1].history = [] {
+        test::Recipe recipe;
+        recipe.test = "brazilian";
+        recipe.drop = 0;
+        return test::synthetic_history(recipe);
+    }();
+    test::expect_one_line<InputError>([&] { write_size_effect_table(out, capped, TableFormat::tsv, CappedRuns::refuse); },
+                                      {"strain cap"});
+    EXPECT_EQ(out.str(), "");
+}
+
+}  // namespace
+}  // namespace graincrack
