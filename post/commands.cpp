@@ -8,18 +8,13 @@
 #include <iostream>
 #include <map>
 
-#include "post/cracks/crack_map.hpp"
 #include "post/envelope_table.hpp"
 #include "post/fpz_table.hpp"
 #include "post/info.hpp"
 #include "post/load_curve.hpp"
 #include "post/moduli.hpp"
 #include "post/picture/picture.hpp"
-#include "post/picture/plot_curve.hpp"
-#include "post/picture/plot_envelope.hpp"
-#include "post/picture/plot_size_effect.hpp"
-#include "post/picture/plot_specimen.hpp"
-#include "post/picture/plot_surface.hpp"
+#include "post/plots.hpp"
 #include "post/size_effect.hpp"
 #include "post/strength.hpp"
 #include "post/strength_summary.hpp"
@@ -35,11 +30,6 @@ void require_one_stdin(const std::vector<std::string>& files) {
         throw UsageError("-: stands for stdin, which holds one file; give it once");
 }
 
-const std::string& only_file(const PostOptions& options) {
-    if (options.files.size() == 1) return options.files.front();
-    throw UsageError(fmt::format("{} {}: takes one file, not {}", options.command, options.picture, options.files.size()));
-}
-
 void info(const PostOptions& options, std::ostream& out) {
     for (const std::string& file : options.files) {
         if (options.digest) {
@@ -50,34 +40,6 @@ void info(const PostOptions& options, std::ostream& out) {
     }
 }
 
-std::vector<RunData> read_runs(const std::vector<std::string>& files) {
-    std::vector<RunData> runs;
-    for (const std::string& file : files) runs.push_back(read_run_data(file));
-    return runs;
-}
-
-Drawing picture_of(const PostOptions& options) {
-    if (options.picture == "specimen") return draw_specimen(read_specimen(H5Input(only_file(options))));
-    if (options.picture == "cracks") return draw_cracks(RunReader(only_file(options)), options.crack_map);
-    if (options.picture == "curve") {
-        std::vector<LaboratoryCurve> laboratory;
-        for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
-        return draw_curves(read_runs(options.files), laboratory);
-    }
-    if (options.picture == "envelope") {
-        const std::vector<RunData> runs = read_runs(options.files);
-        return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material);
-    }
-    if (options.picture == "size-effect") return draw_size_effect(collect_sizes(read_runs(options.files), options.capped_runs));
-    if (options.picture == "surface") return draw_surface(ccd::solve_problem(only_file(options), options.ccd));
-    throw UsageError("plot " + options.picture + ": unknown");
-}
-
-void plot(const PostOptions& options) {
-    require_picture_name(options.output);
-    write_picture(picture_of(options), options.output);
-}
-
 void ccd_command(const PostOptions& options, std::ostream& out) {
     if (options.picture == "design") return ccd::write_design(out, options.ccd, options.format);
     if (options.picture == "fit") return ccd::write_fit(out, only_file(options), options.ccd, options.format);
@@ -85,6 +47,18 @@ void ccd_command(const PostOptions& options, std::ostream& out) {
 }
 
 }  // namespace
+
+const std::string& only_file(const PostOptions& options) {
+    if (options.files.size() == 1) return options.files.front();
+    throw UsageError(fmt::format("{}{}{}: takes one file, not {}", options.command, options.picture.empty() ? "" : " ",
+                                 options.picture, options.files.size()));
+}
+
+std::vector<RunData> read_runs(const std::vector<std::string>& files) {
+    std::vector<RunData> runs;
+    for (const std::string& file : files) runs.push_back(read_run_data(file));
+    return runs;
+}
 
 void run_command(const PostOptions& options, std::ostream& out) {
     require_one_stdin(options.files);
@@ -97,9 +71,10 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
         {"size-effect", [&] { write_size_effect_table(out, read_runs(options.files), options.format, options.capped_runs); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
-        {"cracks", [&] { export_crack_map(RunReader(only_file(options)), options.output, options.verbosity); }},
+        {"cracks",
+         [&] { export_cracks(RunReader(only_file(options)), options.output, options.crack_export, options.verbosity); }},
         {"ccd", [&] { ccd_command(options, out); }},
-        {"plot", [&] { plot(options); }},
+        {"plot", [&] { write_plot(options); }},
     };
     const auto command = commands.find(options.command);
     if (command == commands.end()) throw UsageError(options.command + ": unknown command");

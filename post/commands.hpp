@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "post/ccd/tables.hpp"
+#include "post/cracks/export.hpp"
 #include "post/envelope.hpp"
 #include "post/picture/plot_cracks.hpp"
+#include "post/picture/plot_law.hpp"
+#include "post/picture/plot_table.hpp"
 #include "post/table.hpp"
 #include "share/progress.hpp"
 
@@ -19,8 +22,11 @@ struct PostOptions {
     std::string command;             ///< "info", "history", "strength", "moduli", "envelope", "fpz", "cracks", "plot"
     std::string picture;             ///< the second word of `plot` or `ccd`
     std::vector<std::string> files;  ///< "-" is stdin
+    std::string files_from;          ///< list of more of them
     std::string output;              ///< folder (cracks) or picture (plot)
     std::string material;
+    PlaneCondition plane = PlaneCondition::strain;
+    std::optional<FractureEnergyChoice> fracture_energy;
     TableFormat format = TableFormat::tsv;
     std::vector<std::string> laboratory;  ///< plot curve: tables of measured curves
     ccd::Options ccd;
@@ -29,8 +35,15 @@ struct PostOptions {
     bool check = false;
     bool digest = false;
     CrackMapOptions crack_map;
+    CrackExportOptions crack_export;
+    LawPlotOptions law;
+    TablePlotOptions table_plot;
     Verbosity verbosity = Verbosity::normal;
 };
+
+/// The file of a command that takes one. \throws UsageError if there are several
+const std::string& only_file(const PostOptions& options);
+std::vector<RunData> read_runs(const std::vector<std::string>& files);
 
 /// Runs one command; data go to `out`.
 /// \throws UsageError, InputError, OutputError

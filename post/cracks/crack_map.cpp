@@ -1,6 +1,5 @@
 #include "post/cracks/crack_map.hpp"
 
-#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -16,12 +15,9 @@
 
 #include <array>
 #include <cmath>
-#include <sstream>
 
-#include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/output_file.hpp"
-#include "post/table.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -101,6 +97,22 @@ std::array<double, 2> current_middle(const Specimen& specimen, const Frame& fram
     return middle;
 }
 
+/// Minerals on both sides and what is left of the contact at the time of the frame.
+void add_contact_data(vtkCellData* cells, const std::vector<Crack>& cracks, const Specimen& specimen, const Frame& frame) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto contact_of = [&](std::size_t i) { return static_cast<std::size_t>(cracks[i].contact); };
+    const auto phase = [&](const char* name, std::size_t side) {
+        cells->AddArray(make_array<vtkUnsignedCharArray>(name, 1, cracks.size(), [&](std::size_t i, unsigned char* v) {
+            const auto node = static_cast<std::size_t>(specimen.contact_nodes[contact_of(i)][side]);
+            *v = specimen.grain_phase[static_cast<std::size_t>(grain[node])];
+        }));
+    };
+    phase("phase_a", 0);
+    phase("phase_b", 2);
+    cells->AddArray(make_array<vtkDoubleArray>(
+        "damage", 1, cracks.size(), [&](std::size_t i, double* v) { *v = frame.damage[contact_of(i)][cracks[i].point]; }));
+}
+
 void add_crack_data(vtkCellData* cells, const std::vector<Crack>& cracks, double time) {
     const auto real = [&](const char* name, auto value) {
         cells->AddArray(
@@ -121,18 +133,9 @@ void add_crack_data(vtkCellData* cells, const std::vector<Crack>& cracks, double
     cells->AddArray(make_array<vtkIntArray>("contact", 1, cracks.size(), [&](std::size_t i, int* v) { *v = cracks[i].contact; }));
 }
 
-std::string pvd(const std::string& stem, const std::string& suffix, const std::vector<double>& times) {
-    std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}_{:04}.{}\"/>\n", times[i], stem, i, suffix);
-    }
-    return text + "  </Collection>\n</VTKFile>\n";
-}
-
 }  // namespace
 
-void write_grains(const std::string& path, const Specimen& specimen, const Frame& frame) {
+void write_grains(const std::string& path, const Specimen& specimen, const Frame& frame, const Fragments& fragments) {
     vtkNew<vtkUnstructuredGrid> grid;
     vtkNew<vtkPoints> points;
     points->SetData(vectors("position", specimen.node_position));
@@ -146,6 +149,9 @@ void write_grains(const std::string& path, const Specimen& specimen, const Frame
     cells->AddArray(scalars<vtkIntArray>("grain", specimen.element_grain));
     cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, specimen.n_elements(), [&](std::size_t i, unsigned char* v) {
         *v = specimen.grain_phase[static_cast<std::size_t>(specimen.element_grain[i])];
+    }));
+    cells->AddArray(make_array<vtkIntArray>("fragment", 1, specimen.n_elements(), [&](std::size_t i, int* v) {
+        *v = static_cast<int>(fragments.of_grain[static_cast<std::size_t>(specimen.element_grain[i])]);
     }));
     add_stress(cells, frame.element_stress);
     grid->GetPointData()->AddArray(vectors("displacement", frame.displacement));
@@ -176,44 +182,8 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     data->SetLines(lines);
     data->GetPointData()->AddArray(vectors("displacement", moves));
     add_crack_data(data->GetCellData(), present, frame.time);
+    add_contact_data(data->GetCellData(), present, specimen, frame);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
-}
-
-void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks) {
-    TableWriter table(out,
-                      {"time_s", "step", "contact", "point", "mode", "mode_angle_rad", "x_m", "y_m", "orientation_rad",
-                       "length_m", "opening_m", "sliding_m", "energy_released_J", "time_separated_s"},
-                      TableFormat::tsv);
-    for (const Crack& c : cracks) {
-        table.row({c.time, c.step, std::int64_t{c.contact}, std::int64_t{c.point},
-                   std::string(c.mode == CrackMode::tensile ? "tensile" : "shear"), c.mode_angle, c.position[0], c.position[1],
-                   c.orientation, c.length, c.opening, c.sliding, c.energy_released, c.time_separated});
-    }
-}
-
-void export_crack_map(const RunReader& run, const std::string& folder, Verbosity verbosity) {
-    const std::vector<double> times = run.frame_times();
-    if (times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
-    const Specimen specimen = run.specimen();
-    const std::vector<Crack> cracks = read_cracks(run, specimen);
-    make_folder(folder);
-    Progress progress("cracks", verbosity);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        throw_if_interrupted();
-        const Frame frame = read_frame(run, specimen, i);
-        write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, frame);
-        write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame);
-        progress.update(static_cast<double>(i + 1) / static_cast<double>(times.size()), fmt::format("frame {}", i + 1));
-    }
-    progress.finish();
-    std::ostringstream catalogue;
-    write_crack_table(catalogue, cracks);
-    write_whole_file(folder + "/cracks.tsv", catalogue.str());
-    std::ostringstream rosette;
-    write_rosette(rosette, crack_rosette(cracks, specimen), TableFormat::tsv);
-    write_whole_file(folder + "/rosette.tsv", rosette.str());
-    write_whole_file(folder + "/grains.pvd", pvd("grains", "vtu", times));
-    write_whole_file(folder + "/cracks.pvd", pvd("cracks", "vtp", times));
 }
 
 }  // namespace graincrack

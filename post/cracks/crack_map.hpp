@@ -1,32 +1,27 @@
-// A run as files for ParaView and scripts: grains and cracks over time, the catalogue and the rosette.
+// One frame of a run as files for ParaView: grains and cracks.
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "share/progress.hpp"
+#include "post/cracks/fragments.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {
 
 /// One frame as .vtu: triangles in reference position.
 ///
-/// Cell data: grain, phase, stress (XX YY ZZ XY YZ XZ, Pa, tension positive), principal_stress_1 ≥ principal_stress_2 in
-/// the plane (Pa). Point data: displacement (m), velocity (m/s), as 3-vectors. LZ4. \throws OutputError
-void write_grains(const std::string& path, const Specimen& specimen, const Frame& frame);
+/// Cell data: grain, phase, fragment (0 the largest), stress (XX YY ZZ XY YZ XZ, Pa, tension positive),
+/// principal_stress_1 ≥ principal_stress_2 in the plane (Pa). Point data: displacement (m), velocity (m/s), as 3-vectors.
+/// LZ4. \throws OutputError
+void write_grains(const std::string& path, const Specimen& specimen, const Frame& frame, const Fragments& fragments);
 
 /// The cracks up to the time of a frame as .vtp: a line along each failed contact point's facet, centred where it failed.
 ///
 /// Cell data: mode (0 tensile, 1 shear), time (s), mode_angle (rad), opening, sliding (m, then), energy (J), contact,
-/// point, separated (1 if it had lost all strength by the time of the frame). Point data: displacement (m), from the place
-/// of failure to the place in this frame, so that warping grains and cracks by `displacement` keeps them together.
-/// \throws OutputError
+/// point, separated (1 if it had lost all strength by the time of the frame), damage (in the frame), phase_a, phase_b.
+/// Point data: displacement (m), from the place of failure to the place in this frame, so that warping grains and cracks by
+/// `displacement` keeps them together. \throws OutputError
 void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& cracks, const Frame& frame);
-
-/// Writes `folder`/{grains.pvd, cracks.pvd, cracks.tsv, rosette.tsv} and the frames that the .pvd files name, these last,
-/// so that a series that is there is whole. \throws InputError for a run without frames, OutputError
-void export_crack_map(const RunReader& run, const std::string& folder, Verbosity verbosity);
-
-/// The catalogue as TSV, every column with its unit.
-void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks);
 
 }  // namespace graincrack

@@ -5,11 +5,28 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "post/load_curve.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
+
+namespace {
+
+/// Time of the peak, or of 80 % of it before or after.
+double time_about_peak(const RunData& data, const LoadCurve& curve, const std::string& word) {
+    constexpr double share = 0.8;
+    const auto& times = data.history[HistoryColumn::time];
+    if (word == "peak") return times[curve.peak];
+    if (word == "before") return share_of_peak(curve, share).of(times);
+    for (std::size_t row = curve.peak; row < times.size(); ++row) {
+        if (curve.stress[row] <= share * curve.peak_stress()) return times[row];
+    }
+    return times.back();
+}
+
+}  // namespace
 
 std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen) {
     std::vector<Crack> cracks = run.cracks();
@@ -50,19 +67,27 @@ std::size_t choose_frame(const RunReader& run, const std::string& word, const st
     if (time) return nearest(*time);
     if (word == "last") return times.size() - 1;
     if (word == "first") return 0;
-    if (word == "peak") {
+    if (word == "before" || word == "peak" || word == "after") {
         const RunData data = run_data(run);
-        return nearest(data.history[HistoryColumn::time][load_curve(data).peak]);
+        return nearest(time_about_peak(data, load_curve(data), word));
     }
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error != std::errc() || end != word.data() + word.size()) {
-        throw UsageError("--frame " + word + ": unknown; first, peak, last or a number from 0");
+        throw UsageError("--frame " + word + ": unknown; first, before, peak, after, last or a number from 0");
     }
     if (index >= times.size()) {
         throw UsageError(fmt::format("--frame {}: {} has frames 0 to {}", word, run.name(), times.size() - 1));
     }
     return index;
+}
+
+std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& words, const std::optional<double>& time) {
+    std::vector<std::size_t> frames;
+    std::istringstream stream(words);
+    for (std::string word; std::getline(stream, word, ',');) frames.push_back(choose_frame(run, word, time));
+    if (frames.empty()) throw UsageError("--frame: empty; first, before, peak, after, last or a number from 0");
+    return frames;
 }
 
 }  // namespace graincrack

@@ -16,9 +16,12 @@ Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t ind
 /// The cracks that are there at a time.
 std::vector<Crack> cracks_until(const std::vector<Crack>& cracks, double time);
 
-/// Index of the frame a user means: "last", "first", "peak" (the frame nearest in time to the peak of the curve), or a
-/// number from 0; a `time` in s, if given, wins: the frame nearest to it.
+/// Index of the frame a user means: "first", "last", "peak" (the frame nearest in time to the peak of the curve), "before",
+/// "after" (nearest to 80 % of the peak on that side; after: the last frame if the stress does not fall so far), or a number
+/// from 0; a `time` in s, if given, wins: the frame nearest to it.
 /// \throws UsageError for another word or a number out of range, InputError for a run without frames
 std::size_t choose_frame(const RunReader& run, const std::string& word, const std::optional<double>& time);
+/// The same for words with commas between.
+std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& words, const std::optional<double>& time);
 
 }  // namespace graincrack

@@ -34,9 +34,12 @@ double text_end(double top, const ChartText& text) {
 
 std::vector<double> ticks_of(const Axis& axis, int wanted) {
     if (!axis.logarithmic) return round_ticks(axis.low, axis.high, wanted);
+    if (axis.high < 3 * axis.low) return round_ticks(axis.low, axis.high, wanted);
+    const std::vector<double> factors =
+        axis.high < 30 * axis.low ? std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 8} : std::vector<double>{1, 2, 5};
     std::vector<double> ticks;
     for (double decade = std::pow(10, std::floor(std::log10(axis.low))); decade <= axis.high; decade *= 10) {
-        for (double factor : {1.0, 2.0, 5.0}) {
+        for (double factor : factors) {
             const double tick = factor * decade;
             if (tick >= axis.low * (1 - 1e-9) && tick <= axis.high * (1 + 1e-9)) ticks.push_back(tick);
         }
@@ -61,6 +64,25 @@ bool clip(Pixel& a, Pixel& b, Pixel low, Pixel high) {
     a = {a.x + first * d.x, a.y + first * d.y};
     return true;
 }
+
+/// A line as it is drawn: steps too small to be seen are left out, its end is not.
+class LineInHand {
+public:
+    [[nodiscard]] bool goes_on_at(Pixel from) const { return !end_ || std::hypot(end_->x - from.x, end_->y - from.y) < 0.01; }
+    void add(Pixel from, Pixel to) {
+        if (!end_) points_.push_back(from);
+        if (std::hypot(points_.back().x - to.x, points_.back().y - to.y) > 0.3) points_.push_back(to);
+        end_ = to;
+    }
+    std::vector<Pixel> finish() {
+        if (end_ && (points_.back().x != end_->x || points_.back().y != end_->y)) points_.push_back(*end_);
+        return std::move(points_);
+    }
+
+private:
+    std::vector<Pixel> points_;
+    std::optional<Pixel> end_;
+};
 
 }  // namespace
 
@@ -121,35 +143,23 @@ void Chart::draw_grid() {
 
 void Chart::line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side) {
     const Scale& scale = side == Side::right && right_ ? *right_ : y_;
-    std::vector<Pixel> points;
+    LineInHand hand;
+    const auto finish = [&] {
+        stroke_line(hand.finish(), stroke);
+        hand = {};
+    };
     for (std::size_t i = 1; i < x.size(); ++i) {
         Pixel from{x_(x[i - 1]), scale(y[i - 1])};
         Pixel to{x_(x[i]), scale(y[i])};
         const bool finite = std::isfinite(from.x) && std::isfinite(from.y) && std::isfinite(to.x) && std::isfinite(to.y);
         if (!finite || !clip(from, to, {x_.from, y_.to}, {x_.to, y_.from})) {
-            stroke_line(points, stroke);
-            points.clear();
+            finish();
             continue;
         }
-        segment(from, to, points, stroke);
+        if (!hand.goes_on_at(from)) finish();
+        hand.add(from, to);
     }
-    stroke_line(points, stroke);
-}
-
-/// Appends a segment to a line that goes on, or begins another where the first was cut off.
-void Chart::segment(Pixel from, Pixel to, std::vector<Pixel>& points, const Stroke& stroke) {
-    if (!points.empty() && std::hypot(points.back().x - from.x, points.back().y - from.y) > 0.01) {
-        stroke_line(points, stroke);
-        points.clear();
-    }
-    if (points.empty()) points.push_back(from);
-    // Steps below a third of a pixel are not seen.
-    const bool seen = points.size() == 1 || std::hypot(points.back().x - to.x, points.back().y - to.y) > 0.3;
-    if (seen) {
-        points.push_back(to);
-    } else {
-        points.back() = to;
-    }
+    finish();
 }
 
 void Chart::stroke_line(const std::vector<Pixel>& points, const Stroke& stroke) {

@@ -80,7 +80,6 @@ private:
         std::string words;
     };
     [[nodiscard]] Pixel place(double x, double y) const { return {x_(x), y_(y)}; }
-    void segment(Pixel from, Pixel to, std::vector<Pixel>& points, const Stroke& stroke);
     void stroke_line(const std::vector<Pixel>& points, const Stroke& stroke);
     void draw_marker(Pixel at, const Marker& marker);
     void draw_grid();

@@ -11,13 +11,7 @@ namespace graincrack {
 
 namespace {
 
-constexpr double margin = 60;
-constexpr double line_height = 42;
-constexpr double legend_height = 90;
-constexpr double platen_height = 18;
-constexpr double largest_width = 1080;
-constexpr double largest_height = 1600;
-constexpr int page_width = 1200;
+constexpr double platen_height = 16;
 
 struct Box {
     std::array<double, 2> low;
@@ -58,6 +52,15 @@ double round_length(double length) {
 
 }  // namespace
 
+Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification) {
+    Positions places = specimen.node_position;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i][0] += magnification * frame.displacement[i][0];
+        places[i][1] += magnification * frame.displacement[i][1];
+    }
+    return places;
+}
+
 struct MapView::Layout {
     Box box;
     double scale;
@@ -65,34 +68,38 @@ struct MapView::Layout {
     int width;
     int height;
 
-    Layout(const Specimen& specimen, const Positions& positions, std::size_t title_lines) : box(view_box(specimen, positions)) {
+    Layout(const Specimen& specimen, const Positions& positions, std::size_t title_lines, const MapPage& page)
+        : box(view_box(specimen, positions)) {
         const double extent_x = box.high[0] - box.low[0];
         const double extent_y = box.high[1] - box.low[1];
-        scale = std::min(largest_width / extent_x, largest_height / extent_y);
-        width = page_width;
-        const double top = margin / 2 + line_height * static_cast<double>(title_lines) + platen_height + 14;
-        height = static_cast<int>(std::ceil(top + scale * extent_y + platen_height + legend_height));
+        scale = std::min((page.width - 2 * page.margin) / extent_x, page.largest_height / extent_y);
+        width = static_cast<int>(page.width);
+        const double title = 1.35 * page.title_size + 1.35 * page.text_size * static_cast<double>(title_lines - 1);
+        const double top = 20 + title + platen_height + 14;
+        height = static_cast<int>(std::ceil(top + scale * extent_y + platen_height + std::max(page.legend_height, 20.0)));
         origin = {(width - scale * extent_x) / 2, top + scale * extent_y};
     }
 };
 
-MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title)
-    : MapView(specimen, positions, title, Layout(specimen, positions, title.size())) {}
+MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const MapPage& page)
+    : MapView(specimen, positions, title, page, Layout(specimen, positions, title.size(), page)) {}
 
-MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title,
+MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const MapPage& page,
                  const Layout& layout)
     : specimen_(specimen),
       positions_(positions),
+      page_(page),
       low_(layout.box.low),
       high_(layout.box.high),
       scale_(layout.scale),
       origin_(layout.origin),
       drawing_(layout.width, layout.height) {
-    double y = margin / 2;
+    double y = 20;
     bool first = true;
     for (const std::string& words : title) {
-        y += line_height;
-        drawing_.text({{margin, y - 6}, words, first ? 34.0 : 25.0, palette::ink, Anchor::start, first});
+        const double size = first ? page.title_size : page.text_size;
+        y += 1.35 * size;
+        drawing_.text({{page.margin, y - 6}, words, size, palette::ink, Anchor::start, first});
         first = false;
     }
 }
@@ -115,14 +122,14 @@ void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Col
     stroke(positions_[static_cast<std::size_t>(from)], positions_[static_cast<std::size_t>(to)], width, colour);
 }
 
-void MapView::draw_grains() {
+void MapView::draw_grains(const GrainColour& colour) {
     for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
         const auto& nodes = specimen_.element_nodes[e];
         const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
         const auto [a, b, c] = std::array{place(0), place(1), place(2)};
         if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
         const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
-        drawing_.polygon({pixel(a), pixel(b), pixel(c)}, palette::phase(specimen_.grain_phase[grain]));
+        drawing_.polygon({pixel(a), pixel(b), pixel(c)}, colour ? colour(grain) : palette::phase(specimen_.grain_phase[grain]));
     }
     const double mean_edge = specimen_.statistics.mean_edge;
     const double thin = mean_edge > 0 ? std::clamp(0.03 * mean_edge * scale_, 0.3, 1.2) : 1.0;
@@ -141,16 +148,20 @@ void MapView::draw_platen(double y, bool above, double half_width) {
 }
 
 void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
-    const double y = drawing_.height() - legend_height / 2 + 8;
-    constexpr double size = 25;
-    double x = margin;
+    const double y = drawing_.height() - page_.legend_height / 2 + 8;
+    const double size = page_.text_size;
+    double x = page_.margin;
     for (const LegendEntry& entry : entries) {
-        drawing_.line({x, y - 8}, {x + 44, y - 8}, entry.width, entry.colour);
-        drawing_.text({{x + 58, y}, entry.words, size});
-        x += 58 + 0.56 * size * static_cast<double>(entry.words.size()) + 30;
+        if (entry.width > 14) {
+            drawing_.rectangle({x, y - 8 - entry.width / 2}, {x + 40, y - 8 + entry.width / 2}, entry.colour);
+        } else {
+            drawing_.line({x, y - 8}, {x + 40, y - 8}, entry.width, entry.colour);
+        }
+        drawing_.text({{x + 52, y}, entry.words, size});
+        x += 52 + text_width(entry.words, size) + 26;
     }
     const double length = round_length(0.2 * (high_[0] - low_[0]));
-    const double right = drawing_.width() - margin;
+    const double right = drawing_.width() - page_.margin;
     const double left = right - length * scale_;
     drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
     for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);

@@ -2,15 +2,22 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "post/picture/drawing.hpp"
-#include "share/specimen.hpp"
+#include "share/run_file.hpp"
 
 namespace graincrack {
 
 using Positions = std::vector<std::array<double, 2>>;
+
+/// Where the nodes are in a frame, displacements magnified.
+Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification);
+
+/// Colours a grain: by phase unless told otherwise.
+using GrainColour = std::function<Colour(std::size_t grain)>;
 
 /// One entry of the legend: a stroke and what it means.
 struct LegendEntry {
@@ -19,15 +26,26 @@ struct LegendEntry {
     std::string words;
 };
 
+/// How large the page of a map is, in pixels.
+struct MapPage {
+    double width = 1000;
+    double largest_height = 1400;  ///< of the map itself
+    double margin = 40;
+    double title_size = 31;
+    double text_size = 25;
+    double legend_height = 80;  ///< 0 for a page without legend
+};
+
 class MapView {
 public:
     /// Lays the page out so that the specimen, and what moved out of it by up to a tenth of its size, fits tightly.
     ///
     /// \param positions place of each node, m \param title first line bold
-    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title);
+    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title,
+            const MapPage& page = {});
 
-    /// Fills the grains by phase and draws their outlines and the rim.
-    void draw_grains();
+    /// Fills the grains and draws their outlines and the rim.
+    void draw_grains(const GrainColour& colour = {});
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// A rigid platen on the specimen's axis: a bar from −half_width to half_width, above or below the height y; m.
@@ -41,13 +59,15 @@ public:
 
 private:
     struct Layout;
-    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const Layout& layout);
+    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const MapPage& page,
+            const Layout& layout);
     [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
     [[nodiscard]] bool visible(std::array<double, 2> place) const;
     void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);
 
     const Specimen& specimen_;
     Positions positions_;
+    MapPage page_;
     std::array<double, 2> low_;  ///< corners of the map, m
     std::array<double, 2> high_;
     double scale_;  ///< pixels per m

@@ -14,37 +14,32 @@ namespace graincrack {
 
 namespace {
 
-Positions moved(const Specimen& specimen, const Frame& frame, double magnification) {
-    Positions places = specimen.node_position;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        places[i][0] += magnification * frame.displacement[i][0];
-        places[i][1] += magnification * frame.displacement[i][1];
-    }
-    return places;
-}
-
 /// Where the test stands at the time of the frame; also the platens' approach for drawing them.
 struct Standing {
-    std::string words;
+    double strain = 0;        ///< positive in the sense of the test
+    double stress = 0;        ///< Pa
+    double share = 0;         ///< of the peak
+    bool before = false;      ///< the peak
     double axial_strain = 0;  ///< elongation positive
+    [[nodiscard]] std::string share_words() const {
+        if (share > 0.9995) return "peak";
+        return fmt::format("{}, {:.0f} %", before ? "before" : "after", 100 * share);
+    }
 };
 
-Standing standing(const RunData& run, const Frame& frame, double magnification) {
-    const LoadCurve curve = load_curve(run);
+Standing standing(const RunData& run, const LoadCurve& curve, double time) {
     const auto& times = run.history[HistoryColumn::time];
-    const auto after = std::lower_bound(times.begin(), times.end(), frame.time);
+    const auto after = std::lower_bound(times.begin(), times.end(), time);
     const auto row = static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
-    const bool disc = run.header.test == "brazilian";
-    std::string words = fmt::format("strain {:.3f} %, {} {:.1f} MPa", curve.axial_strain[row] * 100,
-                                    disc ? "tensile stress 2F/(πtD)" : "axial stress", curve.stress[row] * 1e-6);
-    if (curve.stress[row] > 0.9995 * curve.peak_stress()) {
-        words += " (peak)";
-    } else {
-        words += fmt::format(" ({:.0f} % of the peak, {} it)", 100 * curve.stress[row] / curve.peak_stress(),
-                             row < curve.peak ? "before" : "after");
-    }
+    return {curve.axial_strain[row], curve.stress[row], curve.stress[row] / curve.peak_stress(), row < curve.peak,
+            run.history[HistoryColumn::axial_strain][row]};
+}
+
+std::string standing_words(const Standing& now, bool disc, double magnification) {
+    std::string words = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, disc ? "2F/(πtD)" : "stress",
+                                    now.stress * 1e-6, now.share > 0.9995 ? "peak" : now.share_words() + " of the peak");
     if (magnification != 1) words += fmt::format("; displacements × {:.3g}", magnification);
-    return {words, run.history[HistoryColumn::axial_strain][row]};
+    return words;
 }
 
 /// Draws the half facet of a failed contact point: one line midway between its two sides, or, where they gape, one on each.
@@ -74,39 +69,101 @@ void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, doub
 /// Points ÷ 2: whole contacts.
 std::string contacts_of(std::size_t points) { return fmt::format("{}", static_cast<double>(points) / 2); }
 
-}  // namespace
+/// What all maps of a picture have in common.
+struct Scene {
+    const RunReader& run;
+    const Specimen& specimen;
+    std::vector<Crack> cracks;
+    RunData data;
+    const CrackMapOptions& options;
+};
 
-Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
-    const std::size_t index = choose_frame(run, options.frame, options.time);
-    const Specimen specimen = run.specimen();
-    const Frame frame = read_frame(run, specimen, index);
-    const std::vector<Crack> cracks = cracks_until(read_cracks(run, specimen), frame.time);
-    const Standing now = standing(run_data(run), frame, options.magnification);
-    MapView map(specimen, moved(specimen, frame, options.magnification),
-                {test_title(run.header()),
-                 fmt::format("seed {}, {} grains, mean edge {:.3g} mm; contact law {}, {}", specimen.seed, specimen.n_grains(),
-                             specimen.statistics.mean_edge * 1e3, run.header().contact_law, run.header().fracture_energy_choice),
-                 now.words});
+std::size_t count(const std::vector<Crack>& cracks, CrackMode mode) {
+    return static_cast<std::size_t>(
+        std::count_if(cracks.begin(), cracks.end(), [mode](const Crack& c) { return c.mode == mode; }));
+}
+
+/// Grains, platens and cracks of one frame.
+void draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
+    const Specimen& specimen = scene.specimen;
     map.draw_grains();
-    if (run.header().test != "tension") {
-        const double y = specimen.height / 2 * (1 + options.magnification * now.axial_strain);
+    if (scene.data.header.test != "tension") {
+        const double y = specimen.height / 2 * (1 + scene.options.magnification * now.axial_strain);
         const double half_width = specimen.width / 2 * (specimen.shape == "disc" ? 0.5 : 1.0);
         map.draw_platen(y, true, half_width);
         map.draw_platen(-y, false, half_width);
     }
     const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
     const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
-    std::size_t tensile = 0;
     for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
-        for (const Crack& crack : cracks) {
-            if (crack.mode != mode) continue;
-            draw_crack(map, specimen, crack, width);
-            if (mode == CrackMode::tensile) ++tensile;
+        for (const Crack& crack : present) {
+            if (crack.mode == mode) draw_crack(map, specimen, crack, width);
         }
     }
-    map.draw_legend({{palette::tensile, 6, "tensile cracks: " + contacts_of(tensile)},
-                     {palette::shear, 6, "shear cracks: " + contacts_of(cracks.size() - tensile)}});
+}
+
+Drawing single_map(const Scene& scene, const Frame& frame) {
+    const RunHeader& header = scene.data.header;
+    const std::vector<Crack> present = cracks_until(scene.cracks, frame.time);
+    const Standing now = standing(scene.data, load_curve(scene.data), frame.time);
+    const Specimen& specimen = scene.specimen;
+    MapView map(specimen, moved_nodes(specimen, frame, scene.options.magnification),
+                {test_title(header),
+                 fmt::format("seed {}, {} grains, mean edge {:.3g} mm; law {}, {}", specimen.seed, specimen.n_grains(),
+                             specimen.statistics.mean_edge * 1e3, header.contact_law, header.fracture_energy_choice),
+                 standing_words(now, header.test == "brazilian", scene.options.magnification)});
+    draw_state(map, scene, now, present);
+    map.draw_legend({{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
+                     {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}});
     return map.drawing();
+}
+
+Drawing panel(const Scene& scene, const Frame& frame, double width, char letter) {
+    const std::vector<Crack> present = cracks_until(scene.cracks, frame.time);
+    const Standing now = standing(scene.data, load_curve(scene.data), frame.time);
+    MapPage page{width, 1000, 14, 27, 23, 0};
+    MapView map(scene.specimen, moved_nodes(scene.specimen, frame, scene.options.magnification),
+                {fmt::format("({}) {}", letter, now.share_words()),
+                 fmt::format("{:.3f} %, {:.1f} MPa", 100 * now.strain, now.stress * 1e-6),
+                 fmt::format("tensile {}, shear {}", contacts_of(count(present, CrackMode::tensile)),
+                             contacts_of(count(present, CrackMode::shear)))},
+                page);
+    draw_state(map, scene, now, present);
+    return map.drawing();
+}
+
+/// Maps side by side under one title.
+Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
+    constexpr double page_width = 1000;
+    constexpr double head = 60;
+    constexpr double foot = 50;
+    const double width = page_width / static_cast<double>(frames.size());
+    Drawing page(static_cast<int>(page_width), 0);
+    page.text({{26, 44}, test_title(scene.data.header), 31, palette::ink, Anchor::start, true});
+    int height = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const Frame frame = read_frame(scene.run, scene.specimen, frames[i]);
+        const Drawing map = panel(scene, frame, width, static_cast<char>('a' + i));
+        page.add(map, {width * static_cast<double>(i), head});
+        height = std::max(height, map.height());
+    }
+    const double y = head + height + 20;
+    page.line({26, y - 8}, {70, y - 8}, 6, palette::tensile);
+    page.text({{84, y}, "tensile cracks", 25});
+    page.line({330, y - 8}, {374, y - 8}, 6, palette::shear);
+    page.text({{388, y}, "shear cracks (counts are contacts)", 25});
+    page.set_height(static_cast<int>(y + foot / 2));
+    return page;
+}
+
+}  // namespace
+
+Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
+    const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
+    const Specimen specimen = run.specimen();
+    const Scene scene{run, specimen, read_cracks(run, specimen), run_data(run), options};
+    if (frames.size() == 1) return single_map(scene, read_frame(run, specimen, frames[0]));
+    return panels(scene, frames);
 }
 
 }  // namespace graincrack

@@ -11,12 +11,12 @@ namespace graincrack {
 
 /// Which state is drawn, and how.
 struct CrackMapOptions {
-    std::string frame = "last";  ///< as `choose_frame` reads it
+    std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side
     std::optional<double> time;  ///< s
     double magnification = 1;    ///< of the displacements
 };
 
-/// \throws InputError, UsageError as `choose_frame`
+/// \throws InputError, UsageError as `choose_frames`
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options);
 
 }  // namespace graincrack

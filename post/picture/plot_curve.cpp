@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "post/picture/chart.hpp"
+#include "post/picture/numbers.hpp"
 #include "post/table_file.hpp"
 #include "post/test_words.hpp"
 #include "share/error.hpp"
@@ -38,16 +39,6 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
         runs.push_back(std::move(prepared));
     }
     return runs;
-}
-
-std::vector<double> times(std::vector<double> values, double factor) {
-    for (double& value : values) value *= factor;
-    return values;
-}
-
-double largest(const std::vector<double>& values) { return values.empty() ? 0 : *std::max_element(values.begin(), values.end()); }
-double smallest(const std::vector<double>& values) {
-    return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
 }
 
 /// What all curves together span, in the units of the axes.

@@ -5,16 +5,12 @@
 #include <cmath>
 
 #include "post/picture/chart.hpp"
+#include "post/picture/numbers.hpp"
 #include "post/test_words.hpp"
 
 namespace graincrack {
 
 namespace {
-
-std::vector<double> times(std::vector<double> values, double factor) {
-    for (double& value : values) value *= factor;
-    return values;
-}
 
 /// Values with a tenth of a decade to spare on both sides.
 Axis logarithmic(const std::string& label, const std::vector<double>& values) {

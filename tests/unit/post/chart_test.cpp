@@ -46,6 +46,22 @@ TEST(Chart, NothingInterruptsButTheFrameAndNaN) {
     EXPECT_EQ(lines_of(chart.finish(), pen).size(), 4U);
 }
 
+TEST(Chart, SmallStepsAddUpToTheCurveTheyAre) {
+    Chart chart = unit_chart();
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i <= 20000; ++i) {  // steps of 0.04 pixels
+        x.push_back(i / 20000.0);
+        y.push_back(x.back() * x.back());
+    }
+    chart.line(x, y, Stroke{pen, 2});
+    const auto lines = lines_of(chart.finish(), pen);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_GT(lines[0].points.size(), 1000U);
+    EXPECT_LT(lines[0].points.size(), 6000U);
+    EXPECT_NEAR(lines[0].points.back().x - lines[0].points.front().x, 830, 1e-6);
+}
+
 TEST(Chart, DashesCoverHalfTheLineAboutAndKeepItsDirection) {
     Chart chart = unit_chart();
     chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2, true});

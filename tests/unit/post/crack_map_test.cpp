@@ -1,4 +1,4 @@
-#include "post/cracks/crack_map.hpp"
+#include "post/cracks/export.hpp"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -24,7 +24,7 @@ class CrackMap : public ::testing::Test {
 protected:
     void SetUp() override {
         test::write_run(folder_.file("run.h5"), recipe_);
-        export_crack_map(RunReader(folder_.file("run.h5")), folder_.file("map"), Verbosity::quiet);
+        export_cracks(RunReader(folder_.file("run.h5")), folder_.file("map"), {}, Verbosity::quiet);
     }
     std::string map(const std::string& name) const { return folder_.file("map/" + name); }
     test::Recipe recipe_;
@@ -72,6 +72,8 @@ TEST_F(CrackMap, GrainsReadBackWithStressAndDisplacement) {
     EXPECT_NEAR(grid->GetCellData()->GetArray("principal_stress_2")->GetComponent(3, 0), -99e6 / 2 - radius, 1);
     EXPECT_EQ(grid->GetCellData()->GetArray("grain")->GetComponent(3, 0), 3);
     EXPECT_NE(grid->GetCellData()->GetArray("phase"), nullptr);
+    ASSERT_NE(grid->GetCellData()->GetArray("fragment"), nullptr);
+    EXPECT_EQ(grid->GetCellData()->GetArray("fragment")->GetComponent(3, 0), 0);  // nothing has separated
 }
 
 TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
@@ -98,6 +100,8 @@ TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
             EXPECT_EQ(data("mode_angle"), present[i].mode_angle);
             EXPECT_EQ(data("separated"), present[i].time_separated <= time ? 1 : 0);
             EXPECT_EQ(data("contact"), present[i].contact);
+            EXPECT_EQ(data("damage"), 0);
+            EXPECT_EQ(data("phase_a"), 0);
         }
     }
     ASSERT_TRUE(cracks_until(all, 0).empty());
@@ -135,17 +139,28 @@ TEST_F(CrackMap, CatalogueAndRosetteAreTables) {
     EXPECT_EQ(test::field(catalogue, "mode", 0), cracks[0].mode == CrackMode::tensile ? "tensile" : "shear");
     EXPECT_EQ(test::field(catalogue, "time_separated_s", 1), "");  // not separated
     EXPECT_EQ(test::parse_tsv(test::read_text(map("rosette.tsv"))).size(), 19U);
+    const std::string summary = test::read_text(map("summary.tsv"));
+    EXPECT_EQ(test::field(summary, "at", 0), "peak");
+    EXPECT_EQ(test::field(summary, "at", 1), "end");
+    EXPECT_EQ(test::field(summary, "share_with_more_sliding", 1), "0");  // 1 µm against 2 µm of opening
+    EXPECT_EQ(test::field(summary, "fragments", 1), "1");
+    EXPECT_EQ(test::parse_tsv(test::read_text(map("fragment-counts.tsv"))).size(), 4U);
+    EXPECT_EQ(test::parse_tsv(test::read_text(map("fragments.tsv"))).size(), 2U);
+    EXPECT_GT(test::parse_tsv(test::read_text(map("events.tsv"))).size(), 2U);
+    const std::string counts = test::read_text(map("counts.tsv"));
+    EXPECT_EQ(test::field(counts, "tensile_cracks_rock-rock", test::parse_tsv(counts).size() - 2),
+              test::field(counts, "tensile_cracks", test::parse_tsv(counts).size() - 2));
 }
 
 TEST_F(CrackMap, CatalogueThatNamesMissingContactsIsRefused) {
     std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     cracks[3].contact = static_cast<std::int32_t>(recipe_.specimen.n_contacts());
     test::write_run(folder_.file("bad.h5"), recipe_, cracks);
-    EXPECT_THROW(export_crack_map(RunReader(folder_.file("bad.h5")), folder_.file("bad"), Verbosity::quiet), InputError);
+    EXPECT_THROW(export_cracks(RunReader(folder_.file("bad.h5")), folder_.file("bad"), {}, Verbosity::quiet), InputError);
 }
 
 TEST_F(CrackMap, FolderThatCannotBeMadeIsAnOutputError) {
-    EXPECT_THROW(export_crack_map(RunReader(folder_.file("run.h5")), folder_.file("run.h5"), Verbosity::quiet), OutputError);
+    EXPECT_THROW(export_cracks(RunReader(folder_.file("run.h5")), folder_.file("run.h5"), {}, Verbosity::quiet), OutputError);
 }
 
 }  // namespace

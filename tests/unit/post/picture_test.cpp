@@ -8,10 +8,19 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "post/cracks/run_state.hpp"
+#include "post/picture/plot_counts.hpp"
 #include "post/picture/plot_cracks.hpp"
 #include "post/picture/plot_curve.hpp"
+#include "post/picture/plot_emission.hpp"
+#include "post/picture/plot_energy.hpp"
 #include "post/picture/plot_envelope.hpp"
+#include "post/picture/plot_fragments.hpp"
+#include "post/picture/plot_law.hpp"
+#include "post/picture/plot_rosette.hpp"
 #include "post/picture/plot_specimen.hpp"
+#include "post/picture/plot_table.hpp"
+#include "post/picture/plot_thresholds.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"
@@ -88,6 +97,54 @@ TEST_F(Picture, FramesAreChosenByWordNumberOrTime) {
     EXPECT_EQ(to_svg(draw_cracks(RunReader(path("run.h5")), {"last", 0.9, 1})), to_svg(cracks("1")));
     EXPECT_THROW((void)cracks("3"), UsageError);
     EXPECT_THROW((void)cracks("middle"), UsageError);
+}
+
+TEST_F(Picture, MapsStandSideBySide) {
+    const std::string svg = to_svg(cracks("first,peak,last"));
+    for (const char* words : {"(a) before", "(b) peak", "(c) after"}) EXPECT_NE(svg.find(words), std::string::npos) << words;
+    // The frame nearest to 80 % of the peak, on either side, is that of the peak here: 0, 1 and 1.25 s
+    EXPECT_EQ(to_svg(cracks("before")), to_svg(cracks("1")));
+    EXPECT_EQ(to_svg(cracks("after")), to_svg(cracks("1")));
+    EXPECT_THROW((void)cracks("before,noon"), UsageError);
+    EXPECT_THROW((void)cracks(""), UsageError);
+}
+
+TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
+    const RunReader run(path("run.h5"));
+    const RunData data = run_data(run);
+    const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
+    const auto expect = [&](const Drawing& drawing, const std::vector<std::string>& words) {
+        const std::string svg = to_svg(drawing);
+        for (const std::string& each : words) EXPECT_NE(svg.find(each), std::string::npos) << each;
+    };
+    expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5"), {"tensile:", "shear:", "own facets"});
+    expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data), {"tensile", "shear", "stress"});
+    expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
+    expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragments", "100.0 % of the area"});
+    expect(draw_energy(data), {"energy ledger", "largest residual 0.2 %"});
+    expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
+    expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
+    expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
+    EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
+    test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5"); }, {"run.h5", "no micro-cracks"});
+    test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
+}
+
+TEST_F(Picture, TablesAreDrawnByTheirColumns) {
+    std::ofstream(path("t.tsv")) << "edge_mm\tstrength_MPa\tnote\n1\t5\ta\n2\t\tb\n4\t9\tc\n";
+    const std::string svg = to_svg(draw_tables({path("t.tsv")}, {"edge_mm", {"strength_MPa"}, true}));
+    EXPECT_NE(svg.find("edge, mm"), std::string::npos);
+    EXPECT_NE(svg.find("strength, MPa"), std::string::npos);
+    test::expect_one_line<InputError>(
+        [&] {
+            (void)draw_tables({path("t.tsv")}, {"edge_mm", {"weight"}, false});
+        },
+        {"t.tsv", "no column weight", "strength_MPa"});
+    test::expect_one_line<InputError>(
+        [&] {
+            (void)draw_tables({path("t.tsv")}, {"edge_mm", {"note"}, false});
+        },
+        {"line 2", "\"a\""});
 }
 
 TEST_F(Picture, CurveAndSpecimenAreDrawn) {

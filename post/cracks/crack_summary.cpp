@@ -1,0 +1,90 @@
+#include "post/cracks/crack_summary.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace graincrack {
+
+namespace {
+
+const std::vector<std::string> columns{"file",
+                                       "at",
+                                       "time_s",
+                                       "axial_strain",
+                                       "tensile_cracks",
+                                       "shear_cracks",
+                                       "separated",
+                                       "tensile_with_more_sliding",
+                                       "share_with_more_sliding",
+                                       "mode_angle_below_45_deg",
+                                       "fragments",
+                                       "single_grains",
+                                       "events",
+                                       "b_value",
+                                       "b_value_error",
+                                       "b_value_completeness",
+                                       "b_value_events"};
+
+std::vector<Cell> balance_cells(const CrackBalance& b) {
+    return {count_cell(b.tensile),        count_cell(b.shear),
+            count_cell(b.separated),      count_cell(b.tensile_more_sliding),
+            cell(b.share_more_sliding()), count_cell(b.tensile_by_traction)};
+}
+
+std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
+    std::vector<double> magnitudes;
+    for (const EmissionEvent& event : events) {
+        if (event.moment > 0) magnitudes.push_back(event.magnitude());
+    }
+    return magnitudes;
+}
+
+}  // namespace
+
+std::optional<double> CrackBalance::share_more_sliding() const {
+    return tensile > 0 ? std::optional(tensile_more_sliding / tensile) : std::nullopt;
+}
+
+CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time) {
+    CrackBalance balance;
+    for (const Crack& crack : cracks) {
+        if (crack.time > time) continue;
+        const bool tensile = crack.mode == CrackMode::tensile;
+        (tensile ? balance.tensile : balance.shear) += 0.5;
+        if (crack.time_separated <= time) balance.separated += 0.5;
+        if (tensile && std::abs(crack.sliding) > crack.opening) balance.tensile_more_sliding += 0.5;
+        if (crack.mode_angle < std::numbers::pi / 4) balance.tensile_by_traction += 0.5;
+    }
+    return balance;
+}
+
+void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve,
+                         const std::vector<Crack>& cracks, const std::vector<EmissionEvent>& events, const Fragments& fragments,
+                         TableFormat format) {
+    TableWriter table(out, columns, format);
+    const auto begin = [&](const char* at, std::size_t row_index) {
+        const double time = run.history[HistoryColumn::time][row_index];
+        std::vector<Cell> row{run.name, std::string(at), time, curve ? Cell(curve->axial_strain[row_index]) : Cell()};
+        for (Cell& each : balance_cells(balance_cracks(cracks, time))) row.push_back(std::move(each));
+        return row;
+    };
+    if (curve) {
+        std::vector<Cell> row = begin("peak", curve->peak);
+        row.resize(columns.size());
+        table.row(row);
+    }
+    std::vector<Cell> row = begin("end", run.history.size() - 1);
+    row.emplace_back(static_cast<std::int64_t>(fragments.all.size()));
+    row.emplace_back(static_cast<std::int64_t>(fragments.single_grains()));
+    row.emplace_back(static_cast<std::int64_t>(events.size()));
+    const std::vector<double> magnitudes = magnitudes_of(events);
+    const auto fit = magnitudes.empty() ? std::nullopt : fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
+    if (fit) {
+        for (const double value : {fit->b, fit->error, fit->completeness}) row.emplace_back(value);
+        row.emplace_back(static_cast<std::int64_t>(fit->events));
+    }
+    row.resize(columns.size());
+    table.row(row);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,32 @@
+// What the catalogue of a run says in one row: modes, honesty of the tensile ones, separation, events, fragments.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/cracks/emission.hpp"
+#include "post/cracks/fragments.hpp"
+#include "post/load_curve.hpp"
+#include "post/table.hpp"
+
+namespace graincrack {
+
+/// Contacts (points ÷ 2) up to some time.
+struct CrackBalance {
+    double tensile = 0;
+    double shear = 0;
+    double separated = 0;             ///< of both, those without any strength left then
+    double tensile_more_sliding = 0;  ///< tensile ones that had slid more than they had opened when they failed
+    double tensile_by_traction = 0;   ///< of all, those with |τ| < σn at the peak: mode angle below 45°
+    [[nodiscard]] std::optional<double> share_more_sliding() const;
+};
+CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time);
+
+/// Table: one row at the peak, if there is a curve, one at the end. Emission and fragments stand in that of the end.
+void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve,
+                         const std::vector<Crack>& cracks, const std::vector<EmissionEvent>& events, const Fragments& fragments,
+                         TableFormat format);
+
+}  // namespace graincrack

@@ -1,0 +1,117 @@
+#include "post/cracks/export.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <sstream>
+
+#include "post/cracks/crack_counts.hpp"
+#include "post/cracks/crack_map.hpp"
+#include "post/cracks/crack_summary.hpp"
+#include "post/cracks/emission.hpp"
+#include "post/cracks/rosette.hpp"
+#include "post/cracks/run_state.hpp"
+#include "post/output_file.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+std::string pvd(const std::string& stem, const std::string& suffix, const std::vector<double>& times) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}_{:04}.{}\"/>\n", times[i], stem, i, suffix);
+    }
+    return text + "  </Collection>\n</VTKFile>\n";
+}
+
+void write_table(const std::string& path, const std::function<void(std::ostream&)>& write) {
+    std::ostringstream text;
+    write(text);
+    write_whole_file(path, text.str());
+}
+
+/// Fragments frame by frame.
+struct Breakup {
+    std::vector<FragmentCount> counts;
+    Fragments last;
+};
+
+Breakup write_frames(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks, const std::string& folder,
+                     Verbosity verbosity) {
+    Progress progress("cracks", verbosity);
+    Breakup breakup;
+    const std::size_t n = run.n_frames();
+    for (std::size_t i = 0; i < n; ++i) {
+        throw_if_interrupted();
+        const Frame frame = read_frame(run, specimen, i);
+        breakup.last = find_fragments(specimen, frame.state);
+        breakup.counts.push_back(count_fragments(breakup.last, frame.time));
+        write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, frame, breakup.last);
+        write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame);
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(n), fmt::format("frame {}", i + 1));
+    }
+    progress.finish();
+    return breakup;
+}
+
+/// Empty for a run that was never loaded along its axis, such as a program of other motions.
+std::optional<LoadCurve> curve_if_any(const RunData& data) {
+    try {
+        return load_curve(data);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks) {
+    TableWriter table(out,
+                      {"time_s", "step", "contact", "point", "mode", "mode_angle_rad", "x_m", "y_m", "orientation_rad",
+                       "length_m", "opening_m", "sliding_m", "energy_released_J", "time_separated_s"},
+                      TableFormat::tsv);
+    for (const Crack& c : cracks) {
+        table.row({c.time, c.step, std::int64_t{c.contact}, std::int64_t{c.point},
+                   std::string(c.mode == CrackMode::tensile ? "tensile" : "shear"), c.mode_angle, c.position[0], c.position[1],
+                   c.orientation, c.length, c.opening, c.sliding, c.energy_released, c.time_separated});
+    }
+}
+
+std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
+                                       const CrackExportOptions& options) {
+    EmissionWindow window = default_window(run.header().rock, specimen.statistics.mean_edge);
+    window.distance = options.event_distance.value_or(window.distance);
+    window.time = options.event_time.value_or(window.time);
+    return find_events(cracks, run.header().rock, window);
+}
+
+void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity) {
+    const std::vector<double> times = run.frame_times();
+    if (times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
+    const Specimen specimen = run.specimen();
+    const std::vector<Crack> cracks = read_cracks(run, specimen);
+    const RunData data = run_data(run);
+    const std::optional<LoadCurve> curve = curve_if_any(data);
+    make_folder(folder);
+    const Breakup breakup = write_frames(run, specimen, cracks, folder, verbosity);
+    const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options);
+    constexpr TableFormat tsv = TableFormat::tsv;
+    const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name, write); };
+    table("cracks.tsv", [&](std::ostream& out) { write_crack_table(out, cracks); });
+    table("rosette.tsv", [&](std::ostream& out) { write_rosette(out, crack_rosette(cracks, specimen), tsv); });
+    table("events.tsv", [&](std::ostream& out) { write_events(out, events, tsv); });
+    table("fragments.tsv", [&](std::ostream& out) { write_fragments(out, breakup.last, tsv); });
+    table("fragment-counts.tsv", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, tsv); });
+    table("summary.tsv", [&](std::ostream& out) { write_crack_summary(out, data, curve, cracks, events, breakup.last, tsv); });
+    if (curve) {
+        table("counts.tsv",
+              [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, cracks), tsv); });
+    }
+    write_whole_file(folder + "/grains.pvd", pvd("grains", "vtu", times));
+    write_whole_file(folder + "/cracks.pvd", pvd("cracks", "vtp", times));
+}
+
+}  // namespace graincrack

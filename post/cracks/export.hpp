@@ -1,0 +1,34 @@
+// The command `cracks`: a run as a folder of files for ParaView and scripts.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/cracks/emission.hpp"
+#include "share/progress.hpp"
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// What `cracks` may be told; unset values are `default_window`'s.
+struct CrackExportOptions {
+    std::optional<double> event_distance;  ///< m
+    std::optional<double> event_time;      ///< s
+};
+
+/// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
+/// counts.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that is there is whole.
+/// A run whose axial stress never rises has no counts.tsv and no peak in summary.tsv.
+/// \throws InputError for a run without frames, OutputError
+void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
+
+/// The events of a run by its window.
+std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
+                                       const CrackExportOptions& options);
+
+/// The catalogue as TSV, every column with its unit.
+void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks);
+
+}  // namespace graincrack

@@ -1,0 +1,97 @@
+#include "post/cracks/fragments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "post/cracks/union_find.hpp"
+
+namespace graincrack {
+
+namespace {
+
+bool holds(const std::array<std::uint8_t, 2>& points) {
+    constexpr auto separated = static_cast<std::uint8_t>(PointState::separated);
+    return points[0] != separated || points[1] != separated;
+}
+
+/// Centre of area of each grain, times its area.
+std::vector<std::array<double, 2>> first_moments(const Specimen& s) {
+    std::vector<std::array<double, 2>> moments(s.n_grains(), {0, 0});
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        const auto place = [&](std::size_t k) { return s.node_position[static_cast<std::size_t>(s.element_nodes[e][k])]; };
+        const auto [a, b, c] = std::array{place(0), place(1), place(2)};
+        const double area = ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
+        auto& moment = moments[static_cast<std::size_t>(s.element_grain[e])];
+        for (std::size_t axis = 0; axis < 2; ++axis) moment[axis] += area * (a[axis] + b[axis] + c[axis]) / 3;
+    }
+    return moments;
+}
+
+double total_area(const Fragments& fragments) {
+    return std::accumulate(fragments.all.begin(), fragments.all.end(), 0.0,
+                           [](double sum, const Fragment& f) { return sum + f.area; });
+}
+
+}  // namespace
+
+double Fragment::diameter() const { return 2 * std::sqrt(area / std::numbers::pi); }
+
+std::size_t Fragments::single_grains() const {
+    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Fragment& f) { return f.grains == 1; }));
+}
+
+Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    UnionFind sets(specimen.n_grains());
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        const auto grain_at = [&](std::size_t k) {
+            return static_cast<std::size_t>(grain[static_cast<std::size_t>(specimen.contact_nodes[c][k])]);
+        };
+        if (holds(state[c])) sets.join(grain_at(0), grain_at(2));
+    }
+    const auto moments = first_moments(specimen);
+    std::map<std::size_t, Fragment> found;  // by the first grain
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        Fragment& f = found[sets.find(g)];
+        ++f.grains;
+        f.area += specimen.grain_area[g];
+        for (std::size_t axis = 0; axis < 2; ++axis) f.centre[axis] += moments[g][axis];
+    }
+    std::vector<std::pair<std::size_t, Fragment>> order(found.begin(), found.end());
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second.area > b.second.area; });
+    Fragments fragments;
+    std::map<std::size_t, std::size_t> index;
+    for (auto& [first, f] : order) {
+        for (double& x : f.centre) x /= f.area;
+        index[first] = fragments.all.size();
+        fragments.all.push_back(f);
+    }
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) fragments.of_grain.push_back(index.at(sets.find(g)));
+    return fragments;
+}
+
+void write_fragments(std::ostream& out, const Fragments& fragments, TableFormat format) {
+    TableWriter table(out, {"fragment", "grains", "area_mm2", "diameter_mm", "share_of_area", "x_mm", "y_mm"}, format);
+    const double total = total_area(fragments);
+    for (std::size_t i = 0; i < fragments.all.size(); ++i) {
+        const Fragment& f = fragments.all[i];
+        table.row({static_cast<std::int64_t>(i), static_cast<std::int64_t>(f.grains), f.area * 1e6, f.diameter() * 1e3,
+                   f.area / total, f.centre[0] * 1e3, f.centre[1] * 1e3});
+    }
+}
+
+FragmentCount count_fragments(const Fragments& fragments, double time) {
+    return {time, fragments.all.size(), fragments.single_grains(), fragments.all.front().area / total_area(fragments)};
+}
+
+void write_fragment_counts(std::ostream& out, const std::vector<FragmentCount>& counts, TableFormat format) {
+    TableWriter table(out, {"time_s", "fragments", "single_grains", "largest_share_of_area"}, format);
+    for (const FragmentCount& c : counts) {
+        table.row({c.time, static_cast<std::int64_t>(c.fragments), static_cast<std::int64_t>(c.single_grains), c.largest_share});
+    }
+}
+
+}  // namespace graincrack
