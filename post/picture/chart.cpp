@@ -12,7 +12,7 @@ namespace graincrack {
 namespace {
 
 constexpr double page_width = 1000;
-constexpr double left_margin = 130;
+constexpr double left_margin = 145;
 constexpr double right_margin = 40;
 constexpr double right_margin_with_axis = 130;
 constexpr double top_margin = 30;
@@ -124,11 +124,11 @@ Chart::Chart(const ChartText& text, const Axis& x, const Axis& y, const std::opt
     double line = top_margin;
     if (!text.title.empty()) {
         line += 1.35 * title_size;
-        drawing_.text({{left_margin - 90, line - 10}, text.title, title_size, palette::ink, Anchor::start, true});
+        drawing_.text({{left_margin - 105, line - 10}, text.title, title_size, palette::ink, Anchor::start, true});
     }
     for (const std::string& words : text.subtitle) {
         line += 1.35 * subtitle_size;
-        drawing_.text({{left_margin - 90, line - 8}, words, subtitle_size});
+        drawing_.text({{left_margin - 105, line - 8}, words, subtitle_size});
     }
     draw_grid();
 }
@@ -278,7 +278,7 @@ void Chart::draw_ticks() {
 void Chart::draw_labels() {
     const double middle = (y_.from + y_.to) / 2;
     drawing_.text({{(x_.from + x_.to) / 2, y_.from + 86}, x_.axis.label, label_size, palette::ink, Anchor::middle});
-    drawing_.text({{40, middle}, y_.axis.label, label_size, palette::ink, Anchor::middle, false, true});
+    drawing_.text({{36, middle}, y_.axis.label, label_size, palette::ink, Anchor::middle, false, true});
     if (right_) {
         drawing_.text({{x_.to + 118, middle}, right_->axis.label, label_size, palette::ink, Anchor::middle, false, true});
     }
@@ -297,7 +297,7 @@ void Chart::draw_entry(const Entry& entry, Pixel at) {
 }
 
 void Chart::draw_legend() {
-    const double left = left_margin - 90;
+    const double left = left_margin - 105;
     Pixel at{left, y_.from + 140};
     for (const Entry& entry : legend_) {
         const double width = legend_mark + 14 + text_width(entry.words, legend_size) + 34;

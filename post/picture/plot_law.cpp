@@ -97,40 +97,58 @@ std::vector<LawDescription> chosen(const std::vector<std::string>& names) {
 
 Axis up_to(const std::string& label, double high) { return {label, 0, high}; }
 
-/// Later laws thinner, so that those that agree with them show.
-Stroke stroke_of(std::size_t index, bool dashed = false) {
-    return {palette::series(index), std::max(2.0, 10.0 - 2.6 * static_cast<double>(index)), dashed};
+/// Whether curves over the same displacements are one to the eye: within half a percent of the largest traction.
+bool agree(const std::vector<Path>& paths) {
+    double highest = 0;
+    double apart = 0;
+    for (const Path& path : paths) {
+        for (std::size_t i = 0; i < path.traction.size(); ++i) {
+            highest = std::max(highest, std::abs(path.traction[i]));
+            apart = std::max(apart, std::abs(path.traction[i] - paths[0].traction[i]));
+        }
+    }
+    return apart < 0.005 * highest;
 }
 
-Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const ChartText& text, double reach,
-                  bool legend) {
-    Chart chart(text, up_to("opening, µm", reach * micro), up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega));
-    for (std::size_t i = 0; i < laws.size(); ++i) {
-        const Path path = open_path(laws[i], contact, reach);
-        chart.line(path.displacement, path.traction, stroke_of(i));
-        if (legend) chart.legend(stroke_of(i), std::string(name_of(laws[i].variant)));
+/// One curve a law, or one for all of them.
+void draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
+    if (paths.size() > 1 && agree(paths)) {
+        chart.line(paths[0].displacement, paths[0].traction, Stroke{palette::ink, 4.5, dashed});
+        return;
     }
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        chart.line(paths[i].displacement, paths[i].traction, Stroke{palette::series(i), 4, dashed});
+    }
+}
+
+Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const ChartText& text, double reach) {
+    Chart chart(text, up_to("opening, µm", reach * micro), up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega));
+    std::vector<Path> paths;
+    for (const ContactLaw& law : laws) paths.push_back(open_path(law, contact, reach));
+    draw_paths(chart, paths, false);
     return chart.finish();
 }
 
 Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters& contact, double compression) {
     const double reach = std::max(3 * contact.critical_sliding, 1.2 * contact.ultimate_opening);
     double highest = 0;
-    std::vector<std::array<Path, 2>> paths;
+    std::vector<Path> open;
+    std::vector<Path> closed;
     for (const ContactLaw& law : laws) {
-        paths.push_back({shear_path(law, contact, 0, reach), shear_path(law, contact, compression, reach)});
-        for (const Path& path : paths.back()) highest = std::max(highest, largest(path.traction));
+        open.push_back(shear_path(law, contact, 0, reach));
+        closed.push_back(shear_path(law, contact, compression, reach));
+        highest = std::max({highest, largest(open.back().traction), largest(closed.back().traction)});
     }
     Chart chart({"",
                  {fmt::format("sliding: open at δn = 0 (dashed) and under {:.3g} MPa (solid);", compression * mega),
                   fmt::format("δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}},
                 up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest));
+    draw_paths(chart, closed, false);
+    draw_paths(chart, open, true);
     for (std::size_t i = 0; i < laws.size(); ++i) {
-        Stroke open = stroke_of(i, true);
-        open.width *= 0.6;
-        chart.line(paths[i][1].displacement, paths[i][1].traction, stroke_of(i));
-        chart.line(paths[i][0].displacement, paths[i][0].traction, open);
+        chart.legend(Stroke{palette::series(i), 4}, std::string(name_of(laws[i].variant)));
     }
+    if (laws.size() > 1) chart.legend(Stroke{palette::ink, 4.5}, "where all agree");
     return chart.finish();
 }
 
@@ -143,13 +161,13 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
     const ChartText whole{title,
                           {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
                                        contact.ultimate_opening * micro, contact.fracture_energy)}};
-    Drawing page = draw_open(laws, contact, whole, 1.05 * contact.ultimate_opening, true);
+    Drawing page = draw_open(laws, contact, whole, 1.05 * contact.ultimate_opening);
     const auto below = [&](const Drawing& part) {
         const int height = page.height();
         page.add(part, {0, static_cast<double>(height)});
         page.set_height(height + part.height());
     };
-    below(draw_open(laws, contact, {"", {"the same near the peak"}}, 4 * contact.critical_opening, false));
+    below(draw_open(laws, contact, {"", {"the same near the peak"}}, 4 * contact.critical_opening));
     below(draw_shear(laws, contact, options.normal_stress));
     return page;
 }

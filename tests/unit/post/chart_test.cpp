@@ -59,7 +59,7 @@ TEST(Chart, SmallStepsAddUpToTheCurveTheyAre) {
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_GT(lines[0].points.size(), 1000U);
     EXPECT_LT(lines[0].points.size(), 6000U);
-    EXPECT_NEAR(lines[0].points.back().x - lines[0].points.front().x, 830, 1e-6);
+    EXPECT_NEAR(lines[0].points.back().x - lines[0].points.front().x, 815, 1e-6);
 }
 
 TEST(Chart, DashesCoverHalfTheLineAboutAndKeepItsDirection) {
@@ -72,7 +72,7 @@ TEST(Chart, DashesCoverHalfTheLineAboutAndKeepItsDirection) {
         length += line.points.back().x - line.points.front().x;
         EXPECT_NEAR(line.points.back().y, line.points.front().y, 1e-9);
     }
-    EXPECT_NEAR(length / 830, 1 / 1.8, 0.03);  // dashes of 1 and gaps of 0.8 over the width of the frame, 830 pixels
+    EXPECT_NEAR(length / 815, 1 / 1.8, 0.03);  // dashes of 1 and gaps of 0.8 over the width of the frame, 815 pixels
 }
 
 TEST(Chart, TheRightScaleIsItsOwn) {
