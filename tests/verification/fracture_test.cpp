@@ -1,0 +1,180 @@
+// Fracture energy as a specimen shows it: a straight interface pulled apart, and the double cantilever, whose crack runs when
+// the energy that bending releases is Gf.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::SmallRun;
+using test::verify;
+using test::verify_between;
+
+ContactLaw law_of(LawVariant variant, FractureEnergyChoice::Kind energy, double tensile_strength = 24.15e6) {
+    Material material = test::augig_granite();
+    material.contact.tensile_strength = tensile_strength;
+    return make_contact_law(contact_parameters(material, PlaneCondition::stress, FractureEnergyChoice{energy, 0}), variant,
+                            Coupling::full);
+}
+
+// --- a straight interface pulled apart by glued caps -----------------------------------------------------------------------
+
+// External work − what is stored, moves, or was absorbed by damping = Gf A, whether it tears stably (mixed: the blocks are
+// stiffer than the softening) or snaps (mode I).
+TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
+    for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent}) {
+        for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
+            const ContactLaw law = law_of(variant, kind);
+            SmallRun run(test::crossed_blocks(8, 4, 0.02, 0.01, [](int, int j) { return j < 2 ? 0 : 1; }), law,
+                         PlaneCondition::stress);
+            LoadingRequest request;
+            request.test = TestKind::tension;
+            run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request,
+                                                contact_parameters(test::augig_granite(), PlaneCondition::stress, {})),
+                             0.5);
+            run.parameters.damping = 0.8;
+            run.begin();
+            const double speed = 0.01;
+            BatchLoading pull;
+            pull.velocity_end = {-speed, speed};
+            run.steps(2000, pull);
+            pull.velocity_begin = pull.velocity_end;
+            double largest = 0;
+            // until the caps have gone twice as far as the interface and the blocks can stretch
+            const double far = law.dut + 0.01 * law.tc / 25.8e9;
+            while (run.state.loading.platen_displacement[top_platen] < far) {
+                run.steps(200, pull);
+                largest = std::max(largest, run.measured().force_top);
+            }
+            const Energies e = run.measured().energies;
+            const double area = 0.02;
+            const std::string name =
+                std::string(name_of(variant)) + (kind == FractureEnergyChoice::Kind::mixed ? ", mixed" : ", mode I");
+            verify("specimens: straight interface, work less elastic, kinetic and damping, " + name + " (J/m2)",
+                   (e.external - e.strain - e.kinetic - e.damping - e.platen - e.contact) / area, law.gf, 0.01, "Gf");
+            verify_between("specimens: straight interface, strength over tc", largest / area / law.tc, 0.98, 1.02,
+                           "tc; what rings at this rate is 1 %");
+            for (const ContactHistory& point : run.state.points) {
+                EXPECT_TRUE(point.separated);
+            }
+        }
+    }
+}
+
+// --- double cantilever ---------------------------------------------------------------------------------------------------
+
+constexpr double h = 0.01;          // of an arm
+constexpr int cells = 8;            // of four triangles over it
+constexpr double cell = h / cells;  // m
+constexpr double width = 2 * cell;  // of what is pressed
+constexpr double small = 1e-3 * cell;
+
+/// Two arms of solid grain on an interface that is cut open from the left end to `cut` (m from it). Pressure acts on the arms'
+/// inner faces at the end and, where `couple` is not 0, against that on their outer faces `couple` farther in: a pure moment on
+/// all that lies beyond.
+struct Cantilever {
+    SmallRun run;
+
+    Cantilever(const ContactLaw& law, double length, double cut, double couple)
+        : run(specimen(length, cut, couple), law, PlaneCondition::stress) {
+        std::vector<std::uint8_t> pressed;
+        for (std::size_t part = 5; part < run.specimen.part_names.size(); ++part) {
+            pressed.push_back(static_cast<std::uint8_t>(part));
+        }
+        run.set_boundary(make_boundary(run.assemblage, run.specimen, run.boundary.platens, 0, pressed), 0.7);
+        run.parameters.damping = 0.8;
+        run.begin();
+    }
+    static Specimen specimen(double length, double cut, double couple) {
+        Specimen s = test::crossed_blocks(static_cast<int>(std::lround(length / cell)), 2 * cells, length, 2 * h,
+                                          [](int, int j) { return j < cells ? 0 : 1; });
+        const auto within = [length](double x, double from, double to) {
+            return x > -length / 2 + from - small && x < -length / 2 + to + small;
+        };
+        test::cut_contacts(s, [&](double x, double) { return within(x, 0, cut); });
+        test::name_boundary(s, "inner", [&](double x, double y) { return within(x, 0, width) && std::abs(y) < small; });
+        if (couple > 0) {
+            test::name_boundary(s, "outer",
+                                [&](double x, double y) { return within(x, couple, couple + width) && std::abs(y) > h - small; });
+        }
+        return s;
+    }
+    [[nodiscard]] std::size_t separated() const {
+        return static_cast<std::size_t>(
+            std::count_if(run.state.points.begin(), run.state.points.end(), [](const ContactHistory& p) { return p.separated; }));
+    }
+    /// Length of the interface that has failed and not separated, m.
+    [[nodiscard]] double zone() const { return 0.5 * cell * static_cast<double>(run.failed_points() - separated()); }
+
+    /// Pressure at which the first point separates: growing to 0.85 of `expected` in a third of the `duration`, and then, more
+    /// slowly than the arms swing, towards it.
+    double pressure_at_first_separation(double expected, double duration) {
+        constexpr int batch = 50;
+        BatchLoading loading;
+        while (separated() == 0 && loading.pressure_end < 1.3 * expected) {
+            loading.pressure_begin = loading.pressure_end;
+            const double rate = (loading.pressure_end < 0.85 * expected ? 0.85 * 3 : 0.15 * 1.5) * expected / duration;
+            loading.pressure_end += rate * batch * run.parameters.time_step;
+            run.steps(batch, loading);
+        }
+        return loading.pressure_end;
+    }
+    /// How many points separate within `duration` under a pressure that stays.
+    std::size_t separated_under(double pressure, double duration) {
+        BatchLoading loading;
+        loading.pressure_begin = loading.pressure_end = pressure;
+        const std::size_t before = separated();
+        run.steps(static_cast<std::int64_t>(duration / run.parameters.time_step), loading);
+        return separated() - before;
+    }
+};
+
+ContactLaw mixed_law(double tensile_strength) {
+    return law_of(LawVariant::scaled, FractureEnergyChoice::Kind::mixed, tensile_strength);
+}
+/// Mc = t √(Gf E h³/12), 968 N: the moment at which J = M²/(E I) of both arms is Gf.
+double critical_moment(const ContactLaw& law) { return std::sqrt(law.gf * 25.8e9 * h * h * h / 12); }
+
+// J at the notch is the area under the traction there: Gf when its point separates, whatever the length of the zone.
+TEST(Fracture, DoubleCantileverUnderEndMoments) {
+    const double couple = h;
+    double longest = 0;
+    for (const double tensile_strength : {12e6, 24.15e6}) {
+        const ContactLaw law = mixed_law(tensile_strength);
+        Cantilever dcb(law, 0.0675, couple + width + h, couple);
+        const double expected = critical_moment(law);
+        EXPECT_NEAR(expected, 968, 1);
+        const double pressure = expected / (width * couple);
+        const std::string strength = fmt::format(" at tc = {} MPa", tensile_strength * 1e-6);
+        verify("specimens: double cantilever, end moments" + strength + " (N)",
+               dcb.pressure_at_first_separation(pressure, 3e-3) * width * couple, expected, 0.02, "sqrt(Gf E h^3/12)");
+        EXPECT_GT(dcb.zone(), 3 * cell);  // resolved
+        EXPECT_TRUE(longest == 0 || dcb.zone() < 0.7 * longest);
+        longest = std::max(longest, dcb.zone());
+        EXPECT_GT(dcb.separated_under(1.1 * pressure, 5e-4), 5U);  // it really runs
+    }
+}
+
+// P (a + 0.64 h) = Mc, the root of the arms turning: 11,200 N at a = 80 mm, as long as the zone is short.
+TEST(Fracture, DoubleCantileverUnderForces) {
+    const double a = 0.08;
+    const ContactLaw law = mixed_law(40e6);
+    Cantilever dcb(law, 0.11, a + width / 2, 0);
+    const double expected = critical_moment(law) / (a + 0.64 * h);
+    EXPECT_NEAR(expected, 11200, 50);
+    verify("specimens: double cantilever, forces at a = 80 mm (N)",
+           dcb.pressure_at_first_separation(expected / width, 6e-3) * width, expected, 0.1, "Mc/(a + 0.64 h)");
+    verify_between("specimens: double cantilever, zone under forces over h", dcb.zone() / h, cell / h, 0.5,
+                   "short, and resolved");
+    EXPECT_GT(dcb.separated_under(1.1 * expected / width, 2e-3), 5U);  // it really runs
+}
+
+}  // namespace
+}  // namespace graincrack
