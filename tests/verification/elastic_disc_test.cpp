@@ -1,0 +1,133 @@
+// The Brazilian disc before it breaks, its contacts stiff: the stress of a disc under two point loads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesher/specimen_maker.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using std::numbers::pi;
+using test::SmallRun;
+using test::verify;
+
+constexpr double diameter = 0.08;
+constexpr double radius = diameter / 2;
+
+/// A disc compressed to about 1 MPa and held until it rests; its law, with stiff contacts.
+SmallRun compressed_disc() {
+    mesher::SpecimenRequest request;
+    request.shape = {mesher::ShapeKind::disc, diameter, diameter};
+    request.grains = 452;
+    request.elements_per_edge = 2;
+    ContactParameters contact = test::augig_contact(PlaneCondition::stress);
+    contact.normal_stiffness *= 10;
+    contact.shear_stiffness *= 10;
+    SmallRun run(mesher::make_specimen(request), make_contact_law(contact, LawVariant::scaled, Coupling::full),
+                 PlaneCondition::stress);
+    LoadingRequest loading;
+    loading.test = TestKind::brazilian;
+    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, loading, contact), 0.7);
+    run.parameters.damping = 0.8;
+    run.begin();
+    const double approach = 5e-6;  // of each platen: some 3 MPa across the disc
+    const double transit = diameter / 3120.23;
+    const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
+    const double speed = approach / (10 * transit);
+    BatchLoading batch;
+    batch.velocity_end = {speed, -speed};
+    run.steps(steps, batch);
+    std::swap(batch.velocity_begin, batch.velocity_end);
+    run.steps(steps, batch);
+    run.steps(2 * steps);
+    return run;
+}
+
+/// Stress under a force P (N per metre of thickness) along y (Timoshenko & Goodier, Theory of Elasticity, §41).
+struct PointLoads {
+    double force;
+    [[nodiscard]] std::array<double, 2> normal_stresses(const Vector2& p) const {
+        const double above = radius - p.y;
+        const double below = radius + p.y;
+        const double r1 = p.x * p.x + above * above;
+        const double r2 = p.x * p.x + below * below;
+        const double factor = -2 * force / pi;
+        return {factor * (above * p.x * p.x / (r1 * r1) + below * p.x * p.x / (r2 * r2) - 1 / diameter),
+                factor * (above * above * above / (r1 * r1) + below * below * below / (r2 * r2) - 1 / diameter)};
+    }
+};
+
+/// Means of σx and σy over the elements of a region, measured and by the formula.
+struct Means {
+    std::array<double, 2> measured{}, expected{};
+    int elements = 0;
+};
+template <class Region>
+Means means(const SmallRun& run, const Frame& frame, const PointLoads& loads, Region&& region) {
+    Means m;
+    double area = 0;
+    for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {
+        Vector2 centroid;
+        for (const std::int32_t i : run.assemblage.element_nodes[e]) {
+            centroid += (1.0 / 3) * run.assemblage.position[static_cast<std::size_t>(i)];
+        }
+        if (!region(centroid)) {
+            continue;
+        }
+        const double a = run.assemblage.element_geometry[e].area;
+        const std::array<double, 2> formula = loads.normal_stresses(centroid);
+        for (std::size_t k = 0; k < 2; ++k) {
+            m.measured[k] += a * frame.element_stress[e][k];
+            m.expected[k] += a * formula[k];
+        }
+        area += a;
+        ++m.elements;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        m.measured[k] /= area;
+        m.expected[k] /= area;
+    }
+    return m;
+}
+
+TEST(ElasticDisc, StressOfTwoPointLoads) {
+    SmallRun run = compressed_disc();
+    const Measurement at_rest = run.measured();
+    EXPECT_EQ(run.failed_points(), 0U);
+    const double force = -0.5 * (at_rest.force_top - at_rest.force_bottom);
+    EXPECT_GT(force, 0.5e6 * diameter);
+    test::expect_close(at_rest.force_top, -at_rest.force_bottom, 2e-3, force);  // 1e-3 measured; 2 % is asked of runs
+    EXPECT_LT(at_rest.unbalanced_ratio, 1e-4);
+    const PointLoads loads{force};
+    test::expect_close(loads.normal_stresses({})[0], 2 * force / (pi * diameter), 1e-12, force / diameter);
+    test::expect_close(loads.normal_stresses({})[1], -6 * force / (pi * diameter), 1e-12, force / diameter);
+
+    const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
+    const Means centre = means(run, frame, loads, [](const Vector2& p) { return length(p) < radius / 6; });
+    EXPECT_GT(centre.elements, 20);
+    // Means over the middle, told for the centre itself by the ratio of the formula's.
+    const std::array<double, 2> exact = loads.normal_stresses({});
+    verify("specimens: elastic disc, centre, sigma_x (MPa)", centre.measured[0] * exact[0] / centre.expected[0] * 1e-6,
+           exact[0] * 1e-6, 0.03, "2P/(pi D t)");
+    verify("specimens: elastic disc, centre, sigma_y (MPa)", centre.measured[1] * exact[1] / centre.expected[1] * 1e-6,
+           exact[1] * 1e-6, 0.03, "-6P/(pi D t)");
+    for (int bin = -3; bin < 3; ++bin) {  // of a sixth of the radius
+        const Means m = means(run, frame, loads, [bin](const Vector2& p) {
+            const double x = 6 * p.x / radius;
+            return x >= bin && x < bin + 1 && std::abs(p.y) < radius / 8;
+        });
+        EXPECT_GT(m.elements, 10);
+        const int percent = 100 * (2 * bin + 1) / 12;
+        verify("specimens: elastic disc, sigma_x on the horizontal diameter at x/R = " + std::to_string(percent) + " % (MPa)",
+               m.measured[0] * 1e-6, m.expected[0] * 1e-6, 0.03, "(2P/pi D t) [(D^2 - 4x^2)/(D^2 + 4x^2)]^2", exact[0] * 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
