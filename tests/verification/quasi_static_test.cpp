@@ -1,0 +1,100 @@
+// Whole tests of small specimens, slow enough: forces of the platens agree, nothing moves, half the rate gives the same strength.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/specimen_maker.hpp"
+#include "solver/simulation.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::MPa;
+using test::verify;
+
+constexpr double confining_pressure = 8 * MPa;
+
+Specimen specimen_of(TestKind test) {
+    mesher::SpecimenRequest request;
+    const bool disc = test == TestKind::brazilian;
+    request.shape =
+        disc ? mesher::Shape{mesher::ShapeKind::disc, 0.04, 0.04} : mesher::Shape{mesher::ShapeKind::rectangle, 0.03, 0.06};
+    request.grains = disc ? 120 : 160;
+    return mesher::make_specimen(request);
+}
+
+struct Outcome {
+    RunHeader header;
+    double kinetic_over_strain = 0;  ///< largest, from a tenth of the peak to the peak
+    std::size_t cracks = 0;          ///< contacts
+};
+Outcome run(TestKind test, LawVariant law, double rate) {
+    SimulationRequest request;
+    request.loading.test = test;
+    request.loading.platen_speed = rate;
+    request.loading.platen_friction = 5 * test::degree;
+    request.loading.confining_pressure = test == TestKind::triaxial ? confining_pressure : 0;
+    request.material = test::augig_granite();
+    request.plane = test == TestKind::brazilian ? PlaneCondition::stress : PlaneCondition::strain;
+    request.contact = test::augig_contact(request.plane, FractureEnergyChoice::Kind::mode_i);
+    request.law = law;
+    request.loading.max_strain = 0.01;  // confined, it still hardens there
+    request.peak_drop = 0.1;
+    request.frames = 0;
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("run.h5");
+    const SimulationSummary summary = simulate(specimen_of(test), request, file, Verbosity::quiet, {});
+    Outcome outcome{summary.header, 0, summary.tensile_cracks + summary.shear_cracks};
+    const History history = RunReader(file).history();
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto peak = static_cast<std::size_t>(std::min_element(stress.begin(), stress.end()) - stress.begin());
+    for (std::size_t i = 0; i < peak; ++i) {
+        if (history[HistoryColumn::time][i] > outcome.header.isotropic_end_time && stress[i] < 0.1 * stress[peak]) {
+            outcome.kinetic_over_strain = std::max(outcome.kinetic_over_strain, history[HistoryColumn::energy_kinetic][i] /
+                                                                                    history[HistoryColumn::energy_strain][i]);
+        }
+    }
+    return outcome;
+}
+
+/// \param rate m/s of each platen; half of it is tried as well
+void expect_quasi_static(TestKind test, LawVariant law, double rate) {
+    const std::string name = std::string(name_of(test)) + ", " + std::string(name_of(law));
+    double peak = 0;
+    for (const double share : {1.0, 0.5}) {
+        const Outcome o = run(test, law, share * rate);
+        EXPECT_EQ(o.header.stop_reason, test == TestKind::triaxial ? "strain cap" : "peak drop");
+        EXPECT_GT(o.cracks, 5U);  // it broke
+        EXPECT_GT(o.header.peak_axial_stress, 10 * MPa);
+        verify("specimens: quasi-static, difference of the platen forces before the peak, " + name,
+               o.header.platen_force_difference, 0, 0.02, "equilibrium", 1);
+        verify("specimens: quasi-static, kinetic over strain energy before the peak, " + name, o.kinetic_over_strain, 0, 1e-3,
+               "equilibrium", 1);
+        verify("specimens: ledger residual to the end, " + name, o.header.ledger_residual, 0, 5e-3,
+               "each term by its own definition", 1);
+        if (test == TestKind::triaxial) {
+            verify("specimens: achieved confinement (MPa)", o.header.confinement_mean / MPa, confining_pressure / MPa, 0.01,
+                   "as asked for");
+        }
+        if (share == 1) {
+            peak = o.header.peak_axial_stress;
+        } else {
+            verify("specimens: quasi-static, peak at a half of the rate, " + name + " (MPa)", o.header.peak_axial_stress / MPa,
+                   peak / MPa, 0.02, "that at the whole rate");
+        }
+    }
+}
+
+// At 8 mm/s a platen crosses 1e-5 of a specimen's height while a wave crosses the specimen.
+TEST(QuasiStatic, Uniaxial) { expect_quasi_static(TestKind::uniaxial, LawVariant::scaled, 8e-3); }
+TEST(QuasiStatic, UniaxialConsistent) { expect_quasi_static(TestKind::uniaxial, LawVariant::consistent, 16e-3); }
+TEST(QuasiStatic, Triaxial) { expect_quasi_static(TestKind::triaxial, LawVariant::scaled, 8e-3); }
+TEST(QuasiStatic, Brazilian) { expect_quasi_static(TestKind::brazilian, LawVariant::scaled, 8e-3); }
+TEST(QuasiStatic, BrazilianConsistent) { expect_quasi_static(TestKind::brazilian, LawVariant::consistent, 8e-3); }
+
+}  // namespace
+}  // namespace graincrack
