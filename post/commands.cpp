@@ -10,6 +10,7 @@
 
 #include "post/envelope_table.hpp"
 #include "post/fpz_table.hpp"
+#include "post/history.hpp"
 #include "post/info.hpp"
 #include "post/load_curve.hpp"
 #include "post/moduli.hpp"
@@ -40,6 +41,12 @@ void info(const PostOptions& options, std::ostream& out) {
     }
 }
 
+void history(const PostOptions& options, std::ostream& out) {
+    if (!options.follow) return write_history(out, RunReader(only_file(options)), options.format);
+    if (only_file(options) == "-") throw UsageError("history --follow: stdin cannot be followed; name a file");
+    follow_history(out, only_file(options), options.format);
+}
+
 void ccd_command(const PostOptions& options, std::ostream& out) {
     if (options.picture == "design") return ccd::write_design(out, options.ccd, options.format);
     if (options.picture == "fit") return ccd::write_fit(out, only_file(options), options.ccd, options.format);
@@ -64,7 +71,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
     require_one_stdin(options.files);
     const std::map<std::string, std::function<void()>> commands{
         {"info", [&] { info(options, out); }},
-        {"history", [&] { write_history(out, RunReader(only_file(options)), options.format); }},
+        {"history", [&] { history(options, out); }},
         {"strength",
          [&] { (options.summary ? write_strength_summary : write_strength_table)(out, options.files, options.format); }},
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},

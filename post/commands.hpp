@@ -30,6 +30,7 @@ struct PostOptions {
     TableFormat format = TableFormat::tsv;
     std::vector<std::string> laboratory;  ///< plot curve: tables of measured curves
     ccd::Options ccd;
+    bool follow = false;
     bool summary = false;
     CappedRuns capped_runs = CappedRuns::refuse;
     bool check = false;

@@ -4,7 +4,6 @@
 
 #include <ostream>
 
-#include "post/table.hpp"
 #include "share/h5_file.hpp"
 #include "share/provenance.hpp"
 #include "share/run_file.hpp"
@@ -95,25 +94,6 @@ void write_digest(std::ostream& out, const std::string& path, bool check) {
     const H5Input file(path);
     if (check) check_file(file);
     out << file.digest() << "  " << (path == "-" ? "-" : file.name()) << '\n';
-}
-
-void write_history(std::ostream& out, const RunReader& run, TableFormat format) {
-    std::vector<std::string> columns;
-    for (const HistoryDataset& dataset : history_datasets) {
-        std::string name(dataset.name);
-        if (dataset.dimension != Dimension::one) name.append("_").append(si_unit(dataset.dimension));
-        columns.push_back(std::move(name));
-    }
-    const History history = run.history();
-    TableWriter table(out, columns, format);
-    std::vector<Cell> row(columns.size());
-    for (std::size_t i = 0; i < history.size(); ++i) {
-        for (std::size_t c = 0; c < columns.size(); ++c) {
-            const double value = history.columns[c][i];
-            row[c] = c == static_cast<std::size_t>(HistoryColumn::step) ? count_cell(value) : Cell(value);
-        }
-        table.row(row);
-    }
 }
 
 }  // namespace graincrack

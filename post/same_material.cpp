@@ -19,9 +19,9 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
         p.residual_friction_angle != q.residual_friction_angle) {
         return "the contact parameters";
     }
-    if (a.plane == b.plane && (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
-                               p.fracture_energy != q.fracture_energy ||
-                               p.mode_ii_fracture_energy != q.mode_ii_fracture_energy)) {
+    if (a.plane == b.plane &&
+        (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
+         p.fracture_energy != q.fracture_energy || p.mode_ii_fracture_energy != q.mode_ii_fracture_energy)) {
         return "the stiffness or fracture energy of the contacts";
     }
     return "";

@@ -180,21 +180,29 @@ struct H5Input::State {
     Handle file;
 };
 
-H5Input::H5Input(const std::string& path, std::string_view kind) : state_(std::make_unique<State>()) {
-    silence_hdf5();
-    const bool pipe = path == "-";
-    state_->name = pipe ? "stdin" : path;
-    bool has_signature = false;
-    if (pipe) {
-        const std::vector<char> image = read_stdin();
-        has_signature = has_hdf5_signature(image.data(), image.size());
-        state_->file = open_image(image);
-    } else {
-        state_->file = open_path(path);
+H5Input::H5Input() : state_(std::make_unique<State>()) { silence_hdf5(); }
+
+H5Input::H5Input(const std::string& path, std::string_view kind) : H5Input() {
+    if (path == "-") {
+        *this = from_image(read_stdin(), "stdin", kind);
+        return;
     }
-    if (!state_->file.valid()) {
-        throw_unreadable(state_->name, pipe ? has_signature : file_has_hdf5_signature(path));
-    }
+    state_->name = path;
+    state_->file = open_path(path);
+    if (!state_->file.valid()) throw_unreadable(path, file_has_hdf5_signature(path));
+    require_kind(kind);
+}
+
+H5Input H5Input::from_image(const std::vector<char>& image, const std::string& name, std::string_view kind) {
+    H5Input input;
+    input.state_->name = name;
+    input.state_->file = open_image(image);
+    if (!input.state_->file.valid()) throw_unreadable(name, has_hdf5_signature(image.data(), image.size()));
+    input.require_kind(kind);
+    return input;
+}
+
+void H5Input::require_kind(std::string_view kind) {
     if (attribute_or<std::string>("/", "format", "") != "graincrack") {
         throw InputError(
             fmt::format("{}: an HDF5 file, but not a Graincrack one (no root attribute format = graincrack)", state_->name));

@@ -29,6 +29,9 @@ public:
     /// \throws InputError one line: missing, not HDF5, truncated or damaged, foreign (no format attribute), newer schema,
     ///         another kind than asked, or an empty stdin
     explicit H5Input(const std::string& path, std::string_view kind = "");
+    /// The same from the bytes of a file, such as one that is still being written: what was flushed is there.
+    /// \param name for messages
+    static H5Input from_image(const std::vector<char>& image, const std::string& name, std::string_view kind = "");
     ~H5Input();
     H5Input(H5Input&&) noexcept;
     H5Input& operator=(H5Input&&) noexcept;
@@ -65,6 +68,8 @@ public:
     [[nodiscard]] std::vector<std::string> describe() const;
 
 private:
+    H5Input();
+    void require_kind(std::string_view kind);
     friend class H5Output;
     struct State;
     std::unique_ptr<State> state_;

@@ -330,16 +330,18 @@ const RunHeader& RunReader::header() const { return state_->header; }
 Specimen RunReader::specimen() const { return read_specimen(state_->file); }
 const H5Input& RunReader::file() const { return state_->file; }
 
-History RunReader::history() const {
+History read_history(const H5Input& file) {
     History history;
     for (std::size_t i = 0; i < n_history_columns; ++i) {
-        history.columns[i] = state_->file.read<double>(history_path(i));
+        history.columns[i] = file.read<double>(history_path(i));
         if (history.columns[i].size() != history.columns[0].size()) {
-            throw InputError(fmt::format("{}: columns of {} differ in length", name(), schema::history_group));
+            throw InputError(fmt::format("{}: columns of {} differ in length", file.name(), schema::history_group));
         }
     }
     return history;
 }
+
+History RunReader::history() const { return read_history(state_->file); }
 
 std::vector<Crack> RunReader::cracks() const {
     const H5Input& f = state_->file;

@@ -99,6 +99,9 @@ struct History {
     [[nodiscard]] std::size_t size() const { return columns[0].size(); }
 };
 
+/// Reads /history of a run, finished or not. \throws InputError
+History read_history(const H5Input& file);
+
 /// One row of the crack catalogue: a contact point that passed its peak.
 struct Crack {
     double time = 0;  ///< s
