@@ -122,6 +122,8 @@ inline constexpr Quantity max_strain{
     "max_strain", Dimension::one, 0, 0.5, "platen approach over specimen height that ends the test", true};
 inline constexpr Quantity damping{"damping", Dimension::one, 0, 0.99,
                                   "local damping: share of the unbalanced force that opposes the motion"};
+inline constexpr Quantity mass_scaling_factor{
+    "mass_scaling_factor", Dimension::one, 0, 1e4, "added mass over mass, for the motion of nodes that contacts hold together", true};
 inline constexpr Quantity time_step_fraction{
     "time_step_fraction", Dimension::one, 0, 1.5, "time step over the stable step", true};
 

@@ -38,7 +38,8 @@ struct RunHeader {
     double damping = 0;             ///< local damping, 0 for none
     double peak_drop = 0;
     double max_strain = 0;
-    std::string mass_scaling = "none";
+    std::string mass_scaling = "none";  ///< "none" | "selective"
+    double mass_scaling_factor = 0;     ///< β: added mass over mass, of motion over contacts
     std::string vector_target = "plain";
     double stable_time_step = 0;  ///< s
     double time_step = 0;         ///< s

@@ -43,11 +43,15 @@ struct PlatenResponse {
     double friction = 0;  ///< dissipated on the way here, J
     double stored = 0;    ///< in the penalty springs, J
 };
+/// How far a point is inside a platen, m; below 0: apart.
 /// \param u displacement of the node, m
 /// \param platen_displacement of the platen, m
+inline double platen_penetration(const Platen& platen, const PlatenPoint& point, const Vector2& u, double platen_displacement) {
+    return point.gap + platen.side * (u.y - platen_displacement);
+}
 inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& point, const Vector2& u,
                                       double platen_displacement) {
-    const double penetration = point.gap + platen.side * (u.y - platen_displacement);
+    const double penetration = platen_penetration(platen, point, u, platen_displacement);
     if (penetration <= 0 && !platen.bonded) {
         return {{}, u.x, 0, 0, 0};
     }

@@ -48,13 +48,24 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
     return nodes;
 }
 
+/// Local damping at this instant, into `drag`.
+void find_drag(const Assemblage& a, const StepParameters& parameters, State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        update_groups(a, parameters, block, s);
+        damp_groups(a, parameters, block, s);
+    }
+    for (std::size_t i = 0; i < s.drag.size() && !scaling.is_on(); ++i) {
+        s.drag[i] = damping_force(parameters.damping, s.force[i], s.velocity[i]);
+    }
+}
+
 double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s, double& unbalanced) {
     double energy = 0;
     for (const GrainBlock& block : a.grain_blocks) {
         double sum = 0;
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            const Vector2 drag = damping_force(parameters.damping, s.force[i], s.velocity[i]);
-            const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + drag);
+            const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.drag[i]);
             sum += a.mass[i] * dot(s.velocity[i], next);
             unbalanced += length(s.force[i]);
         }
@@ -67,7 +78,7 @@ double damping_half_work(const Assemblage& a, const StepParameters& parameters, 
     double absorbed = 0;
     for (const GrainBlock& block : a.grain_blocks) {
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            absorbed -= dot(damping_force(parameters.damping, s.force[i], s.velocity[i]), s.velocity[i]);
+            absorbed -= dot(s.drag[i], s.velocity[i]);
         }
     }
     return 0.5 * parameters.time_step * absorbed;
@@ -146,8 +157,13 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     double unbalanced = 0;
     double element_force = 0;
     m.energies.strain = strain_energy(a, s, element_force);
+    find_drag(a, parameters, s);
     m.energies.kinetic = kinetic_energy(a, parameters, s, unbalanced);
     m.energies.damping = damping_half_work(a, parameters, s);
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
+        m.energies.kinetic += added_kinetic_energy(a, parameters.mass_scaling, block, s);
+        m.energies.damping += s.groups.sums[block].damping + s.groups.sums[block].shed;
+    }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
     add_contact_energies(a, parameters.law, s, m.energies);
     add_platen_energies(boundary, s, m);

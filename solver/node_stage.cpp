@@ -57,9 +57,15 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
     const Range points = boundary.platen_points_of_block[block];
     for (std::int32_t i = points.begin; i < points.end; ++i) {
         PlatenPoint& point = s.platen_points[i];
-        const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
-                                                 loading.platen_displacement[point.platen]);
+        const Platen& platen = boundary.platens[point.platen];
+        const Vector2& u = s.displacement[point.node];
+        const double platen_displacement = loading.platen_displacement[point.platen];
+        const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
         s.force[point.node] += r.force;
+        const double penetration = platen_penetration(platen, point, u, platen_displacement);
+        if (platen.bonded || penetration > -group_reach * point.tributary) {
+            s.touching[point.node] = 1;
+        }
         if (commit) {
             point.anchor = r.anchor;
             point.shear = r.shear;
@@ -80,17 +86,6 @@ void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure
         s.force[first] += s.membrane_force[i];
         s.force[second] += s.membrane_force[i];
     }
-}
-
-/// Work of the membrane over half a step at the present velocities.
-double membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, const State& s) {
-    double work = 0;
-    const Range edges = boundary.membrane_edges_of_block[block];
-    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        const auto [first, second] = boundary.membrane_edges[i];
-        work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
-    }
-    return work;
 }
 
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
@@ -117,6 +112,7 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
     const GrainBlock& range = a.grain_blocks[block];
     for (std::int32_t i = range.nodes.begin; i < range.nodes.end; ++i) {
         s.force[i] = {};
+        s.touching[i] = 0;
     }
     add_elements(a, range.elements, s);
     for (std::int32_t i = range.nodes.begin; i < range.nodes.end; ++i) {
@@ -128,16 +124,26 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
     add_membrane(a, boundary, loading.pressure, block, s);
 }
 
+void book_membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, State& s) {
+    double work = 0;
+    const Range edges = boundary.membrane_edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        const auto [first, second] = boundary.membrane_edges[i];
+        work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
+    }
+    s.grain_sums[block].membrane_work += work;
+}
+
 void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
                      State& s) {
     const Range nodes = a.grain_blocks[block].nodes;
     GrainSums& sums = s.grain_sums[block];
     const double dt = parameters.time_step;
-    sums.membrane_work += membrane_half_work(boundary, block, dt, s);
+    book_membrane_half_work(boundary, block, dt, s);
     const std::int32_t n = nodes.size();
     sums.damping += move_nodes(n, dt, parameters.damping, &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
                                &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
-    sums.membrane_work += membrane_half_work(boundary, block, dt, s);
+    book_membrane_half_work(boundary, block, dt, s);
 }
 
 }  // namespace graincrack

@@ -43,9 +43,17 @@ RunHeader make_header(const SimulationRequest& r) {
     h.confining_pressure = r.loading.confining_pressure;
     h.platen_speed = r.loading.platen_speed;
     h.damping = r.damping;
+    h.mass_scaling = r.mass_scaling ? "selective" : "none";
     h.peak_drop = r.peak_drop;
     h.max_strain = r.loading.max_strain;
     return h;
+}
+
+double mass_scaling_factor(const SimulationRequest& r, const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {
+    if (!r.mass_scaling) {
+        return 0;
+    }
+    return r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(a, boundary, law);
 }
 
 /// Steps between two rows of the history.
@@ -109,14 +117,16 @@ public:
           assemblage_(make_assemblage(specimen, request.material.rock, request.plane)),
           boundary_(make_test_boundary(assemblage_, specimen, request.loading, request.contact)),
           gauges_(make_gauges(assemblage_, specimen)),
-          parameters_{make_contact_law(request.contact, request.law, request.coupling), 0, request.damping},
+          parameters_{make_contact_law(request.contact, request.law, request.coupling), 0, request.damping, {}},
           loading_(request.loading, specimen, request.material.rock, request.plane),
           state_(make_state(assemblage_, boundary_, specimen)),
           catalogue_(state_.points.size()),
           header_(make_header(request)),
           progress_(header_.test, verbosity) {
         header_.vector_target = vector_target();
-        header_.stable_time_step = stable_time_step(assemblage_, boundary_, parameters_.law);
+        header_.mass_scaling_factor = mass_scaling_factor(request, assemblage_, boundary_, parameters_.law);
+        parameters_.mass_scaling = make_mass_scaling(assemblage_, header_.mass_scaling_factor);
+        header_.stable_time_step = stable_time_step(assemblage_, boundary_, parameters_.law, header_.mass_scaling_factor);
         header_.time_step = parameters_.time_step = request.time_step_fraction * header_.stable_time_step;
         steps_per_batch_ = batch_steps(specimen, request, parameters_.time_step);
         H5Output file(output, "run");
@@ -315,7 +325,8 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.elements = specimen.n_elements();
     plan.nodes = specimen.n_nodes();
     plan.contacts = specimen.n_contacts();
-    plan.stable_time_step = stable_time_step(a, boundary, make_contact_law(request.contact, request.law, request.coupling));
+    const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
+    plan.stable_time_step = stable_time_step(a, boundary, law, mass_scaling_factor(request, a, boundary, law));
     plan.time_step = request.time_step_fraction * plan.stable_time_step;
     plan.max_steps = static_cast<std::int64_t>(request.loading.max_strain * specimen.height / (2 * request.loading.platen_speed) /
                                                plan.time_step);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "share/material.hpp"
@@ -24,6 +25,8 @@ struct SimulationRequest {
     Coupling coupling = Coupling::full;
     double peak_drop = 0.3;
     double damping = 0.8;
+    bool mass_scaling = false;                  ///< selective
+    std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
     int frames = 20;
     int threads = 1;

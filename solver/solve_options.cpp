@@ -32,6 +32,10 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
+    add_choice<bool>(command, "--mass-scaling", request.mass_scaling, {{"none", false}, {"selective", true}},
+                     "selective: nodes that contacts hold together move against each other with a multiple of their mass");
+    add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
+                 "that multiple less one; as much as lets the grains alone limit the step unless given");
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
                  "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
     add_integer(command, "--frames", request.frames,
@@ -54,6 +58,9 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     apply_contact_options(raw.contact, request);
     request.loading.platen_friction = raw.platen_friction.value_or(request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
+    if (request.mass_scaling_factor && !request.mass_scaling) {
+        throw UsageError("--mass-scaling-factor: there is no mass scaling to apply it to; give --mass-scaling selective too");
+    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "solver/assemblage.hpp"
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/mass_scaling.hpp"
 
 namespace graincrack {
 
@@ -44,6 +45,8 @@ struct State {
     std::vector<Vector2> displacement;    ///< [n] m, at `time`
     std::vector<Vector2> velocity;        ///< [n] m/s, half a step before `time`
     std::vector<Vector2> force;           ///< [n] N, scratch of the node stage
+    std::vector<Vector2> drag;            ///< [n] N, scratch of integration with mass scaling and of measurements
+    std::vector<std::uint8_t> touching;   ///< [n] 1 on and close to a platen (`group_reach`), scratch of the node stage
     std::vector<Vector2> contact_force;   ///< [4 c] slots, N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
@@ -57,6 +60,7 @@ struct State {
     std::vector<ContactSums> contact_sums;          ///< by block of contacts
     std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
     StepLoading loading;                            ///< at `time`
+    GroupState groups;                              ///< with mass scaling
 };
 
 /// History of contact point 2 c + p with its present motion and cohesion.

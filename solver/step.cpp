@@ -11,6 +11,8 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.displacement.resize(a.position.size());
     s.velocity.resize(a.position.size());
     s.force.resize(a.position.size());
+    s.drag.resize(a.position.size());
+    s.touching.resize(a.position.size());
     s.contact_force.resize(4 * a.contacts.size());
     s.points.resize(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());
@@ -75,18 +77,34 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
              std::int64_t n_steps, int n_threads, State& s) {
     SpinBarrier barrier(n_threads);
     const std::int64_t first_step = s.step;
+    const bool scaled = parameters.mass_scaling.is_on();
 #pragma omp parallel num_threads(n_threads)
     {
         const int thread = omp_get_thread_num();
         const Range grain_blocks = share_of(a.grain_blocks.size(), thread, n_threads);
         const Range contact_blocks = share_of(a.contact_blocks.size(), thread, n_threads);
+        const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, n_threads);
         LoadingClock clock(loading, n_steps, parameters.time_step, s.loading);
         for (std::int64_t k = 0; k < n_steps; ++k) {
             for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
                 sum_nodal_forces(a, boundary, clock.now(), block, true, s);
-                integrate_nodes(a, boundary, parameters, block, s);
+                if (scaled) {
+                    book_membrane_half_work(boundary, block, parameters.time_step, s);
+                } else {
+                    integrate_nodes(a, boundary, parameters, block, s);
+                }
             }
             barrier.wait();
+            if (scaled) {
+                for (std::int32_t block = group_blocks.begin; block < group_blocks.end; ++block) {
+                    update_groups(a, parameters, block, s);
+                    integrate_groups(a, parameters, block, s);
+                }
+                barrier.wait();
+                for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
+                    book_membrane_half_work(boundary, block, parameters.time_step, s);
+                }
+            }
             clock.tick();
             for (std::int32_t block = contact_blocks.begin; block < contact_blocks.end; ++block) {
                 advance_contacts(a, parameters.law, block, first_step + k + 1, s);
@@ -105,6 +123,7 @@ void start(const Assemblage& a, const StepParameters& parameters, State& s) {
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.contact_blocks.size()); ++block) {
         advance_contacts(a, parameters.law, block, s.step, s);
     }
+    s.groups = make_group_state(a, parameters.mass_scaling, s);
 }
 
 }  // namespace graincrack

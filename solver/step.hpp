@@ -6,6 +6,7 @@
 #include "solver/assemblage.hpp"
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/mass_scaling.hpp"
 #include "solver/state.hpp"
 
 namespace graincrack {
@@ -15,6 +16,7 @@ struct StepParameters {
     ContactLaw law;
     double time_step = 0;  ///< s
     double damping = 0;    ///< α of local damping, Fd = −α |F| sign(v) per component
+    MassScaling mass_scaling = {};
 };
 
 /// Local damping, per component: a share α of the unbalanced force against the motion.
@@ -32,16 +34,21 @@ void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, co
                       bool commit, State& state);
 
 /// Damps and integrates the nodes of a block by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of
-/// damping, platens and membrane, each force over the mean of the displacements before and after it.
+/// damping, platens and membrane, each force over the mean of the displacements before and after it. With mass scaling
+/// `integrate_groups` does it, and the membrane's work is booked beside it.
 void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
                      State& state);
+
+/// Books the membrane's work over half a step at the present velocities.
+void book_membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, State& state);
 
 /// Advances the state by `n_steps` steps under `loading` with a team of threads. On entry and on return contact forces
 /// and histories belong to the present displacements (see `start`). Results do not depend on `n_threads`.
 void advance(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters,
              const BatchLoading& loading, std::int64_t n_steps, int n_threads, State& state);
 
-/// Evaluates the contacts at the start, so that `advance` and `measure` find forces of the present displacements.
+/// Evaluates contacts and groups of nodes at the start, so that `advance` and `measure` find forces of the present
+/// displacements.
 void start(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
 }  // namespace graincrack

@@ -119,6 +119,13 @@ const std::vector<BadInput> solver{
     {"ModeTwoEnergyTooSmallForThePeak",
      "graincrack-solve uniaxial disc.h5 --material augig-granite --contact-law combined --contact-shear-stiffness 1e12 -o out.h5",
      2, "--mode-ii-fracture-energy: 330.4 J/m2 is less"},
+    {"FactorWithoutMassScaling", "graincrack-solve brazilian disc.h5 --material augig-granite --mass-scaling-factor 50 -o out.h5",
+     2, "--mass-scaling-factor"},
+    {"FactorOfNothing",
+     "graincrack-solve brazilian disc.h5 --material augig-granite --mass-scaling selective --mass-scaling-factor 0 -o out.h5", 2,
+     "--mass-scaling-factor"},
+    {"UnknownMassScaling", "graincrack-solve brazilian disc.h5 --material augig-granite --mass-scaling all -o out.h5", 2,
+     "--mass-scaling"},
     {"Variable", "GRAINCRACK_RATE=5kg graincrack-solve brazilian disc.h5 --material augig-granite -o out.h5", 2,
      "GRAINCRACK_RATE"},
 };

@@ -1,0 +1,315 @@
+#include "solver/mass_scaling.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "solver/state.hpp"
+#include "solver/step.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t groups_per_block = 32;
+
+/// Representative of `i` in a forest of parents, with the way there shortened.
+std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+/// The lowest node that each node shares a vertex with.
+std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
+    std::vector<std::int32_t> parent(a.position.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (const ContactGeometry& g : a.contacts) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            const std::int32_t i = root_of(parent, g.nodes[p]);
+            const std::int32_t j = root_of(parent, g.nodes[2 + p]);
+            parent[std::max(i, j)] = std::min(i, j);
+        }
+    }
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        parent[i] = root_of(parent, i);
+    }
+    return parent;
+}
+
+/// Cuts a sequence sorted by group into one range a group.
+template <class GroupOf>
+std::vector<Range> ranges_of_groups(std::int32_t count, std::int32_t n_groups, GroupOf&& group_of) {
+    std::vector<Range> ranges(n_groups);
+    std::int32_t i = 0;
+    for (std::int32_t g = 0; g < n_groups; ++g) {
+        ranges[g].begin = i;
+        while (i < count && group_of(i) == g) {
+            ++i;
+        }
+        ranges[g].end = i;
+    }
+    return ranges;
+}
+
+bool holds(const MassScaling::Tie& tie, const State& s) {
+    return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
+}
+
+/// Finds the components of a group by its ties, and whether a platen holds them.
+void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, GroupState& g) {
+    const Range members = scaling.groups[group];
+    const Range ties = scaling.ties_of_group[group];
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.component[i] = i;
+        g.inverse_mass[i] = 0;
+    }
+    for (std::int32_t t = ties.begin; t < ties.end; ++t) {
+        if (g.tied[t] != 0) {
+            const std::int32_t i = root_of(g.component, scaling.ties[t].first);
+            const std::int32_t j = root_of(g.component, scaling.ties[t].second);
+            g.component[std::max(i, j)] = std::min(i, j);
+        }
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.component[i] = root_of(g.component, i);
+        g.inverse_mass[g.component[i]] += a.mass[scaling.members[i]];
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.inverse_mass[i] = g.inverse_mass[i] > 0 ? 1 / g.inverse_mass[i] : 0.0;
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        if (g.supported[i] != 0) {
+            g.inverse_mass[g.component[i]] = 0;
+        }
+    }
+}
+
+/// The mean velocity of those a member is held together with; 0 if that is a platen.
+/// \param is_with (i, j): members i and j are held together
+template <class IsWith>
+Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range members, std::int32_t i, const State& s,
+                      IsWith&& is_with) {
+    Vector2 momentum;
+    double mass = 0;
+    for (std::int32_t j = members.begin; j < members.end; ++j) {
+        if (is_with(i, j)) {
+            const std::int32_t node = scaling.members[j];
+            momentum += a.mass[node] * s.velocity[node];
+            mass += a.mass[node];
+        }
+    }
+    return (mass > 0 ? 1 / mass : 0.0) * momentum;
+}
+
+/// Kinetic energy ½ vᵀM' v of a group, J, with `own` times that of its masses as they are.
+double kinetic_energy(const Assemblage& a, const MassScaling& scaling, std::int32_t group, const State& s, double own) {
+    const Range members = scaling.groups[group];
+    const GroupState& g = s.groups;
+    double sum = 0;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = scaling.members[i];
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, [&g](std::int32_t k, std::int32_t j) {
+            return g.component[j] == g.component[k] && g.inverse_mass[g.component[k]] > 0;
+        });
+        const Vector2 relative = s.velocity[node] - mean;
+        sum += a.mass[node] * (own * dot(s.velocity[node], s.velocity[node]) + scaling.factor * dot(relative, relative));
+    }
+    return 0.5 * sum;
+}
+
+/// ½ Δt F·v of some members, J: what is between ½ v(n−½)ᵀM' v(n−½) and the energy ½ v(n−½)ᵀM' v(n+½) of the ledger.
+double half_impulse_work(const StepParameters& parameters, Range members, const State& s) {
+    double sum = 0;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = parameters.mass_scaling.members[i];
+        sum += dot(s.force[node], s.velocity[node]);
+    }
+    return 0.5 * parameters.time_step * sum;
+}
+
+/// Gives those that part their velocities and those that meet their momentum: neither makes energy.
+void regroup(const Assemblage& a, const MassScaling& scaling, std::int32_t group, State& s) {
+    GroupState& g = s.groups;
+    const Range members = scaling.groups[group];
+    const Range ties = scaling.ties_of_group[group];
+    const auto of_group = [&members](const auto& all) {
+        return std::vector(all.begin() + members.begin, all.begin() + members.end);
+    };
+    const std::vector<std::int32_t> old_component = of_group(g.component);
+    const std::vector<double> old_inverse_mass = of_group(g.inverse_mass);
+    for (std::int32_t t = ties.begin; t < ties.end; ++t) {
+        g.tied[t] = holds(scaling.ties[t], s) ? 1 : 0;
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.supported[i] = s.touching[scaling.members[i]];
+    }
+    find_components(a, scaling, group, g);
+    // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
+    const auto was_supported = [&](std::int32_t i) {
+        return old_inverse_mass[old_component[i - members.begin] - members.begin] == 0;
+    };
+    const auto is_supported = [&](std::int32_t i) { return g.inverse_mass[g.component[i]] == 0; };
+    std::vector<Vector2> specific_momentum;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, [&](std::int32_t k, std::int32_t j) {
+            return old_component[j - members.begin] == old_component[k - members.begin] && g.component[j] == g.component[k] &&
+                   !(was_supported(k) && is_supported(k));
+        });
+        specific_momentum.push_back((1 + scaling.factor) * s.velocity[scaling.members[i]] - scaling.factor * mean);
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        s.velocity[scaling.members[i]] = specific_momentum[i - members.begin];
+    }
+    std::vector<Vector2> velocity;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, [&](std::int32_t k, std::int32_t j) {
+            return g.component[j] == g.component[k] && !is_supported(k);
+        });
+        const Vector2 own = s.velocity[scaling.members[i]];
+        velocity.push_back(mean + (1 / (1 + scaling.factor)) * (own - mean));
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        s.velocity[scaling.members[i]] = velocity[i - members.begin];
+    }
+}
+
+}  // namespace
+
+MassScaling make_mass_scaling(const Assemblage& a, double factor) {
+    MassScaling m;
+    m.factor = factor;
+    if (!m.is_on()) {
+        return m;
+    }
+    const std::vector<std::int32_t> vertex = vertex_of_nodes(a);
+    m.members.resize(a.position.size());
+    std::iota(m.members.begin(), m.members.end(), 0);
+    std::stable_sort(m.members.begin(), m.members.end(), [&](std::int32_t i, std::int32_t j) { return vertex[i] < vertex[j]; });
+    std::vector<std::int32_t> member_of_node(a.position.size());
+    std::vector<std::int32_t> group_of_node(a.position.size());
+    std::int32_t n_groups = 0;
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        const std::int32_t node = m.members[i];
+        n_groups += vertex[node] == node ? 1 : 0;  // the lowest node comes first
+        member_of_node[node] = i;
+        group_of_node[node] = n_groups - 1;
+    }
+    for (std::int32_t point = 0; point < 2 * a.n_contacts(); ++point) {
+        const auto& nodes = a.contacts[point / 2].nodes;
+        m.ties.push_back({member_of_node[nodes[point % 2]], member_of_node[nodes[2 + point % 2]], point,
+                          group_reach * 2 * a.contacts[point / 2].point_area});
+    }
+    const auto group_of_tie = [&](const MassScaling::Tie& tie) { return group_of_node[m.members[tie.first]]; };
+    std::stable_sort(m.ties.begin(), m.ties.end(),
+                     [&](const MassScaling::Tie& l, const MassScaling::Tie& r) { return group_of_tie(l) < group_of_tie(r); });
+    m.groups = ranges_of_groups(a.n_nodes(), n_groups, [&](std::int32_t i) { return group_of_node[m.members[i]]; });
+    m.ties_of_group = ranges_of_groups(static_cast<std::int32_t>(m.ties.size()), n_groups,
+                                       [&](std::int32_t t) { return group_of_tie(m.ties[t]); });
+    for (std::int32_t g = 0; g < n_groups; g += groups_per_block) {
+        m.blocks.push_back({g, std::min(g + groups_per_block, n_groups)});
+    }
+    return m;
+}
+
+GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, const State& s) {
+    GroupState g;
+    g.component.resize(scaling.members.size());
+    g.inverse_mass.resize(scaling.members.size());
+    g.components.resize(scaling.members.size());
+    g.sums.resize(scaling.blocks.size());
+    for (const MassScaling::Tie& tie : scaling.ties) {
+        g.tied.push_back(holds(tie, s) ? 1 : 0);
+    }
+    g.supported.resize(scaling.members.size());
+    for (std::int32_t group = 0; group < static_cast<std::int32_t>(scaling.groups.size()); ++group) {
+        find_components(a, scaling, group, g);
+    }
+    return g;
+}
+
+void update_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    GroupState& g = s.groups;
+    for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
+        const Range ties = scaling.ties_of_group[group];
+        const Range members = scaling.groups[group];
+        bool changes = false;
+        for (std::int32_t t = ties.begin; t < ties.end; ++t) {
+            changes = changes || (s.failed[scaling.ties[t].point] != 0 && holds(scaling.ties[t], s) != (g.tied[t] != 0));
+        }
+        for (std::int32_t i = members.begin; i < members.end; ++i) {
+            changes = changes || g.supported[i] != s.touching[scaling.members[i]];
+        }
+        if (!changes) {
+            continue;
+        }
+        const double before = kinetic_energy(a, scaling, group, s, 1) + half_impulse_work(parameters, members, s);
+        regroup(a, scaling, group, s);
+        g.sums[block].shed += before - (kinetic_energy(a, scaling, group, s, 1) + half_impulse_work(parameters, members, s));
+    }
+}
+
+void damp_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    GroupState& g = s.groups;
+    const Range members = scaling.members_of(block);
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.components[i] = {};
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = scaling.members[i];
+        const std::int32_t first = g.component[i];
+        const double share = g.inverse_mass[first];
+        g.components[first].acceleration += share * s.force[node];
+        g.components[first].velocity += (share * a.mass[node]) * s.velocity[node];
+    }
+    // Relative motion, with the mean of its drag taken off.
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = scaling.members[i];
+        GroupState::Component& mean = g.components[g.component[i]];
+        s.drag[node] =
+            damping_force(parameters.damping, s.force[node] - a.mass[node] * mean.acceleration, s.velocity[node] - mean.velocity);
+        mean.drag += g.inverse_mass[g.component[i]] * s.drag[node];
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = scaling.members[i];
+        const GroupState::Component& mean = g.components[g.component[i]];
+        s.drag[node] += a.mass[node] * (damping_force(parameters.damping, mean.acceleration, mean.velocity) - mean.drag);
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        GroupState::Component& mean = g.components[i];
+        mean.acceleration += damping_force(parameters.damping, mean.acceleration, mean.velocity);
+    }
+}
+
+void integrate_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+    damp_groups(a, parameters, block, s);
+    const MassScaling& scaling = parameters.mass_scaling;
+    GroupState& g = s.groups;
+    const Range members = scaling.members_of(block);
+    const double own = 1 / (1 + scaling.factor);
+    const double dt = parameters.time_step;
+    double absorbed = 0;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = scaling.members[i];
+        const Vector2 mean = (1 - own) * g.components[g.component[i]].acceleration;
+        const Vector2 old_velocity = s.velocity[node];
+        const Vector2 drag = s.drag[node];
+        const Vector2 new_velocity = old_velocity + dt * (mean + (own * a.inverse_mass[node]) * (s.force[node] + drag));
+        s.velocity[node] = new_velocity;
+        s.displacement[node] += dt * new_velocity;
+        absorbed -= dot(drag, old_velocity + new_velocity);
+    }
+    g.sums[block].damping += 0.5 * dt * absorbed;
+}
+
+double added_kinetic_energy(const Assemblage& a, const MassScaling& scaling, std::int32_t block, const State& s) {
+    double sum = 0;
+    for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
+        sum += kinetic_energy(a, scaling, group, s, 0);
+    }
+    return sum;
+}
+
+}  // namespace graincrack
