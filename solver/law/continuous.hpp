@@ -56,10 +56,7 @@ struct Continuous : PaperCompression {
                                                 .meaning = "single-valued before damage; shear strength c_c while open",
                                                 .coupling = true,
                                                 .fracture_energy = true};
-    static void complete(ContactLaw& law) {
-        law.w = law.ks / law.kt;
-        law.stiffest_shear = std::max(law.ks, law.w * law.kt);
-    }
+    static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }
 
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;

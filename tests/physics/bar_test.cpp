@@ -37,6 +37,7 @@ SmallRun bar_with_interfaces(double fraction = 0.5) {
     law.kt = stiffness;
     law.ks = stiffness / 10;
     law.w = law.ks / law.kt;
+    law.stiffest_shear = law.ks;
     return {test::crossed_blocks(segments * cells, 1, segments * spacing, height, [](int i, int) { return i / cells; }), law,
             PlaneCondition::stress, fraction, rock_without_poisson_effect()};
 }

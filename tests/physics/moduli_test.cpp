@@ -21,6 +21,7 @@ ContactLaw law_of(PlaneCondition plane, double normal = 1, double shear = 1) {
     law.kt *= normal;
     law.ks *= shear;
     law.w = law.ks / law.kt;
+    law.stiffest_shear = law.ks;
     return law;
 }
 

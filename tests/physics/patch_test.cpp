@@ -35,6 +35,7 @@ ContactLaw stiffened(double normal, double shear) {
     law.kt *= normal;
     law.ks *= shear;
     law.w = law.ks / law.kt;
+    law.stiffest_shear = law.ks;
     return law;
 }
 
