@@ -9,6 +9,7 @@
 #include "share/fracture_process_zone.hpp"
 #include "share/specimen.hpp"
 #include "solver/element.hpp"
+#include "solver/outline.hpp"
 #include "solver/vector2.hpp"
 
 namespace graincrack {
@@ -50,7 +51,8 @@ struct Assemblage {
     std::vector<GrainBlock> grain_blocks;
     std::vector<Range> contact_blocks;
     std::vector<std::int32_t> node_of_specimen;  ///< [n] internal index of a node of the specimen
-    double contact_length = 0;                   ///< sum over contacts, m
+    Outline outline;
+    double contact_length = 0;  ///< sum over contacts, m
 
     [[nodiscard]] std::int32_t n_nodes() const { return static_cast<std::int32_t>(position.size()); }
     [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contacts.size()); }

@@ -7,12 +7,12 @@ namespace graincrack {
 namespace {
 
 /// The boundary as a horizontal platen meets it.
-struct Outline {
+struct SpecimenFaces {
     std::vector<bool> has_node;         ///< [n]
     std::vector<double> facing_length;  ///< [n] half the horizontal extent of the boundary edges at a node, m
 };
-Outline outline(const Assemblage& a, const Specimen& s) {
-    Outline o{std::vector<bool>(a.position.size(), false), std::vector<double>(a.position.size(), 0.0)};
+SpecimenFaces specimen_faces(const Assemblage& a, const Specimen& s) {
+    SpecimenFaces o{std::vector<bool>(a.position.size(), false), std::vector<double>(a.position.size(), 0.0)};
     for (const auto& edge : s.boundary_edges) {
         const std::int32_t i = a.node_of_specimen[edge[0]];
         const std::int32_t j = a.node_of_specimen[edge[1]];
@@ -47,7 +47,7 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
                        const std::vector<std::uint8_t>& membrane_parts) {
     Boundary b;
     b.platens = platens;
-    const Outline boundary = outline(a, s);
+    const SpecimenFaces boundary = specimen_faces(a, s);
     // What stands upright or inside can be met only later, by a corner: it stands for half a mean contact on either side.
     const double corner_tributary = a.contacts.empty() ? 0 : a.contact_length / static_cast<double>(a.contacts.size());
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {

@@ -170,7 +170,9 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t blo
     const Range range = a.contact_blocks[block];
     for (std::int32_t i = 0; i < range.size(); ++i) {
         for (std::int32_t p = 0; p < 2; ++p) {
-            if (b.ordinary[p][i] == 0) {
+            if (s.touches.released[range.begin + i] != 0) {
+                b.normal_traction[p][i] = b.shear_traction[p][i] = 0;
+            } else if (b.ordinary[p][i] == 0) {
                 const ContactTraction t = advance_point(a, law, block, range.begin + i, p, {b.opening[p][i], b.sliding[p][i]},
                                                         {b.tangent_x[i], b.tangent_y[i]}, step, s);
                 b.normal_traction[p][i] = t.normal;

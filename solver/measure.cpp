@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace graincrack {
 namespace {
@@ -100,9 +101,14 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
 
 void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        if (s.touches.released[c] != 0) {
+            continue;
+        }
         energies.contact +=
             a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
     }
+    energies.contact += stored_in_touches(law, s.touches);
+    energies.friction += std::accumulate(s.touches.friction.begin(), s.touches.friction.end(), s.touches.friction_before);
     for (const ContactSums& sums : s.contact_sums) {
         energies.fracture_tension += sums.fracture_tension;
         energies.fracture_shear += sums.fracture_shear;
@@ -197,8 +203,9 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         const ContactHistory h0 = history_of(s, 2 * c);
         const ContactHistory h1 = history_of(s, 2 * c + 1);
-        const ContactTraction t0 = update_contact(law, h0.motion, h0).traction;
-        const ContactTraction t1 = update_contact(law, h1.motion, h1).traction;
+        const bool released = s.touches.released[c] != 0;  // what it carries are touches
+        const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
+        const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;
         frame.opening.push_back({h0.motion.opening, h1.motion.opening});
         frame.sliding.push_back({h0.motion.sliding, h1.motion.sliding});
         frame.traction.push_back({t0.normal, t0.shear, t1.normal, t1.shear});

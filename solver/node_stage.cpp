@@ -53,6 +53,17 @@ void add_elements(const Assemblage& a, Range range, State& s) {
     }
 }
 
+void add_touches(std::int32_t block, State& s) {
+    const TouchList& list = s.touches;
+    const Range gathers = list.gathers_of_block[block];
+    for (std::int32_t i = gathers.begin; i < gathers.end; ++i) {
+        const TouchGather& gather = list.gathers[i];
+        for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
+            s.force[gather.node] += list.forces[list.gathered_slots[k]];
+        }
+    }
+}
+
 void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit, State& s) {
     const Range points = boundary.platen_points_of_block[block];
     for (std::int32_t i = points.begin; i < points.end; ++i) {
@@ -120,6 +131,7 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
             s.force[i] += s.contact_force[a.slots[k]];
         }
     }
+    add_touches(block, s);
     add_platens(boundary, loading, block, commit, s);
     add_membrane(a, boundary, loading.pressure, block, s);
 }

@@ -8,6 +8,7 @@
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/mass_scaling.hpp"
+#include "solver/touch_search.hpp"
 
 namespace graincrack {
 
@@ -54,6 +55,7 @@ struct State {
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
     std::vector<ContactHistory> points;   ///< [2 c] what failed points remember besides; see `history_of`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
+    TouchList touches;
     std::vector<PlatenPoint> platen_points;
     std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
     std::vector<GrainSums> grain_sums;              ///< by block of grains

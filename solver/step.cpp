@@ -2,6 +2,8 @@
 
 #include <omp.h>
 
+#include <algorithm>
+
 #include "solver/team.hpp"
 
 namespace graincrack {
@@ -27,6 +29,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
         }
     }
     s.fracture_energy.resize(2 * a.contacts.size());
+    s.touches = make_touch_list(a);
     s.platen_points = boundary.platen_points;
     s.membrane_force.resize(boundary.membrane_edges.size());
     s.grain_sums.resize(a.grain_blocks.size());
@@ -71,20 +74,21 @@ private:
     StepLoading now_;
 };
 
-}  // namespace
-
-void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
-             std::int64_t n_steps, int n_threads, State& s) {
+/// Steps between two looks after the touches, with a team of threads.
+void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
+                   int n_threads, LoadingClock& clock_at_start, State& s) {
     SpinBarrier barrier(n_threads);
     const std::int64_t first_step = s.step;
     const bool scaled = parameters.mass_scaling.is_on();
+    LoadingClock clock_at_end = clock_at_start;
 #pragma omp parallel num_threads(n_threads)
     {
         const int thread = omp_get_thread_num();
         const Range grain_blocks = share_of(a.grain_blocks.size(), thread, n_threads);
         const Range contact_blocks = share_of(a.contact_blocks.size(), thread, n_threads);
         const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, n_threads);
-        LoadingClock clock(loading, n_steps, parameters.time_step, s.loading);
+        const Range touch_blocks = share_of(s.touches.blocks.size(), thread, n_threads);
+        LoadingClock clock = clock_at_start;
         for (std::int64_t k = 0; k < n_steps; ++k) {
             for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
                 sum_nodal_forces(a, boundary, clock.now(), block, true, s);
@@ -109,14 +113,33 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
             for (std::int32_t block = contact_blocks.begin; block < contact_blocks.end; ++block) {
                 advance_contacts(a, parameters.law, block, first_step + k + 1, s);
             }
+            for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
+                advance_touches(a, parameters.law, parameters.time_step, block, s);
+            }
             barrier.wait();
         }
         if (thread == 0) {
-            s.loading = clock.now();  // behind the last barrier: every thread has its own clock by now
+            clock_at_end = clock;
         }
     }
+    clock_at_start = clock_at_end;
     s.step += n_steps;
     s.time = static_cast<double>(s.step) * parameters.time_step;
+}
+
+}  // namespace
+
+void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
+             std::int64_t n_steps, int n_threads, State& s) {
+    LoadingClock clock(loading, n_steps, parameters.time_step, s.loading);
+    const std::int64_t end = s.step + n_steps;
+    while (s.step < end) {
+        if (s.step >= s.touches.next_check) {
+            look_after_touches(a, parameters.law, parameters.time_step, s);
+        }
+        advance_steps(a, boundary, parameters, std::min(end, s.touches.next_check) - s.step, n_threads, clock, s);
+    }
+    s.loading = clock.now();
 }
 
 void start(const Assemblage& a, const StepParameters& parameters, State& s) {

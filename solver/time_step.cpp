@@ -49,6 +49,29 @@ void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<
     }
 }
 
+/// A free face may be touched by another grain: by as much as a bond would hold it.
+void add_free_faces(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,
+                    std::vector<Vector2>& y) {
+    std::vector<bool> has_platen(a.position.size(), false);
+    for (const PlatenPoint& point : boundary.platen_points) {
+        has_platen[point.node] = has_platen[point.node] || point.on_boundary;
+    }
+    for (const OutlineEdge& edge : a.outline.edges) {
+        if (edge.contact >= 0) {
+            continue;
+        }
+        const Vector2 along = a.position[edge.nodes[1]] - a.position[edge.nodes[0]];
+        const double half = 0.5 * length(along);
+        const Vector2 t = (0.5 / half) * along;
+        const Vector2 n{t.y, -t.x};
+        for (const std::int32_t node : edge.nodes) {
+            if (!has_platen[node]) {
+                y[node] += (half * law.kt * dot(x[node], n)) * n + (half * law.ks * dot(x[node], t)) * t;
+            }
+        }
+    }
+}
+
 void add_platens(const Boundary& boundary, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
     for (const PlatenPoint& point : boundary.platen_points) {
         if (point.on_boundary) {
@@ -89,6 +112,7 @@ void apply_stiffness(const Assemblage& a, const Boundary& boundary, const Contac
     std::fill(y.begin(), y.end(), Vector2{});
     add_elements(a, x, y);
     add_contacts(a, law, x, y);
+    add_free_faces(a, boundary, law, x, y);
     add_platens(boundary, x, y);
 }
 

@@ -9,8 +9,9 @@ namespace graincrack {
 
 /// Largest stable step 2/ω_max of central differences, s, for the stiffest state the system can reach: every contact at its
 /// initial stiffness (in the literal reading an open contact shears with kt), every boundary node that can touch a platen
-/// touching it. ω_max² is the largest eigenvalue of M⁻¹K, found by Lanczos' method; its residual and a margin are
-/// added, so that the result stays below the exact value, by less than 1 %. Local damping α is always against a mode that
+/// touching it, every other free face held as a bond would hold it (another grain may touch it). ω_max² is the largest eigenvalue
+/// of M⁻¹K, found by Lanczos' method; its residual and a margin are added, so that the result stays below the exact value, by
+/// less than 1 %. Local damping α is always against a mode that
 /// turns at every step, and stiffens it by 1 + α: with it a step is stable below 1/√(1 + α) of this one.
 ///
 /// With mass scaling nodes get lighter as their groups fall apart, so the stiffest state is not the first one. The result then

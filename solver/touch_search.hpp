@@ -1,0 +1,65 @@
+// Which nodes may touch which edges: a list kept between searches, and what each pair of it remembers.
+//
+// Where grains are still bonded nothing is searched. An edge is exposed when it is a free face or its contact has lost its
+// cohesion; a node is exposed when an edge of it is. A contact without cohesion goes on as a contact with its original partner
+// (compression and friction) until it has moved by `hand_over` of its length; then it is released: its tractions pass to
+// touches, and from there on its nodes and edges are met like all others.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/assemblage.hpp"
+#include "solver/contact_law.hpp"
+#include "solver/touch.hpp"
+
+namespace graincrack {
+
+struct State;
+
+/// A node and an edge of another grain that are near each other.
+struct TouchPair {
+    std::int32_t node;
+    std::int32_t edge;  ///< of the outline
+    friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
+};
+
+/// Forces on a node that come from pairs, found by node.
+struct TouchGather {
+    std::int32_t node;
+    Range slots;  ///< into `TouchList::gathered_slots`
+};
+
+struct TouchList {
+    std::vector<std::uint8_t> bare;      ///< [c] 1 once a contact has lost its cohesion: its edges are exposed
+    std::vector<std::uint8_t> released;  ///< [c] 1 once it is no contact any more
+    std::vector<TouchPair> pairs;        ///< ascending
+    std::vector<Touch> touches;          ///< [pairs]
+    std::vector<Vector2> forces;         ///< [3 pairs] on node, first and second node of the edge, N
+    std::vector<Range> groups;           ///< pairs of one node
+    std::vector<Range> blocks;           ///< groups that one thread works on at a time
+    std::vector<double> friction;        ///< [blocks] dissipated since the search, J
+    double friction_before = 0;          ///< and before it, J
+    std::vector<TouchGather> gathers;    ///< ascending by node
+    std::vector<std::int32_t> gathered_slots;
+    std::vector<Range> gathers_of_block;          ///< by block of grains
+    std::vector<Vector2> displacement_at_search;  ///< [n] m
+    std::vector<double> room;                     ///< [n] contact area a node can still take, see `find_room`, m²
+    std::int64_t next_check = 0;                  ///< step
+};
+
+/// An empty list; pre-existing cracks are found by the first search.
+TouchList make_touch_list(const Assemblage& assemblage);
+
+/// Looks after the list between two steps: finds contacts that lost their cohesion, releases those that moved far, searches
+/// anew where that or the way the nodes have gone since the last search asks for it, and says when to look again
+/// (`next_check`). Serial; what it does depends on the state only.
+void look_after_touches(const Assemblage& assemblage, const ContactLaw& law, double time_step, State& state);
+
+/// Moves the touches of a block to the present displacements: forces into the slots, friction into the sums.
+void advance_touches(const Assemblage& assemblage, const ContactLaw& law, double time_step, std::int32_t block, State& state);
+
+/// Stored in all touches, J.
+double stored_in_touches(const ContactLaw& law, const TouchList& list);
+
+}  // namespace graincrack

@@ -1,0 +1,276 @@
+// Contact after failure: any node against any edge, with an energy, exact momenta and no jump when it is handed on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/check.hpp"
+#include "tests/support/overlap.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+using test::SmallRun;
+
+std::size_t active_touches(const SmallRun& run) {
+    return static_cast<std::size_t>(std::count_if(run.state.touches.touches.begin(), run.state.touches.touches.end(),
+                                                  [](const Touch& t) { return t.active && t.pressing > 0; }));
+}
+std::size_t released_contacts(const SmallRun& run) {
+    return static_cast<std::size_t>(std::count(run.state.touches.released.begin(), run.state.touches.released.end(), 1));
+}
+
+/// Two separate triangles, the right one's corner towards the left one's face, `gap` apart, off its middle by `offset`.
+Specimen two_grains(double gap, double offset) {
+    const double h = 2e-3;
+    return test::specimen_of_triangles({{-gap / 2, -h},
+                                        {-gap / 2, h},
+                                        {-gap / 2 - 3 * h, 0.3 * h},
+                                        {gap / 2, offset},
+                                        {gap / 2 + 2 * h, offset - h},
+                                        {gap / 2 + 2 * h, offset + h}},
+                                       {{0, 1, 2}, {3, 4, 5}});
+}
+
+struct Balance {
+    Vector2 linear;
+    double angular = 0;
+    double scale = 0;
+};
+Balance balance_of(const SmallRun& run) {
+    Balance b;
+    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
+        const Vector2 p = run.assemblage.mass[i] * run.state.velocity[i];
+        const Vector2 x = run.assemblage.position[i] + run.state.displacement[i];
+        b.linear += p;
+        b.angular += x.x * p.y - x.y * p.x;
+        b.scale += length(p);
+    }
+    return b;
+}
+
+TEST(Touch, ACornerHitsAFace) {
+    SmallRun run(two_grains(1e-5, 0.4e-3), test::augig_law(), PlaneCondition::strain, 0.2);
+    run.set_velocity([](const Vector2& p) { return p.x > 0 ? Vector2{-1.0, 0.7} : Vector2{0.5, 0}; });
+    run.begin();
+    const Balance before = balance_of(run);
+    const double energy_before = run.measured().energies.kinetic;
+    double pressed = 0;
+    double worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+        run.steps(5);
+        const Energies e = run.measured().energies;
+        pressed = std::max(pressed, e.contact);
+        worst = std::max(worst, std::abs(e.imbalance() + energy_before));
+    }
+    const Balance after = balance_of(run);
+    const Energies last = run.measured().energies;
+    EXPECT_GT(pressed, 0.01 * energy_before) << "they never met";
+    EXPECT_GT(last.friction, 1e-4 * energy_before) << "nothing rubbed";
+    EXPECT_EQ(active_touches(run), 0U) << "they should have parted";
+    expect_close(after.linear.x, before.linear.x, 1e-12, before.scale);
+    expect_close(after.linear.y, before.linear.y, 1e-12, before.scale);
+    expect_close(after.angular, before.angular, 1e-12, before.scale * 1e-2);
+    // Second order in the step: a fifth of the stable one leaves 0.5 %, as the ledger of a run may.
+    EXPECT_LT(worst, 5e-3 * energy_before);
+}
+
+// A row of grains with a flat top, and a triangle whose corner is led along it at constant depth.
+TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
+    std::vector<test::Point> points;
+    std::vector<test::Triangle> triangles;
+    const double a = 4e-3;
+    const int n = 4;
+    for (int i = 0; i <= n; ++i) {
+        points.push_back({i * a, 0});
+    }
+    for (int i = 0; i < n; ++i) {
+        points.push_back({(i + 0.5) * a, -a});
+        triangles.push_back({n + 1 + i, i + 1, i});
+        if (i > 0) {
+            triangles.push_back({n + i, n + 1 + i, i});
+        }
+    }
+    const auto corner = static_cast<int>(points.size());
+    const double x0 = 0.3 * a;
+    points.push_back({x0, 1e-5});
+    points.push_back({x0 + a / 2, a});
+    points.push_back({x0 - a / 2, a});
+    triangles.push_back({corner, corner + 1, corner + 2});
+    SmallRun run(test::specimen_of_triangles(points, triangles), test::augig_law());
+    run.begin();
+    // The corner node is the one of the last grain at the lowest place.
+    std::int32_t node = 0;
+    for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
+        if (std::abs(run.assemblage.position[i].x - x0) < 1e-12 && std::abs(run.assemblage.position[i].y - 1e-5) < 1e-12) {
+            node = i;
+        }
+    }
+    State& s = run.state;
+    const ContactLaw& law = run.parameters.law;
+    const auto lead = [&](const Vector2& by) {
+        const Vector2 step = (1 / run.parameters.time_step) * by;
+        for (std::size_t i = 0; i < s.velocity.size(); ++i) {
+            const bool upper = run.assemblage.outline.grain_of_node[i] == run.assemblage.outline.grain_of_node[node];
+            s.velocity[i] = upper ? step : Vector2{};
+            s.displacement[i] += upper ? by : Vector2{};
+        }
+        ++s.step;
+        look_after_touches(run.assemblage, law, run.parameters.time_step, s);
+        Vector2 force;
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
+            advance_touches(run.assemblage, law, run.parameters.time_step, block, s);
+        }
+        for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
+            force += s.touches.pairs[i].node == node ? s.touches.forces[3 * i] : Vector2{};
+        }
+        return force;
+    };
+    lead({0, 0});
+    lead({0, -1e-5 - 1e-12});                  // just in touch: the depth at which a touch is found does not press
+    const Vector2 pressed = lead({0, -1e-8});  // 10 nm deep
+    const double normal = law.kt * run.assemblage.outline.tributary[node] * 1e-8;
+    expect_close(pressed.y, normal, 1e-3, normal);
+    std::vector<std::int32_t> edges;
+    for (int i = 0; i < 4000; ++i) {
+        const Vector2 force = lead({2.5 * a / 4000, 0});
+        ASSERT_NEAR(force.y, pressed.y, 1e-6 * normal) << "step " << i;
+        if (i > 10) {  // friction has reached its limit within 0.1 µm and stays there
+            ASSERT_NEAR(force.x, -pressed.y * law.tan_phi, 1e-6 * normal) << "step " << i;
+        }
+        for (std::size_t k = 0; k < s.touches.pairs.size(); ++k) {
+            if (s.touches.touches[k].active && s.touches.pairs[k].node == node &&
+                (edges.empty() || edges.back() != s.touches.pairs[k].edge)) {
+                edges.push_back(s.touches.pairs[k].edge);
+            }
+        }
+    }
+    EXPECT_EQ(edges.size(), 3U) << "it should have passed two joints";
+    const Vector2 back = lead({-1e-9, 0});  // friction turns by a spring, not at once
+    EXPECT_LT(std::abs(back.x), pressed.y * law.tan_phi);
+}
+
+/// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it.
+SmallRun sliding_blocks(double slide) {
+    Specimen s = test::one_diagonal_grid(1, 1, 4e-3, 4e-3);
+    s.contact_kind.assign(s.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
+    SmallRun run(std::move(s), test::augig_law(), PlaneCondition::strain, 0.2);
+    const double r = std::sqrt(0.5);
+    run.set_velocity([&](const Vector2&) { return Vector2{}; });
+    for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
+        const double side = run.assemblage.outline.grain_of_node[i] == 0 ? 1 : -1;
+        // Grain 0 is below the diagonal: it goes up and to the left (against the other) and along the diagonal.
+        run.state.velocity[i] = {side * r * (slide - 0.05), side * r * (slide + 0.05)};
+    }
+    run.begin();
+    return run;
+}
+
+TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
+    SmallRun run = sliding_blocks(20.0);
+    const double energy = run.measured().energies.kinetic;
+    const auto force_on_grain = [&run] {
+        (void)run.measured();  // sums the forces
+        Vector2 sum;
+        for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
+            sum += run.assemblage.outline.grain_of_node[i] == 0 ? run.state.force[i] : Vector2{};
+        }
+        return sum;
+    };
+    double largest = 0;
+    while (released_contacts(run) == 0 && run.state.step < 20000) {
+        const Vector2 before = force_on_grain();
+        const Energies e = run.measured().energies;
+        largest = std::max(largest, length(before));
+        // What the step's own look after the list does, seen from outside.
+        look_after_touches(run.assemblage, run.parameters.law, run.parameters.time_step, run.state);
+        const Vector2 after = force_on_grain();
+        const Energies f = run.measured().energies;
+        expect_close(after.x, before.x, 1e-9, std::max(length(before), 1.0));
+        expect_close(after.y, before.y, 1e-9, std::max(length(before), 1.0));
+        expect_close(f.contact, e.contact, 1e-9, std::max(e.contact, 1e-12));
+        run.steps(1);
+    }
+    ASSERT_EQ(released_contacts(run), 1U);
+    EXPECT_GT(largest, 1.0) << "they were never pressed together";
+    run.steps(2000);
+    const Energies last = run.measured().energies;
+    EXPECT_GT(last.friction, 0.0);
+    EXPECT_LT(std::abs(last.imbalance() + energy), 5e-3 * energy);
+}
+
+TEST(Touch, BondedNeighboursAreNotSearched) {
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), test::augig_law());
+    run.set_velocity([](const Vector2& p) { return Vector2{0, -0.5 * p.y / 0.015}; });
+    run.begin();
+    run.steps(200);
+    EXPECT_LT(run.measured().energies.contact * 1e3, 1e3 * run.measured().energies.strain);
+    EXPECT_GT(run.measured().energies.contact, 0.0);
+    EXPECT_TRUE(run.state.touches.pairs.empty());
+}
+
+/// 48 grains crushed between platens far past the peak, with a law that closes its energy.
+struct Crushed {
+    std::vector<Vector2> displacement;
+    double residual = 0, deepest = 0;
+    std::size_t released = 0, touches = 0;
+    double mean_edge = 0;
+};
+Crushed crush(int threads, double shortening) {
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.25), test::augig_law(LawVariant::consistent));
+    LoadingRequest request;
+    request.platen_speed = 0.4;
+    request.platen_friction = 5 * test::degree;
+    request.max_strain = shortening;
+    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request,
+                                        test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i)),
+                     0.7);
+    run.parameters.damping = 0.8;
+    run.begin();
+    Loading loading(request, run.specimen, test::augig_granite().rock, PlaneCondition::strain);
+    Crushed c;
+    c.mean_edge = run.assemblage.outline.mean_length;
+    double scale = 0;
+    double worst = 0;
+    while (run.state.loading.platen_displacement[bottom_platen] < 0.5 * shortening * 0.03) {
+        run.steps(2000, loading.next({run.state.time, 0, 0}, 2000 * run.parameters.time_step), threads);
+        const Energies e = run.measured().energies;
+        scale = std::max(scale, e.stored());
+        worst = std::max(worst, std::abs(e.imbalance()));
+        c.deepest = std::max(c.deepest, test::deepest_overlap(run.assemblage, run.state.displacement));
+        c.touches = std::max(c.touches, active_touches(run));
+    }
+    c.residual = worst / scale;
+    c.released = released_contacts(run);
+    c.displacement = run.state.displacement;
+    return c;
+}
+
+TEST(Touch, CrushedToFivePerCentKeepsEnergyAndShape) {
+    const Crushed c = crush(1, 0.05);
+    EXPECT_GT(c.released, 10U);
+    EXPECT_GT(c.touches, 10U);
+    EXPECT_LT(c.residual, 5e-3);
+    EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
+    EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);  // the measure sees what presses
+}
+
+TEST(Touch, TheSameBytesForAnyNumberOfThreads) {
+    const Crushed c = crush(1, 0.015);
+    EXPECT_GT(c.released, 3U);
+    EXPECT_GT(c.touches, 3U);
+    for (const int threads : {2, 3}) {
+        const Crushed other = crush(threads, 0.015);
+        ASSERT_EQ(other.displacement.size(), c.displacement.size());
+        for (std::size_t i = 0; i < c.displacement.size(); ++i) {
+            ASSERT_EQ(other.displacement[i].x, c.displacement[i].x) << threads << " threads, node " << i;
+            ASSERT_EQ(other.displacement[i].y, c.displacement[i].y) << threads << " threads, node " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
