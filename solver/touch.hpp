@@ -42,6 +42,9 @@ inline TouchGeometry touch_geometry(const Vector2& node, const Vector2& first, c
     return {t, n, inv_length, inv_length * dot(from_first, t), -dot(from_first, n)};
 }
 
+/// Of an edge, at its ends: no touch begins there, where several corners meet and would hold each other.
+inline constexpr double touch_end_zone = 5e-3;
+
 /// What a touch remembers.
 struct Touch {
     bool active = false;

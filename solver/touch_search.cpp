@@ -15,6 +15,7 @@ constexpr double buffer = 0.04;          // of the mean edge: pairs nearer than 
 constexpr double hand_over = 0.005;      // of a contact's length: sliding or opening from which on it is released
 constexpr std::int64_t most_steps = 64;  // between two looks
 constexpr std::int64_t least_steps = 4;
+constexpr double wary = 8;  // times as far as the fastest node goes until then: so near a pair is watched
 constexpr std::int32_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
@@ -210,30 +211,67 @@ std::vector<Touch> keep_touches(const std::vector<TouchPair>& pairs, const Conta
     return touches;
 }
 
-/// Groups of pairs by node, blocks of groups, and where the forces on each node are found.
-void arrange(const Assemblage& a, TouchList& list) {
-    const auto n_pairs = static_cast<std::int32_t>(list.pairs.size());
-    list.groups.clear();
-    for (std::int32_t i = 0; i < n_pairs; ++i) {
-        if (i == 0 || list.pairs[i].node != list.pairs[i - 1].node) {
-            list.groups.push_back({i, i});
+/// Pairs of one node each.
+std::vector<Range> group_pairs(const std::vector<TouchPair>& pairs) {
+    std::vector<Range> groups;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(pairs.size()); ++i) {
+        if (i == 0 || pairs[i].node != pairs[i - 1].node) {
+            groups.push_back({i, i});
         }
-        ++list.groups.back().end;
+        ++groups.back().end;
     }
-    list.blocks.clear();
-    const auto n_groups = static_cast<std::int32_t>(list.groups.size());
-    for (std::int32_t i = 0; i < n_groups; i += groups_per_block) {
-        list.blocks.push_back({i, std::min(i + groups_per_block, n_groups)});
-    }
-    list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
-    list.friction.assign(list.blocks.size(), 0.0);
+    return groups;
+}
 
+void search(const Assemblage& a, const ContactLaw& law, State& s) {
+    TouchList& list = s.touches;
+    std::vector<TouchPair> pairs = find_pairs(a, s);
+    list.touches = keep_touches(pairs, law, list);
+    list.pairs = std::move(pairs);
+    list.forces.assign(3 * list.pairs.size(), Vector2{});
+    list.groups = group_pairs(list.pairs);
+    list.displacement_at_search = s.displacement;
+}
+
+/// How far a node has to go to stand behind an edge, away from its ends, m; not above 0 where it does.
+double clearance(const TouchGeometry& g) {
+    const double to_zone = std::max(touch_end_zone - g.place, g.place - 1 + touch_end_zone) / g.inv_length;
+    return std::max(-g.depth, to_zone);
+}
+
+/// Groups that touch, or whose node may come behind one of their edges by going `reach`; the forces of the others are nil.
+std::vector<std::int32_t> find_awake(const Assemblage& a, double reach, State& s) {
+    TouchList& list = s.touches;
+    std::vector<std::int32_t> awake;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(list.groups.size()); ++i) {
+        const Range pairs = list.groups[i];
+        const Vector2 node = place_of(a, s, list.pairs[pairs.begin].node);
+        bool is_awake = false;
+        for (std::int32_t p = pairs.begin; p < pairs.end && !is_awake; ++p) {
+            const auto& [first, second] = a.outline.edges[list.pairs[p].edge].nodes;
+            is_awake =
+                list.touches[p].active || clearance(touch_geometry(node, place_of(a, s, first), place_of(a, s, second))) < reach;
+        }
+        if (is_awake) {
+            awake.push_back(i);
+        } else {
+            std::fill(list.forces.begin() + 3 * static_cast<std::ptrdiff_t>(pairs.begin),
+                      list.forces.begin() + 3 * static_cast<std::ptrdiff_t>(pairs.end), Vector2{});
+        }
+    }
+    return awake;
+}
+
+/// Where the forces of the awake pairs on each node are found.
+void arrange_gathers(const Assemblage& a, TouchList& list) {
     std::vector<std::pair<std::int32_t, std::int32_t>> slots;  // node, slot
-    for (std::int32_t i = 0; i < n_pairs; ++i) {
-        const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
-        slots.emplace_back(list.pairs[i].node, 3 * i);
-        slots.emplace_back(edge.nodes[0], 3 * i + 1);
-        slots.emplace_back(edge.nodes[1], 3 * i + 2);
+    for (const std::int32_t group : list.awake) {
+        for (std::int32_t i = list.groups[group].begin; i < list.groups[group].end; ++i) {
+            const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
+            slots.emplace_back(list.pairs[i].node, 3 * i);
+            slots.emplace_back(edge.nodes[0], 3 * i + 1);
+            slots.emplace_back(edge.nodes[1], 3 * i + 2);
+        }
     }
     std::sort(slots.begin(), slots.end());
     list.gathers.clear();
@@ -258,14 +296,18 @@ void arrange(const Assemblage& a, TouchList& list) {
     }
 }
 
-void search(const Assemblage& a, const ContactLaw& law, State& s) {
+/// Chooses what the steps up to the next look work on.
+void wake(const Assemblage& a, double reach, State& s) {
     TouchList& list = s.touches;
-    std::vector<TouchPair> pairs = find_pairs(a, s);
-    list.touches = keep_touches(pairs, law, list);
-    list.pairs = std::move(pairs);
-    list.forces.assign(3 * list.pairs.size(), Vector2{});
-    arrange(a, list);
-    list.displacement_at_search = s.displacement;
+    list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
+    list.awake = find_awake(a, reach, s);
+    list.blocks.clear();
+    const auto n = static_cast<std::int32_t>(list.awake.size());
+    for (std::int32_t i = 0; i < n; i += groups_per_block) {
+        list.blocks.push_back({i, std::min(i + groups_per_block, n)});
+    }
+    list.friction.assign(list.blocks.size(), 0.0);
+    arrange_gathers(a, list);
 }
 
 /// The area each listed node can still take: what its bonds had at the start, which the stable step knows of, less what its
@@ -395,6 +437,7 @@ void look_after_touches(const Assemblage& a, const ContactLaw& law, double time_
         refresh_forces(a, law, s);
         gone = 0;
     }
+    wake(a, wary * static_cast<double>(most_steps) * step_way, s);
     find_room(a, list);
     const double steps = step_way > 0 ? 0.5 * (allowed - std::sqrt(gone)) / step_way : static_cast<double>(most_steps);
     list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), least_steps, most_steps);

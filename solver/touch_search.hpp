@@ -24,7 +24,7 @@ struct TouchPair {
     friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
 };
 
-/// Forces on a node that come from pairs, found by node.
+/// Forces on a node that come from awake pairs, found by node.
 struct TouchGather {
     std::int32_t node;
     Range slots;  ///< into `TouchList::gathered_slots`
@@ -37,8 +37,9 @@ struct TouchList {
     std::vector<Touch> touches;          ///< [pairs]
     std::vector<Vector2> forces;         ///< [3 pairs] on node, first and second node of the edge, N
     std::vector<Range> groups;           ///< pairs of one node
-    std::vector<Range> blocks;           ///< groups that one thread works on at a time
-    std::vector<double> friction;        ///< [blocks] dissipated since the search, J
+    std::vector<std::int32_t> awake;     ///< groups that touch or may do so before the next look; the others have no forces
+    std::vector<Range> blocks;           ///< of `awake`, that one thread works on at a time
+    std::vector<double> friction;        ///< [blocks] dissipated since the last look, J
     double friction_before = 0;          ///< and before it, J
     std::vector<TouchGather> gathers;    ///< ascending by node
     std::vector<std::int32_t> gathered_slots;

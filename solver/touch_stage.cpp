@@ -11,7 +11,7 @@ namespace graincrack {
 namespace {
 
 constexpr double slack = 1e-3;  // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
-constexpr double end_zone =
+constexpr double touch_end_zone =
     5e-3;  // of an edge, at its ends: no touch begins there, where several corners meet and hold each other
 constexpr double least_area = 0.1;      // of what a node stands for, in a crowd
 constexpr double aligned = 0.5;         // cosine of two normals up to which two edges count as one surface
@@ -151,7 +151,7 @@ void begin_touches(Group& group) {
             continue;
         }
         const TouchGeometry& g = group.geometry[i];
-        const bool apart = g.depth <= 0 || !is_over(g, -end_zone);
+        const bool apart = g.depth <= 0 || !is_over(g, -touch_end_zone);
         const bool comes = touch.was_apart && !apart && g.depth < largest_entry * group.assemblage.outline.mean_length &&
                            nearer_face(group, i, g.depth) < 0;
         touch.was_apart = apart;
@@ -193,7 +193,7 @@ void advance_touches(const Assemblage& a, const ContactLaw& law, double time_ste
     const Range groups = s.touches.blocks[block];
     std::vector<TouchGeometry> geometry;
     for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-        Group group{a, law, time_step, s, s.touches.groups[i], geometry};
+        Group group{a, law, time_step, s, s.touches.groups[s.touches.awake[i]], geometry};
         advance_group(group);
         s.touches.friction[block] += group.friction;
     }
