@@ -49,12 +49,16 @@ void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<
     }
 }
 
-/// A free face may be touched by another grain: by as much as a bond would hold it.
+/// A free face may be touched by another grain, if there is one: by as much as a bond would hold it.
 void add_free_faces(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,
                     std::vector<Vector2>& y) {
     std::vector<bool> has_platen(a.position.size(), false);
     for (const PlatenPoint& point : boundary.platen_points) {
         has_platen[point.node] = has_platen[point.node] || point.on_boundary;
+    }
+    const auto& grains = a.outline.grain_of_node;
+    if (std::all_of(grains.begin(), grains.end(), [&grains](std::int32_t grain) { return grain == grains.front(); })) {
+        return;
     }
     for (const OutlineEdge& edge : a.outline.edges) {
         if (edge.contact >= 0) {
@@ -112,7 +116,6 @@ void apply_stiffness(const Assemblage& a, const Boundary& boundary, const Contac
     std::fill(y.begin(), y.end(), Vector2{});
     add_elements(a, x, y);
     add_contacts(a, law, x, y);
-    add_free_faces(a, boundary, law, x, y);
     add_platens(boundary, x, y);
 }
 
@@ -195,6 +198,7 @@ double stable_time_step(const Assemblage& a, const Boundary& boundary, const Con
         return 2 / std::sqrt(largest_eigenvalue(a, [&](const std::vector<Vector2>& x, std::vector<Vector2>& y) {
                    add_elements(a, x, y);
                    add_contacts(a, law, x, y);
+                   add_free_faces(a, boundary, law, x, y);
                    add_platens(boundary, x, y);
                }));
     }
