@@ -99,7 +99,8 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
     return energy;
 }
 
-void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
+void add_contact_energies(const Assemblage& a, const StepParameters& parameters, const State& s, Energies& energies) {
+    const ContactLaw& law = parameters.law;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.touches.released[c] != 0) {
             continue;
@@ -107,7 +108,7 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
         energies.contact +=
             a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
     }
-    energies.contact += stored_in_touches(law, s.touches);
+    energies.contact += stored_in_touches(parameters, s.touches);
     energies.friction += std::accumulate(s.touches.friction.begin(), s.touches.friction.end(), s.touches.friction_before);
     for (const ContactSums& sums : s.contact_sums) {
         energies.fracture_tension += sums.fracture_tension;
@@ -171,7 +172,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.damping += s.groups.sums[block].damping + s.groups.sums[block].shed;
     }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
-    add_contact_energies(a, parameters.law, s, m.energies);
+    add_contact_energies(a, parameters, s, m.energies);
     add_platen_energies(boundary, s, m);
     for (std::size_t e = 0; e < boundary.membrane_edges.size(); ++e) {
         const auto [first, second] = boundary.membrane_edges[e];

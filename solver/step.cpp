@@ -114,7 +114,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
                 advance_contacts(a, parameters.law, block, first_step + k + 1, s);
             }
             for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
-                advance_touches(a, parameters.law, parameters.time_step, block, s);
+                advance_touches(a, parameters, block, s);
             }
             barrier.wait();
         }
@@ -135,7 +135,7 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
         if (s.step >= s.touches.next_check) {
-            look_after_touches(a, parameters.law, parameters.time_step, s);
+            look_after_touches(a, parameters, s);
         }
         advance_steps(a, boundary, parameters, std::min(end, s.touches.next_check) - s.step, n_threads, clock, s);
     }

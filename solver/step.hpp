@@ -1,4 +1,5 @@
-// The explicit step: contact law, touches → nodal forces (elements, contacts, touches, platens, membrane) → damping → integration.
+// The explicit step: contact law, touches → nodal forces (elements, contacts, touches, platens, membrane) → damping →
+// integration.
 #pragma once
 
 #include <cmath>
@@ -17,6 +18,9 @@ struct StepParameters {
     double time_step = 0;  ///< s
     double damping = 0;    ///< α of local damping, Fd = −α |F| sign(v) per component
     MassScaling mass_scaling = {};
+    /// Stiffness of touches over that of contacts. Below 1 with mass scaling: free faces have their own mass, and the step is too
+    /// long for contacts as stiff as bonded ones.
+    double touch_share = 1;
 };
 
 /// Local damping, per component: a share α of the unbalanced force against the motion.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "solver/state.hpp"
+#include "solver/step.hpp"
 
 namespace graincrack {
 namespace {
@@ -33,8 +34,8 @@ bool find_bare(const Assemblage& a, const ContactLaw& law, State& s) {
     return found;
 }
 
-/// Contacts without cohesion that have moved far.
-std::vector<std::int32_t> find_movers(const Assemblage& a, const State& s) {
+/// Contacts without cohesion that have moved far. Where touches are softer than contacts only those that carry nothing.
+std::vector<std::int32_t> find_movers(const Assemblage& a, bool only_open, const State& s) {
     std::vector<std::int32_t> movers;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.touches.bare[c] == 0 || s.touches.released[c] != 0) {
@@ -42,7 +43,9 @@ std::vector<std::int32_t> find_movers(const Assemblage& a, const State& s) {
         }
         const double far = hand_over * 2 * a.contacts[c].point_area;
         const double moved =
-            std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
+            only_open
+                ? std::min(s.opening[2 * c], s.opening[2 * c + 1])
+                : std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
         if (moved > far) {
             movers.push_back(static_cast<std::int32_t>(c));
         }
@@ -353,7 +356,7 @@ struct HandOver {
 };
 
 /// Takes the tractions off contacts that are released.
-std::vector<HandOver> take_over(const Assemblage& a, const ContactLaw& law, const std::vector<std::int32_t>& movers, State& s) {
+std::vector<HandOver> take_over(const ContactLaw& law, const std::vector<std::int32_t>& movers, State& s) {
     std::vector<HandOver> carried;
     for (const std::int32_t c : movers) {
         s.touches.released[c] = 1;
@@ -366,7 +369,6 @@ std::vector<HandOver> take_over(const Assemblage& a, const ContactLaw& law, cons
         }
         std::fill_n(s.contact_force.begin() + 4 * static_cast<std::ptrdiff_t>(c), 4, Vector2{});
     }
-    (void)a;
     return carried;
 }
 
@@ -412,10 +414,11 @@ TouchList make_touch_list(const Assemblage& a) {
     return list;
 }
 
-void look_after_touches(const Assemblage& a, const ContactLaw& law, double time_step, State& s) {
+void look_after_touches(const Assemblage& a, const StepParameters& parameters, State& s) {
     TouchList& list = s.touches;
-    bool must_search = find_bare(a, law, s);
-    const std::vector<std::int32_t> movers = find_movers(a, s);
+    const ContactLaw law = touch_law(parameters);
+    bool must_search = find_bare(a, parameters.law, s);
+    const std::vector<std::int32_t> movers = find_movers(a, parameters.touch_share < 1, s);
     must_search = must_search || !movers.empty() || list.displacement_at_search.empty();
     // How far nodes have gone since the last search, and how fast they go now.
     double gone = 0;
@@ -427,11 +430,11 @@ void look_after_touches(const Assemblage& a, const ContactLaw& law, double time_
         }
         fastest = std::max(fastest, dot(s.velocity[i], s.velocity[i]));
     }
-    const double step_way = std::sqrt(fastest) * time_step;
+    const double step_way = std::sqrt(fastest) * parameters.time_step;
     const double allowed = 0.5 * buffer * a.outline.mean_length;  // two nodes may go towards each other
     must_search = must_search || std::sqrt(gone) + static_cast<double>(most_steps) * step_way > allowed;
     if (must_search) {
-        const std::vector<HandOver> carried = take_over(a, law, movers, s);
+        const std::vector<HandOver> carried = take_over(parameters.law, movers, s);
         search(a, law, s);
         hand_on(a, carried, s);
         refresh_forces(a, law, s);

@@ -16,6 +16,7 @@
 namespace graincrack {
 
 struct State;
+struct StepParameters;
 
 /// A node and an edge of another grain that are near each other.
 struct TouchPair {
@@ -55,12 +56,15 @@ TouchList make_touch_list(const Assemblage& assemblage);
 /// Looks after the list between two steps: finds contacts that lost their cohesion, releases those that moved far, searches
 /// anew where that or the way the nodes have gone since the last search asks for it, and says when to look again
 /// (`next_check`). Serial; what it does depends on the state only.
-void look_after_touches(const Assemblage& assemblage, const ContactLaw& law, double time_step, State& state);
+void look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
 /// Moves the touches of a block to the present displacements: forces into the slots, friction into the sums.
-void advance_touches(const Assemblage& assemblage, const ContactLaw& law, double time_step, std::int32_t block, State& state);
+void advance_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
 
 /// Stored in all touches, J.
-double stored_in_touches(const ContactLaw& law, const TouchList& list);
+double stored_in_touches(const StepParameters& parameters, const TouchList& list);
+
+/// The law of touches: stiffness and friction of a failed contact, of the share that the step allows.
+ContactLaw touch_law(const StepParameters& parameters);
 
 }  // namespace graincrack

@@ -119,10 +119,10 @@ TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
             s.displacement[i] += upper ? by : Vector2{};
         }
         ++s.step;
-        look_after_touches(run.assemblage, law, run.parameters.time_step, s);
+        look_after_touches(run.assemblage, run.parameters, s);
         Vector2 force;
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
-            advance_touches(run.assemblage, law, run.parameters.time_step, block, s);
+            advance_touches(run.assemblage, run.parameters, block, s);
         }
         for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
             force += s.touches.pairs[i].node == node ? s.touches.forces[3 * i] : Vector2{};
@@ -186,7 +186,7 @@ TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
         const Energies e = run.measured().energies;
         largest = std::max(largest, length(before));
         // What the step's own look after the list does, seen from outside.
-        look_after_touches(run.assemblage, run.parameters.law, run.parameters.time_step, run.state);
+        look_after_touches(run.assemblage, run.parameters, run.state);
         const Vector2 after = force_on_grain();
         const Energies f = run.measured().energies;
         expect_close(after.x, before.x, 1e-9, std::max(length(before), 1.0));
