@@ -20,7 +20,6 @@ namespace graincrack {
 namespace {
 
 constexpr double history_rows = 8000;      // to the strain cap: enough to resolve a brittle peak
-constexpr double soft_touches = 0.5;       // with mass scaling, of the stiffness that the step would bear at most
 constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
 constexpr double judged_stress = 0.01;     // of tc: below the energy of this stress the imbalance is noise of the start
 constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
@@ -128,10 +127,7 @@ public:
         header_.mass_scaling_factor = mass_scaling_factor(request, assemblage_, boundary_, parameters_.law);
         parameters_.mass_scaling = make_mass_scaling(assemblage_, header_.mass_scaling_factor);
         header_.stable_time_step = stable_time_step(assemblage_, boundary_, parameters_.law, header_.mass_scaling_factor);
-        if (request.mass_scaling) {
-            const double unscaled = stable_time_step(assemblage_, boundary_, parameters_.law);
-            parameters_.touch_share = soft_touches * std::pow(unscaled / header_.stable_time_step, 2);
-        }
+        parameters_.touch_share = bearable_touch_share(assemblage_, boundary_, parameters_.law, header_.mass_scaling_factor);
         header_.time_step = parameters_.time_step = request.time_step_fraction * header_.stable_time_step;
         steps_per_batch_ = batch_steps(specimen, request, parameters_.time_step);
         H5Output file(output, "run");

