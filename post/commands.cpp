@@ -14,8 +14,10 @@
 #include "post/info.hpp"
 #include "post/load_curve.hpp"
 #include "post/moduli.hpp"
+#include "post/output_file.hpp"
 #include "post/picture/picture.hpp"
 #include "post/plots.hpp"
+#include "post/report/report.hpp"
 #include "post/size_effect.hpp"
 #include "post/strength.hpp"
 #include "post/strength_summary.hpp"
@@ -45,6 +47,10 @@ void history(const PostOptions& options, std::ostream& out) {
     if (!options.follow) return write_history(out, RunReader(only_file(options)), options.format);
     if (only_file(options) == "-") throw UsageError("history --follow: stdin cannot be followed; name a file");
     follow_history(out, only_file(options), options.format);
+}
+
+void report(const PostOptions& options) {
+    write_whole_file(options.output, make_report(options.files, {options.material, options.capped_runs}, options.verbosity));
 }
 
 void ccd_command(const PostOptions& options, std::ostream& out) {
@@ -81,6 +87,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"cracks",
          [&] { export_cracks(RunReader(only_file(options)), options.output, options.crack_export, options.verbosity); }},
         {"ccd", [&] { ccd_command(options, out); }},
+        {"report", [&] { report(options); }},
         {"plot", [&] { write_plot(options); }},
     };
     const auto command = commands.find(options.command);

@@ -66,6 +66,14 @@ void add_ccd(CLI::App& app, PostOptions& options) {
     add_format(solve, options);
 }
 
+void add_report(CLI::App& app, PostOptions& options) {
+    CLI::App* report = add_command(app, "report", "a test or a set as one HTML page that needs nothing else");
+    add_files(report, options, "runs", "run files");
+    report->add_option("--material", options.material, "material whose laboratory values stand beside the results");
+    add_capped(report, options);
+    add_output(report, options, "page: .html");
+}
+
 void add_maps(CLI::App& app, PostOptions& options) {
     CLI::App* cracks = add_command(app, "cracks", "grains and cracks as VTK series, catalogue and rosette");
     add_files(cracks, options, "run", "run file");
@@ -85,6 +93,7 @@ std::optional<PostOptions> read_options(int argc, const char* const* argv) {
     add_tables(app, options);
     add_ccd(app, options);
     add_maps(app, options);
+    add_report(app, options);
     add_plots(app, options);
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
     const CLI::App* command = app.get_subcommands().front();

@@ -19,6 +19,10 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
         p.residual_friction_angle != q.residual_friction_angle) {
         return "the contact parameters";
     }
+    if (p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||
+        p.residual_friction_angle != q.residual_friction_angle) {
+        return "the residual strengths of the contacts";
+    }
     if (a.plane == b.plane &&
         (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
          p.fracture_energy != q.fracture_energy || p.mode_ii_fracture_energy != q.mode_ii_fracture_energy)) {

@@ -147,8 +147,9 @@ private:
     std::vector<vtkSmartPointer<vtkTextActor>> texts_;
 };
 
-void write_png(const Drawing& drawing, const std::string& path) {
-    OutputFile file(path);
+}  // namespace
+
+std::vector<unsigned char> png_bytes(const Drawing& drawing) {
     // GLEW complains about the missing display although the context is complete; failures are checked for here.
     vtkObject::GlobalWarningDisplayOff();
     const vtkSmartPointer<vtkRenderWindow> window =
@@ -175,13 +176,12 @@ void write_png(const Drawing& drawing, const std::string& path) {
     shrink->MeanOn();
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputConnection(shrink->GetOutputPort());
-    writer->SetFileName(file.part().c_str());
+    writer->WriteToMemoryOn();
     writer->Write();
-    if (writer->GetErrorCode() != 0) throw OutputError(path + ": the picture could not be written");
-    file.commit();
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    if (writer->GetErrorCode() != 0 || bytes == nullptr) throw OutputError("picture: could not be made");
+    return {bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues()};
 }
-
-}  // namespace
 
 void require_picture_name(const std::string& path) {
     const std::string kind = ending(path);
@@ -193,7 +193,8 @@ void write_picture(const Drawing& drawing, const std::string& path) {
     if (ending(path) == ".svg") {
         write_whole_file(path, to_svg(drawing));
     } else {
-        write_png(drawing, path);
+        const std::vector<unsigned char> bytes = png_bytes(drawing);
+        write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
 }
 

@@ -48,9 +48,39 @@ TEST(Help, ExamplesOfThePostprocessorRun) {
 
 TEST(Help, EverySubcommandExplainsItself) {
     const Shell shell;
-    for (const char* command : {"mesh rectangle", "mesh disc", "solve uniaxial", "solve triaxial", "solve brazilian",
-                                "solve tension", "post info", "post history", "post strength", "post moduli", "post envelope",
-                                "post fpz", "post cracks", "post plot specimen", "post plot curve", "post plot cracks"}) {
+    for (const char* command : {"mesh rectangle",
+                                "mesh disc",
+                                "solve uniaxial",
+                                "solve triaxial",
+                                "solve brazilian",
+                                "solve tension",
+                                "post info",
+                                "post history",
+                                "post strength",
+                                "post moduli",
+                                "post envelope",
+                                "post fpz",
+                                "post cracks",
+                                "post size-effect",
+                                "post ccd design",
+                                "post ccd fit",
+                                "post ccd solve",
+                                "post report",
+                                "post plot specimen",
+                                "post plot curve",
+                                "post plot cracks",
+                                "post plot fragments",
+                                "post plot rosette",
+                                "post plot counts",
+                                "post plot emission",
+                                "post plot energy",
+                                "post plot thresholds",
+                                "post plot envelope",
+                                "post plot size-effect",
+                                "post plot surface",
+                                "post plot law",
+                                "post plot lennard-jones",
+                                "post plot table"}) {
         const Outcome outcome = shell.run(std::string("graincrack-") + command + " --help");
         EXPECT_EQ(outcome.exit_code, 0) << command;
         EXPECT_EQ(outcome.err, "") << command;

@@ -1,0 +1,125 @@
+#include "post/report/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <numbers>
+
+#include "post/report/html.hpp"
+
+namespace graincrack {
+
+namespace {
+
+using html::number;
+using Value = std::function<std::optional<double>(const TestReport&)>;
+
+constexpr double mega = 1e-6;
+constexpr double degrees = 180 / std::numbers::pi;
+
+std::vector<double> collect(const std::vector<TestReport>& tests, const Value& value) {
+    std::vector<double> values;
+    for (const TestReport& t : tests) {
+        if (const auto v = value(t)) values.push_back(*v);
+    }
+    return values;
+}
+
+/// Rows of one of the two tables.
+class Column {
+public:
+    explicit Column(const std::optional<Material>& material)
+        : material_(material), table_({"quantity", "model, mean (s.d.)", "95 % interval", "n", "laboratory", "difference"}) {}
+
+    /// A sample over runs. \param key of [laboratory], "" for none \param factor from SI to the unit of the row
+    void add(const std::string& words, const std::vector<double>& values, const std::string& key, double factor) {
+        if (values.empty()) return;
+        const Sample s = sample(values);
+        std::string mean = number(s.mean.value * factor);
+        if (s.deviation) mean += " (" + number(*s.deviation * factor, 2) + ")";
+        row(words, mean, s.mean, std::to_string(s.n), key, factor);
+    }
+    /// A fit over the set.
+    void add(const std::string& words, const Estimate& value, const std::string& key, double factor) {
+        row(words, number(value.value * factor), value, "", key, factor);
+    }
+    [[nodiscard]] std::string str(const std::string& heading) const {
+        return "<div><h3>" + html::escaped(heading) + "</h3>" +
+               (table_.empty() ? html::paragraph("nothing in this set") : table_.str()) + "</div>\n";
+    }
+
+private:
+    void row(const std::string& words, const std::string& mean, const Estimate& value, const std::string& n,
+             const std::string& key, double factor) {
+        std::string interval;
+        if (value.low) interval = number(*value.low * factor, 4) + " to " + number(*value.high * factor, 4);
+        std::string laboratory;
+        std::string difference;
+        if (material_ && material_->laboratory.count(key) > 0) {
+            const double measured = material_->laboratory.at(key);
+            laboratory = number(measured * factor);
+            difference = fmt::format("{:+.1f} %", 100 * (value.value / measured - 1));
+        }
+        table_.row({words, mean, interval, n, laboratory, difference});
+    }
+    const std::optional<Material>& material_;
+    html::Table table_;
+};
+
+Value strength_of(const std::string& test, double confining) {
+    return [=](const TestReport& t) -> std::optional<double> {
+        if (t.data.header.test != test || t.data.header.confining_pressure != confining) return std::nullopt;
+        return t.strength.value();
+    };
+}
+
+std::vector<double> pressures(const std::vector<TestReport>& tests) {
+    std::vector<double> values;
+    for (const TestReport& t : tests) {
+        const double p = t.data.header.confining_pressure;
+        if (t.data.header.test == "triaxial" && std::find(values.begin(), values.end(), p) == values.end()) values.push_back(p);
+    }
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+void add_predicted_strengths(Column& column, const std::vector<TestReport>& tests) {
+    column.add("UCS, MPa", collect(tests, strength_of("uniaxial", 0)), "compressive_strength", mega);
+    for (const double p : pressures(tests)) {
+        column.add(fmt::format("σ1 at {} MPa, MPa", number(p * mega)), collect(tests, strength_of("triaxial", p)), "", mega);
+    }
+    column.add("direct tensile strength, MPa", collect(tests, strength_of("tension", 0)), "", mega);
+}
+
+void add_moduli(Column& column, const std::vector<TestReport>& tests) {
+    const auto uniaxial = [&](const Value& value) {
+        return collect(tests, [&](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; });
+    };
+    const auto modulus = [](double ElasticPair::*member) {
+        return [member](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.*member) : std::nullopt; };
+    };
+    column.add("E, chord to ½ peak, GPa", uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
+    column.add("ν, chord to ½ peak", uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
+    column.add("crack initiation (1 % of cracks), MPa", uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
+    column.add("crack damage (2D volume), MPa",
+               uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "", mega);
+}
+
+}  // namespace
+
+std::string comparison_columns(const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope,
+                               const std::optional<Material>& material) {
+    Column fitted(material);
+    fitted.add("σt, Brazilian, MPa", collect(tests, strength_of("brazilian", 0)), "tensile_strength", mega);
+    if (envelope) {
+        fitted.add("C, MPa", envelope->cohesion, "cohesion", mega);
+        fitted.add("φ, °", envelope->friction_angle, "friction_angle", degrees);
+    }
+    Column predicted(material);
+    add_predicted_strengths(predicted, tests);
+    add_moduli(predicted, tests);
+    return "<div class=\"columns\">\n" + fitted.str("Fitted: by choice of contact strengths") +
+           predicted.str("Predicted: not fitted to anything") + "</div>\n";
+}
+
+}  // namespace graincrack

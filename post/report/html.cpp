@@ -1,0 +1,124 @@
+#include "post/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "post/picture/picture.hpp"
+#include "share/error.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::html {
+
+namespace {
+
+const char* const style = R"css(
+:root { color-scheme: light; }
+body { font: 16px/1.5 "Liberation Sans", Arial, Helvetica, sans-serif; color: #1e1e1e; background: #fff; margin: 0 auto;
+       max-width: 1080px; padding: 24px; }
+h1 { font-size: 26px; margin: 0 0 4px; }
+h2 { font-size: 20px; margin: 36px 0 8px; padding-top: 12px; border-top: 2px solid #1e1e1e; }
+p { max-width: 72ch; margin: 6px 0; }
+p.lead { color: #555; }
+nav a { margin-right: 14px; color: #0072b2; }
+table { border-collapse: collapse; margin: 10px 0 18px; font-size: 14px; font-variant-numeric: tabular-nums; }
+th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; }
+td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; white-space: nowrap; }
+.long td { white-space: normal; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; }
+.trust { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
+.figures { display: flex; flex-wrap: wrap; gap: 20px; align-items: flex-start; }
+figure { margin: 10px 0; width: 500px; max-width: 100%; }
+figure.wide { width: 760px; }
+figure svg, figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; }
+figcaption { font-size: 14px; color: #555; margin-top: 4px; }
+.columns { display: flex; flex-wrap: wrap; gap: 40px; }
+@media print { h2 { break-after: avoid; } figure, table { break-inside: avoid; } body { max-width: none; } nav { display: none; } }
+)css";
+
+std::string base64(const std::vector<unsigned char>& bytes) {
+    static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t word = 0;
+        for (std::size_t k = 0; k < 3; ++k) word = (word << 8) | (k < left ? bytes[i + k] : 0U);
+        for (std::size_t k = 0; k < 4; ++k) out += k <= left ? letters[(word >> (18 - 6 * k)) & 63U] : '=';
+    }
+    return out;
+}
+
+/// The drawing as an <svg> element: without the XML declaration of a file.
+std::string inline_svg(const Drawing& drawing) {
+    const std::string file = to_svg(drawing);
+    return file.substr(file.find("<svg"));
+}
+
+std::string image(const Drawing& drawing, const std::string& caption) {
+    constexpr std::size_t many_shapes = 2500;
+    if (drawing.shapes().size() < many_shapes) return inline_svg(drawing);
+    try {
+        return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(caption), base64(png_bytes(drawing)));
+    } catch (const OutputError&) {  // no OpenGL on this machine: longer, but the same picture
+        return inline_svg(drawing);
+    }
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
+        }
+    }
+    return out;
+}
+
+std::string Table::str() const {
+    std::string out = fmt::format("<div class=\"wide\"><table{}>\n<tr>", wraps_ ? " class=\"long\"" : "");
+    for (const std::string& column : columns_) out += "<th>" + escaped(column) + "</th>";
+    out += "</tr>\n";
+    for (const auto& row : rows_) {
+        out += "<tr>";
+        for (const std::string& cell : row) out += "<td>" + (cell.empty() ? "–" : escaped(cell)) + "</td>";
+        out += "</tr>\n";
+    }
+    return out + "</table></div>\n";
+}
+
+std::string figure(const Drawing& drawing, const std::string& caption, bool wide) {
+    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", wide ? " class=\"wide\"" : "",
+                       image(drawing, caption), escaped(caption));
+}
+
+std::string section(const std::string& id, const std::string& heading, const std::string& content) {
+    return fmt::format("<h2 id=\"{}\">{}</h2>\n{}", id, escaped(heading), content);
+}
+
+std::string paragraph(const std::string& text) { return "<p>" + escaped(text) + "</p>\n"; }
+
+std::string page(const std::string& title, const std::string& body) {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, "
+        "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+        escaped(title), style, body);
+}
+
+std::string number(double value, int digits) {
+    if (!std::isfinite(value)) return "";
+    // No powers of ten for a deviation of 113 at two digits.
+    if (std::abs(value) >= std::pow(10, digits) && std::abs(value) < 1e7) return fmt::format("{:.0f}", value);
+    return format_number(value == 0 ? 0.0 : value, digits);
+}
+
+}  // namespace graincrack::html

@@ -1,0 +1,228 @@
+#include "post/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <numbers>
+
+#include "post/cracks/rosette.hpp"
+#include "post/cracks/run_state.hpp"
+#include "post/picture/plot_cracks.hpp"
+#include "post/picture/plot_curve.hpp"
+#include "post/picture/plot_energy.hpp"
+#include "post/picture/plot_envelope.hpp"
+#include "post/picture/plot_rosette.hpp"
+#include "post/picture/plot_specimen.hpp"
+#include "post/picture/plot_thresholds.hpp"
+#include "post/report/comparison.hpp"
+#include "post/report/html.hpp"
+#include "post/report/test_report.hpp"
+#include "post/report/trust.hpp"
+#include "post/same_material.hpp"
+#include "post/strength_summary.hpp"
+#include "post/test_words.hpp"
+#include "share/error.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+using html::number;
+
+/// Everything the page is made of.
+struct Content {
+    std::vector<TestReport> tests;
+    std::string mesh;  ///< figures of specimens
+    std::string maps;  ///< figures of the first run of each series
+    std::optional<Envelope> envelope;
+    std::optional<EnvelopeTests> envelope_tests;
+    std::string envelope_note;
+};
+
+std::string map_figures(const RunReader& run, const TestReport& t, const Specimen& specimen) {
+    const std::string name = series_words(t.data.header.test, t.data.header.confining_pressure);
+    std::string figures;
+    if (run.n_frames() > 0) {
+        figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1}),
+                                name + ": cracks before, at and after the peak (" + t.data.name + ")", true);
+    }
+    const std::vector<Crack> cracks = read_cracks(run, specimen);
+    if (!cracks.empty()) {
+        figures += html::figure(draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name),
+                                name + ": directions of the cracks by the end");
+    }
+    figures += html::figure(draw_energy(t.data), name + ": energy ledger");
+    if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data), name + ": thresholds");
+    return figures;
+}
+
+/// The envelope of the compression tests, if they are there and have peaks; else why not.
+void add_envelope(Content& content, CappedRuns capped_runs) {
+    std::vector<RunData> runs;
+    for (const TestReport& t : content.tests) runs.push_back(t.data);
+    try {
+        EnvelopeTests tests = collect_envelope_tests(runs, capped_runs);
+        content.envelope = fit_envelope(tests.confining(), tests.strength());
+        content.envelope_tests = std::move(tests);
+    } catch (const InputError& error) {
+        content.envelope_note = std::string("No envelope: ") + error.what() + ".";
+    }
+}
+
+Content read_content(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
+    Content content;
+    std::map<std::string, bool> seen;
+    Progress progress("report", verbosity);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        throw_if_interrupted();
+        const RunReader run(runs[i]);
+        content.tests.push_back(read_test_report(run));
+        const TestReport& t = content.tests.back();
+        require_same_material(t.data, content.tests.front().data, "a report");
+        const Specimen specimen = run.specimen();
+        if (!seen[specimen.shape]) {
+            seen[specimen.shape] = true;
+            content.mesh += html::figure(draw_specimen(specimen), specimen.shape + " of " + t.data.name);
+        }
+        const std::string series = series_words(t.data.header.test, t.data.header.confining_pressure);
+        if (!seen[series]) {
+            seen[series] = true;
+            content.maps += map_figures(run, t, specimen);
+        }
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
+    }
+    progress.finish();
+    add_envelope(content, options.capped_runs);
+    return content;
+}
+
+std::vector<RunData> data_of(const Content& content) {
+    std::vector<RunData> runs;
+    for (const TestReport& t : content.tests) runs.push_back(t.data);
+    return runs;
+}
+
+std::string key_figures(const Content& content) {
+    html::Table table({"test", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
+    for (const StrengthGroup& g : group_strengths(data_of(content))) {
+        const Estimate& mean = g.strength.mean;
+        table.row({series_words(g.test, g.confining_pressure), std::to_string(g.strength.n),
+                   number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
+                   mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.capped),
+                   g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});
+    }
+    return table.str();
+}
+
+std::string run_table(const Content& content) {
+    html::Table table({"run", "test", "seed", "grains", "mean edge, mm", "strength, MPa", "ended by", "strain at peak, %",
+                       "first yield, MPa", "E, GPa", "ν", "E predicted", "ν predicted"});
+    for (const TestReport& t : content.tests) {
+        table.row({t.data.name, series_words(t.data.header.test, t.data.header.confining_pressure),
+                   std::to_string(t.data.specimen.seed), std::to_string(t.data.specimen.grains),
+                   number(t.data.specimen.mean_edge * 1e3, 3), number(t.strength.value() * 1e-6), t.strength.peak_kind,
+                   number(100 * t.strength.strain_at_peak, 3),
+                   t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
+                   t.moduli ? number(t.moduli->chord.young_modulus * 1e-9) : "",
+                   t.moduli ? number(t.moduli->chord.poisson_ratio, 3) : "", number(t.predicted.young_modulus * 1e-9),
+                   number(t.predicted.poisson_ratio, 3)});
+    }
+    return table.str();
+}
+
+/// Tests whose stresses mean the same share a chart.
+std::string curve_figures(const Content& content) {
+    std::map<std::string, std::vector<RunData>> kinds;
+    for (const TestReport& t : content.tests) {
+        kinds[is_compression(t.data.header) ? "compression" : t.data.header.test].push_back(t.data);
+    }
+    std::string figures;
+    for (const auto& [kind, runs] : kinds) figures += html::figure(draw_curves(runs), "stress and strain: " + kind);
+    return figures;
+}
+
+std::string envelope_section(const Content& content) {
+    if (!content.envelope) return html::paragraph(content.envelope_note);
+    return html::figure(draw_envelope(*content.envelope_tests, content.tests.front().data.header.material),
+                        "Mohr circles and envelopes", true);
+}
+
+std::string parameter_table(const RunHeader& h) {
+    html::Table table({"parameter", "value"});
+    const auto add = [&](const char* words, double value, Dimension dimension) {
+        table.row({words, format_quantity(value, dimension)});
+    };
+    add("E of the grains", h.rock.young_modulus, Dimension::stress);
+    add("ν of the grains", h.rock.poisson_ratio, Dimension::one);
+    add("density", h.rock.density, Dimension::density);
+    add("K_IC", h.rock.mode_i_toughness, Dimension::toughness);
+    add("K_IIC", h.rock.mode_ii_toughness, Dimension::toughness);
+    add("tensile strength of the rock", h.rock.tensile_strength, Dimension::stress);
+    add("contact tensile strength tc", h.contact.tensile_strength, Dimension::stress);
+    add("contact cohesion cc", h.contact.cohesion, Dimension::stress);
+    add("contact friction angle φc", h.contact.friction_angle, Dimension::angle);
+    add("contact normal stiffness kt", h.contact.normal_stiffness, Dimension::stiffness);
+    add("contact shear stiffness ks", h.contact.shear_stiffness, Dimension::stiffness);
+    add("fracture energy Gf", h.contact.fracture_energy, Dimension::fracture_energy);
+    add("critical opening δct", h.contact.critical_opening, Dimension::length);
+    add("critical sliding δcs", h.contact.critical_sliding, Dimension::length);
+    add("ultimate opening δut", h.contact.ultimate_opening, Dimension::length);
+    add("platen friction", h.platen_friction, Dimension::angle);
+    table.row({"contact law, coupling, fracture energy", h.contact_law + ", " + h.coupling + ", " + h.fracture_energy_choice});
+    return table.str();
+}
+
+/// Contacts follow the plane condition: one table for each.
+std::string parameters(const Content& content) {
+    std::map<std::string_view, const TestReport*> planes;
+    for (const TestReport& t : content.tests) planes.emplace(name_of(t.data.header.plane), &t);
+    std::string out = "<div class=\"columns\">\n";
+    for (const auto& [plane, test] : planes) {
+        out += "<div><h3>plane " + html::escaped(std::string(plane)) + "</h3>" + parameter_table(test->data.header) + "</div>\n";
+    }
+    return out + "</div>\n";
+}
+
+std::string provenance(const Content& content) {
+    html::Table table({"run", "what", "value"}, true);
+    for (const TestReport& t : content.tests) {
+        std::string name = t.data.name;
+        for (const auto& [what, value] : t.provenance) {
+            table.row({name.empty() ? " " : name, what, value});
+            name.clear();
+        }
+    }
+    return table.str();
+}
+
+std::string figures(const std::string& content) { return "<div class=\"figures\">\n" + content + "</div>\n"; }
+
+}  // namespace
+
+std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
+    std::optional<Material> material;
+    if (!options.material.empty()) material = read_material(options.material);
+    const Content content = read_content(runs, options, verbosity);
+    const RunHeader& header = content.tests.front().data.header;
+    const std::string title =
+        runs.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
+    std::string body = "<h1>" + html::escaped(title) +
+                       "</h1>\n<p class=\"lead\">Numerical tests by Graincrack, grain by grain; "
+                       "contact law " +
+                       html::escaped(header.contact_law) + ". Strengths positive; counts of micro-cracks are contacts.</p>\n";
+    body += html::section("figures", "Key figures", key_figures(content) + run_table(content));
+    body += html::section("columns", "Fitted and predicted", comparison_columns(content.tests, content.envelope, material));
+    body += html::section("trust", "What to trust", trust_block(content.tests));
+    body += html::section("curves", "Curves", figures(curve_figures(content)));
+    body += html::section("envelope", "Envelope", envelope_section(content));
+    body += html::section("maps", "Cracks, directions, energy, thresholds", figures(content.maps));
+    body += html::section("mesh", "Specimens", figures(content.mesh));
+    body += html::section("inputs", "Parameters", parameters(content));
+    body += html::section("provenance", "Provenance", provenance(content));
+    return html::page(title, body);
+}
+
+}  // namespace graincrack

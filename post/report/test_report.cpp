@@ -1,0 +1,77 @@
+#include "post/report/test_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+#include <numbers>
+
+#include "post/cracks/run_state.hpp"
+#include "share/h5_file.hpp"
+#include "share/schema.hpp"
+
+namespace graincrack {
+
+namespace {
+
+ProvenanceWords provenance_of(const H5Input& file) {
+    const char* group = schema::provenance_group;
+    ProvenanceWords words;
+    if (!file.has(group)) return words;
+    const auto text = [&](const char* name) {
+        if (file.has_attribute(group, name)) words.emplace_back(name, file.attribute<std::string>(group, name));
+    };
+    const auto list = [&](const char* name) {
+        if (!file.has_attribute(group, name)) return;
+        words.emplace_back(name, fmt::format("{}", fmt::join(file.attribute<std::vector<std::string>>(group, name), " ")));
+    };
+    for (const char* name : {"tool", "version", "commit", "utc_time", "input_digest"}) text(name);
+    list("command_line");
+    list("libraries");
+    return words;
+}
+
+}  // namespace
+
+FailureBranches count_branches(const std::vector<Crack>& cracks) {
+    FailureBranches branches;
+    for (const Crack& crack : cracks) {
+        (crack.mode == CrackMode::tensile ? branches.open : branches.closed) += 0.5;
+        if (crack.mode_angle < std::numbers::pi / 4) {
+            branches.by_tension += 0.5;
+        } else if (crack.mode_angle <= std::numbers::pi / 2) {
+            branches.by_shear += 0.5;
+        } else {
+            branches.compressed += 0.5;
+        }
+        if (crack.time_separated < std::numeric_limits<double>::infinity()) branches.separated += 0.5;
+    }
+    return branches;
+}
+
+TestReport read_test_report(const RunReader& run) {
+    TestReport report;
+    report.data = run_data(run);
+    report.curve = load_curve(report.data);
+    report.strength = measure_strength(report.data);
+    report.moduli = measure_moduli(report.data);
+    const Specimen specimen = run.specimen();
+    const std::vector<Crack> cracks = read_cracks(run, specimen);
+    const RunHeader& header = report.data.header;
+    report.predicted = predict_moduli(header, specimen);
+    if (is_compression(header)) {
+        report.thresholds = measure_thresholds(report.curve, VolumeKind::plane);
+        report.initiation = initiation_by_count(report.data, report.curve);
+    }
+    if (header.test == "brazilian") report.split = measure_split(report.data, report.curve, specimen, cracks);
+    const auto& times = report.data.history[HistoryColumn::time];
+    report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
+    report.at_end = balance_cracks(cracks, times.back());
+    report.branches = count_branches(cracks);
+    report.contact_zone_length =
+        fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);
+    report.provenance = provenance_of(run.file());
+    return report;
+}
+
+}  // namespace graincrack

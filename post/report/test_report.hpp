@@ -1,0 +1,51 @@
+// What a report knows of one run after a single pass over its file.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/brazilian.hpp"
+#include "post/cracks/crack_summary.hpp"
+#include "post/load_curve.hpp"
+#include "post/moduli.hpp"
+#include "post/strength.hpp"
+#include "post/thresholds.hpp"
+
+namespace graincrack {
+
+/// Contacts (points ÷ 2) failed by the end, by branch of the law and by what drove them.
+struct FailureBranches {
+    double open = 0;        ///< failed while open (mode tensile)
+    double closed = 0;      ///< failed while closed (mode shear)
+    double by_tension = 0;  ///< mode angle below 45°: |τ| < σn
+    double by_shear = 0;    ///< mode angle from 45° to 90°, still under tension
+    double compressed = 0;  ///< mode angle above 90°
+    double separated = 0;
+};
+FailureBranches count_branches(const std::vector<Crack>& cracks);
+
+/// Where a file comes from, as it says itself; empty for what it does not tell.
+using ProvenanceWords = std::vector<std::pair<std::string, std::string>>;
+
+struct TestReport {
+    RunData data;
+    LoadCurve curve;
+    Strength strength;
+    std::optional<Moduli> moduli;
+    fpz::AssemblageModuli predicted;
+    std::optional<Thresholds> thresholds;  ///< 2D, compression tests
+    std::optional<double> initiation;      ///< by crack count, Pa
+    std::optional<BrazilianSplit> split;
+    CrackBalance at_peak;
+    CrackBalance at_end;
+    FailureBranches branches;
+    double contact_zone_length = 0;  ///< m
+    ProvenanceWords provenance;
+};
+
+/// \throws InputError as its parts
+TestReport read_test_report(const RunReader& run);
+
+}  // namespace graincrack

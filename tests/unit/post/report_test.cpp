@@ -1,0 +1,118 @@
+#include "post/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "post/picture/picture.hpp"
+#include "post/report/html.hpp"
+#include "post/report/test_report.hpp"
+#include "share/error.hpp"
+#include "synthetic_run.hpp"
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+class Report : public ::testing::Test {
+protected:
+    std::string run(const std::string& name, const test::Recipe& recipe) {
+        test::write_run(folder_.file(name), recipe);
+        return folder_.file(name);
+    }
+    test::Recipe recipe(const std::string& test, double peak, double confining = 0) {
+        test::Recipe r;
+        r.test = test;
+        r.peak = peak;
+        r.confining_pressure = confining;
+        if (test == "brazilian") r.plane = PlaneCondition::stress;
+        return r;
+    }
+    std::string page(const std::vector<std::string>& runs, const ReportOptions& options = {}) {
+        return make_report(runs, options, Verbosity::quiet);
+    }
+    static void expect_words(const std::string& page, const std::vector<std::string>& words) {
+        for (const std::string& each : words) EXPECT_NE(page.find(each), std::string::npos) << each;
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
+    const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
+                                   run("b.h5", recipe("brazilian", 9e6))},
+                                  {"augig-granite", CappedRuns::refuse});
+    for (const char* id : {"figures", "columns", "trust", "curves", "envelope", "maps", "mesh", "inputs", "provenance"}) {
+        expect_words(html, {"<h2 id=\"" + std::string(id) + "\">"});
+    }
+    // Namespaces of SVG are names, not addresses that are fetched.
+    EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=\"(?!data:|#)")));
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+    EXPECT_EQ(html.find("@import"), std::string::npos);
+    // Laboratory: σt 8.8, UCS 122 MPa.
+    expect_words(html, {"<td>8.8</td><td>+2.3 %</td>", "<td>122</td><td>-1.6 %</td>", "Mohr–Coulomb", "13.3", "no potential",
+                        "0.2 %", "Density 2650 kg/m³"});
+    EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
+    EXPECT_EQ(html.find(">nan"), std::string::npos);
+}
+
+TEST_F(Report, OneTestHasNoEnvelopeAndSaysWhy) {
+    const std::string html = page({run("u.h5", recipe("uniaxial", 120e6))});
+    expect_words(html, {"<h1>Uniaxial compression, Augig granite</h1>", "No envelope: ", "one confining pressure"});
+}
+
+TEST_F(Report, RunsWithoutAPeakAreNamedSo) {
+    test::Recipe capped = recipe("uniaxial", 120e6);
+    capped.drop = 0;
+    capped.stop_reason = "strain cap";
+    expect_words(page({run("u.h5", capped)}), {"1 of 1 runs reached no peak", "<td>cap</td>"});
+}
+
+TEST_F(Report, AMissingFileIsOneLine) {
+    const std::string first = run("u.h5", recipe("uniaxial", 120e6));
+    test::expect_one_line<InputError>([&] { (void)page({first, folder_.file("none.h5")}); }, {"none.h5"});
+}
+
+TEST(ReportHtml, TextIsEscapedAndEmptyCellsAreDashes) {
+    html::Table table({"a<b"});
+    table.row({"x & \"y\""});
+    table.row({""});
+    const std::string text = table.str();
+    EXPECT_NE(text.find("<th>a&lt;b</th>"), std::string::npos);
+    EXPECT_NE(text.find("<td>x &amp; &quot;y&quot;</td>"), std::string::npos);
+    EXPECT_NE(text.find("<td>–</td>"), std::string::npos);
+    EXPECT_EQ(html::number(std::nan("")), "");
+    EXPECT_EQ(html::number(-0.0), "0");
+    EXPECT_EQ(html::number(113.4, 2), "113");
+    EXPECT_EQ(html::number(0.01234, 2), "0.012");
+}
+
+TEST(ReportHtml, PicturesOfManyShapesArePng) {
+    Drawing drawing(40, 30);
+    drawing.rectangle({0, 0}, {40, 30}, palette::grain);
+    EXPECT_NE(html::figure(drawing, "few").find("<svg"), std::string::npos);
+    for (int i = 0; i < 3000; ++i) drawing.rectangle({1, 1}, {2, 2}, palette::tensile);
+    const std::string figure = html::figure(drawing, "many");
+    EXPECT_NE(figure.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);  // the signature of PNG
+    // 4 characters for 3 bytes, padded
+    const std::size_t from = figure.find("base64,") + 7;
+    EXPECT_EQ(figure.find('"', from) - from, (png_bytes(drawing).size() + 2) / 3 * 4);
+}
+
+TEST(ReportBranches, CountsByModeAndByAngle) {
+    std::vector<Crack> cracks(3);
+    cracks[0].mode_angle = 0.2;
+    cracks[1].mode_angle = 1.2;
+    cracks[2].mode_angle = 2.0;
+    cracks[2].mode = CrackMode::shear;
+    cracks[2].time_separated = 1;
+    const FailureBranches b = count_branches(cracks);
+    EXPECT_DOUBLE_EQ(b.open, 1);
+    EXPECT_DOUBLE_EQ(b.closed, 0.5);
+    EXPECT_DOUBLE_EQ(b.by_tension, 0.5);
+    EXPECT_DOUBLE_EQ(b.by_shear, 0.5);
+    EXPECT_DOUBLE_EQ(b.compressed, 0.5);
+    EXPECT_DOUBLE_EQ(b.separated, 0.5);
+}
+
+}  // namespace
+}  // namespace graincrack
