@@ -32,6 +32,9 @@ double strength_of(const RunHeader& h) {
     return h.test == name_of(TestKind::brazilian) ? 2 / std::numbers::pi * h.peak_axial_stress : h.peak_axial_stress;
 }
 
+/// Ledger residual over the largest stored energy up to which a run is beyond doubt.
+constexpr double trusted_residual = 0.005;
+
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
     fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; strength {:.2f} MPa; micro-cracks {} tensile, {} shear\n", h.test,
@@ -41,6 +44,13 @@ void print_summary(const SimulationSummary& s) {
         "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work\n",
         h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share);
     fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns a grain-step\n", h.test, s.wall_time, s.ns_per_grain_step);
+    if (h.ledger_residual > trusted_residual) {
+        fmt::print(
+            stderr,
+            "{}: warning: the energy balance is off by {:.1f} % of the stored energy, more than {:.1f} %: take results after "
+            "that with care (`history`, ledger_residual), or use another --contact-law, --mass-scaling none or a slower --rate\n",
+            h.test, 100 * h.ledger_residual, 100 * trusted_residual);
+    }
 }
 
 int solve(int argc, char** argv) {

@@ -8,7 +8,7 @@
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/mass_scaling.hpp"
-#include "solver/touch_search.hpp"
+#include "solver/touch_list.hpp"
 
 namespace graincrack {
 

@@ -1,57 +1,16 @@
-#include "solver/touch_search.hpp"
-
+// The search: cells over exposed edges, and the pairs near each other.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 
 #include "solver/state.hpp"
-#include "solver/step.hpp"
+#include "solver/touch_list.hpp"
 
 namespace graincrack {
 namespace {
 
-constexpr double buffer = 0.04;          // of the mean edge: pairs nearer than this are listed
-constexpr double hand_over = 0.005;      // of a contact's length: sliding or opening from which on it is released
-constexpr std::int64_t most_steps = 64;  // between two looks
-constexpr std::int64_t least_steps = 4;
-constexpr double wary = 8;  // times as far as the fastest node goes until then: so near a pair is watched
-constexpr std::int32_t groups_per_block = 32;
-
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
-
-/// Contacts that lost their cohesion since the last look. \return whether there are any
-bool find_bare(const Assemblage& a, const ContactLaw& law, State& s) {
-    bool found = false;
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.bare[c] == 0 && s.failed[2 * c] != 0 && s.failed[2 * c + 1] != 0 &&
-            damage(law, history_of(s, 2 * c)) >= 1 && damage(law, history_of(s, 2 * c + 1)) >= 1) {
-            s.touches.bare[c] = 1;
-            found = true;
-        }
-    }
-    return found;
-}
-
-/// Contacts without cohesion that have moved far. Where touches are softer than contacts only those that carry nothing.
-std::vector<std::int32_t> find_movers(const Assemblage& a, bool only_open, const State& s) {
-    std::vector<std::int32_t> movers;
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.bare[c] == 0 || s.touches.released[c] != 0) {
-            continue;
-        }
-        const double far = hand_over * 2 * a.contacts[c].point_area;
-        const double moved =
-            only_open
-                ? std::min(s.opening[2 * c], s.opening[2 * c + 1])
-                : std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
-        if (moved > far) {
-            movers.push_back(static_cast<std::int32_t>(c));
-        }
-    }
-    return movers;
-}
 
 /// Nodes that are tied to each other by contacts that have not been released, at a vertex of the specimen: the smallest node of
 /// the group each belongs to.
@@ -152,10 +111,10 @@ private:
     std::vector<std::int32_t> begin_, edges_;
 };
 
-/// All pairs of an exposed node and an exposed edge of another grain it is not tied to, nearer than the buffer.
-std::vector<TouchPair> find_pairs(const Assemblage& a, const State& s) {
+}  // namespace
+
+std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const State& s) {
     const Outline& outline = a.outline;
-    const double margin = buffer * outline.mean_length;
     std::vector<std::int32_t> edges;
     std::vector<Box> boxes;
     std::vector<std::uint8_t> is_exposed_node(a.position.size(), 0);
@@ -198,252 +157,6 @@ std::vector<TouchPair> find_pairs(const Assemblage& a, const State& s) {
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
-}
-
-/// Touches of the pairs that were listed before; one whose pair is listed no more (its node flew off) ends.
-std::vector<Touch> keep_touches(const std::vector<TouchPair>& pairs, const ContactLaw& law, TouchList& list) {
-    std::vector<Touch> touches(pairs.size());
-    for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        const auto it = std::lower_bound(pairs.begin(), pairs.end(), list.pairs[i]);
-        if (it != pairs.end() && *it == list.pairs[i]) {
-            touches[it - pairs.begin()] = list.touches[i];
-        } else if (list.touches[i].active) {
-            list.friction_before += touch_energy(law, list.touches[i]);
-        }
-    }
-    return touches;
-}
-
-/// Pairs of one node each.
-std::vector<Range> group_pairs(const std::vector<TouchPair>& pairs) {
-    std::vector<Range> groups;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(pairs.size()); ++i) {
-        if (i == 0 || pairs[i].node != pairs[i - 1].node) {
-            groups.push_back({i, i});
-        }
-        ++groups.back().end;
-    }
-    return groups;
-}
-
-void search(const Assemblage& a, const ContactLaw& law, State& s) {
-    TouchList& list = s.touches;
-    std::vector<TouchPair> pairs = find_pairs(a, s);
-    list.touches = keep_touches(pairs, law, list);
-    list.pairs = std::move(pairs);
-    list.forces.assign(3 * list.pairs.size(), Vector2{});
-    list.groups = group_pairs(list.pairs);
-    list.displacement_at_search = s.displacement;
-}
-
-/// How far a node has to go to stand behind an edge, away from its ends, m; not above 0 where it does.
-double clearance(const TouchGeometry& g) {
-    const double to_zone = std::max(touch_end_zone - g.place, g.place - 1 + touch_end_zone) / g.inv_length;
-    return std::max(-g.depth, to_zone);
-}
-
-/// Groups that touch, or whose node may come behind one of their edges by going `reach`; the forces of the others are nil.
-std::vector<std::int32_t> find_awake(const Assemblage& a, double reach, State& s) {
-    TouchList& list = s.touches;
-    std::vector<std::int32_t> awake;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(list.groups.size()); ++i) {
-        const Range pairs = list.groups[i];
-        const Vector2 node = place_of(a, s, list.pairs[pairs.begin].node);
-        bool is_awake = false;
-        for (std::int32_t p = pairs.begin; p < pairs.end && !is_awake; ++p) {
-            const auto& [first, second] = a.outline.edges[list.pairs[p].edge].nodes;
-            is_awake =
-                list.touches[p].active || clearance(touch_geometry(node, place_of(a, s, first), place_of(a, s, second))) < reach;
-        }
-        if (is_awake) {
-            awake.push_back(i);
-        } else {
-            std::fill(list.forces.begin() + 3 * static_cast<std::ptrdiff_t>(pairs.begin),
-                      list.forces.begin() + 3 * static_cast<std::ptrdiff_t>(pairs.end), Vector2{});
-        }
-    }
-    return awake;
-}
-
-/// Where the forces of the awake pairs on each node are found.
-void arrange_gathers(const Assemblage& a, TouchList& list) {
-    std::vector<std::pair<std::int32_t, std::int32_t>> slots;  // node, slot
-    for (const std::int32_t group : list.awake) {
-        for (std::int32_t i = list.groups[group].begin; i < list.groups[group].end; ++i) {
-            const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
-            slots.emplace_back(list.pairs[i].node, 3 * i);
-            slots.emplace_back(edge.nodes[0], 3 * i + 1);
-            slots.emplace_back(edge.nodes[1], 3 * i + 2);
-        }
-    }
-    std::sort(slots.begin(), slots.end());
-    list.gathers.clear();
-    list.gathered_slots.clear();
-    for (const auto& [node, slot] : slots) {
-        if (list.gathers.empty() || list.gathers.back().node != node) {
-            const auto at = static_cast<std::int32_t>(list.gathered_slots.size());
-            list.gathers.push_back({node, {at, at}});
-        }
-        list.gathered_slots.push_back(slot);
-        ++list.gathers.back().slots.end;
-    }
-    list.gathers_of_block.clear();
-    std::int32_t at = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
-        Range range{at, at};
-        while (range.end < static_cast<std::int32_t>(list.gathers.size()) && list.gathers[range.end].node < block.nodes.end) {
-            ++range.end;
-        }
-        at = range.end;
-        list.gathers_of_block.push_back(range);
-    }
-}
-
-/// Chooses what the steps up to the next look work on.
-void wake(const Assemblage& a, double reach, State& s) {
-    TouchList& list = s.touches;
-    list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
-    list.awake = find_awake(a, reach, s);
-    list.blocks.clear();
-    const auto n = static_cast<std::int32_t>(list.awake.size());
-    for (std::int32_t i = 0; i < n; i += groups_per_block) {
-        list.blocks.push_back({i, std::min(i + groups_per_block, n)});
-    }
-    list.friction.assign(list.blocks.size(), 0.0);
-    arrange_gathers(a, list);
-}
-
-/// The area each listed node can still take: what its bonds had at the start, which the stable step knows of, less what its
-/// bonds and touches take now. Many corners on the end of one edge would be stiffer together than any bond was.
-void find_room(const Assemblage& a, TouchList& list) {
-    list.room.resize(a.position.size());
-    for (const TouchGather& gather : list.gathers) {
-        double room = 2 * a.outline.tributary[gather.node];
-        for (std::int32_t k = a.outline.edge_begin[gather.node]; k < a.outline.edge_begin[gather.node + 1]; ++k) {
-            const std::int32_t contact = a.outline.edges[a.outline.edges_of_node[k]].contact;
-            room -= contact >= 0 && list.released[contact] == 0 ? a.contacts[contact].point_area : 0.0;
-        }
-        list.room[gather.node] = room;
-    }
-    for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        if (list.touches[i].active) {
-            list.room[list.pairs[i].node] -= list.touches[i].area;
-            const auto& [first, second] = a.outline.edges[list.pairs[i].edge].nodes;
-            list.room[list.touches[i].near_first ? first : second] -= list.touches[i].area;
-        }
-    }
-}
-
-/// Forces of all touches in the present displacements, without moving them.
-void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
-    for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
-        if (s.touches.touches[i].active) {
-            const OutlineEdge& edge = a.outline.edges[s.touches.pairs[i].edge];
-            const TouchGeometry g = touch_geometry(place_of(a, s, s.touches.pairs[i].node), place_of(a, s, edge.nodes[0]),
-                                                   place_of(a, s, edge.nodes[1]));
-            const TouchForces forces = touch_forces(law, s.touches.touches[i], g);
-            s.touches.forces[3 * i] = forces.on_node;
-            s.touches.forces[3 * i + 1] = forces.on_first;
-            s.touches.forces[3 * i + 2] = forces.on_second;
-        }
-    }
-}
-
-/// What a point of a released contact carried, as a touch of a node and an edge that face each other.
-struct HandOver {
-    std::int32_t contact, point;
-    double pressing, stretch;  ///< m
-};
-
-/// Takes the tractions off contacts that are released.
-std::vector<HandOver> take_over(const ContactLaw& law, const std::vector<std::int32_t>& movers, State& s) {
-    std::vector<HandOver> carried;
-    for (const std::int32_t c : movers) {
-        s.touches.released[c] = 1;
-        for (std::int32_t p = 0; p < 2; ++p) {
-            const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
-            const ContactHistory h = history_of(s, point);
-            if (h.motion.opening < 0) {
-                carried.push_back({c, p, -h.motion.opening, update_contact(law, h.motion, h).traction.shear / law.ks});
-            }
-        }
-        std::fill_n(s.contact_force.begin() + 4 * static_cast<std::ptrdiff_t>(c), 4, Vector2{});
-    }
-    return carried;
-}
-
-void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s) {
-    TouchList& list = s.touches;
-    for (const HandOver& h : carried) {
-        const ContactGeometry& contact = a.contacts[h.contact];
-        // Of the two nodes of the point one is over the other grain's edge; of two, the one that is farther from its ends.
-        std::ptrdiff_t best = -1;
-        double inside = -std::numeric_limits<double>::max();
-        double depth = 0;
-        double place = 0;
-        for (std::int32_t side = 0; side < 2; ++side) {
-            const std::int32_t node = contact.nodes[2 * (1 - side) + h.point];
-            const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), TouchPair{node, 2 * h.contact + side});
-            if (it == list.pairs.end() || *it != TouchPair{node, 2 * h.contact + side}) {
-                continue;
-            }
-            const OutlineEdge& edge = a.outline.edges[it->edge];
-            const TouchGeometry g =
-                touch_geometry(place_of(a, s, node), place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]));
-            const double margin = std::min(g.place, 1 - g.place);
-            if (margin > inside) {
-                inside = margin;
-                best = it - list.pairs.begin();
-                depth = g.depth;
-                place = g.place;
-            }
-        }
-        if (best >= 0) {
-            list.touches[best] = {true, false, place < 0.5, contact.point_area, depth - h.pressing, h.pressing, h.stretch, 0.0};
-        }
-    }
-}
-
-}  // namespace
-
-TouchList make_touch_list(const Assemblage& a) {
-    TouchList list;
-    list.bare.assign(a.contacts.size(), 0);
-    list.released.assign(a.contacts.size(), 0);
-    list.gathers_of_block.assign(a.grain_blocks.size(), Range{});
-    return list;
-}
-
-void look_after_touches(const Assemblage& a, const StepParameters& parameters, State& s) {
-    TouchList& list = s.touches;
-    const ContactLaw law = touch_law(parameters);
-    bool must_search = find_bare(a, parameters.law, s);
-    const std::vector<std::int32_t> movers = find_movers(a, parameters.touch_share < 1, s);
-    must_search = must_search || !movers.empty() || list.displacement_at_search.empty();
-    // How far nodes have gone since the last search, and how fast they go now.
-    double gone = 0;
-    double fastest = 0;
-    for (std::size_t i = 0; i < s.velocity.size(); ++i) {
-        if (!must_search) {
-            const Vector2 way = s.displacement[i] - list.displacement_at_search[i];
-            gone = std::max(gone, dot(way, way));
-        }
-        fastest = std::max(fastest, dot(s.velocity[i], s.velocity[i]));
-    }
-    const double step_way = std::sqrt(fastest) * parameters.time_step;
-    const double allowed = 0.5 * buffer * a.outline.mean_length;  // two nodes may go towards each other
-    must_search = must_search || std::sqrt(gone) + static_cast<double>(most_steps) * step_way > allowed;
-    if (must_search) {
-        const std::vector<HandOver> carried = take_over(parameters.law, movers, s);
-        search(a, law, s);
-        hand_on(a, carried, s);
-        refresh_forces(a, law, s);
-        gone = 0;
-    }
-    wake(a, wary * static_cast<double>(most_steps) * step_way, s);
-    find_room(a, list);
-    const double steps = step_way > 0 ? 0.5 * (allowed - std::sqrt(gone)) / step_way : static_cast<double>(most_steps);
-    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), least_steps, most_steps);
 }
 
 }  // namespace graincrack

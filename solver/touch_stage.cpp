@@ -6,7 +6,7 @@
 
 #include "solver/state.hpp"
 #include "solver/step.hpp"
-#include "solver/touch_search.hpp"
+#include "solver/touch_list.hpp"
 
 namespace graincrack {
 namespace {

@@ -50,6 +50,9 @@ struct TouchList {
     std::int64_t next_check = 0;                  ///< step
 };
 
+/// All pairs of an exposed node and an exposed edge of another grain it is not tied to, nearer than `margin` (m); ascending.
+std::vector<TouchPair> find_pairs(const Assemblage& assemblage, double margin, const State& state);
+
 /// An empty list; pre-existing cracks are found by the first search.
 TouchList make_touch_list(const Assemblage& assemblage);
 
