@@ -49,6 +49,12 @@ void history(const PostOptions& options, std::ostream& out) {
     follow_history(out, only_file(options), options.format);
 }
 
+void cracks(const PostOptions& options) {
+    CrackExportOptions own = options.crack_export;
+    own.format = options.format;
+    export_cracks(RunReader(only_file(options)), options.output, own, options.verbosity);
+}
+
 void report(const PostOptions& options) {
     write_whole_file(options.output, make_report(options.files, {options.material, options.capped_runs}, options.verbosity));
 }
@@ -84,8 +90,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
         {"size-effect", [&] { write_size_effect_table(out, read_runs(options.files), options.format, options.capped_runs); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
-        {"cracks",
-         [&] { export_cracks(RunReader(only_file(options)), options.output, options.crack_export, options.verbosity); }},
+        {"cracks", [&] { cracks(options); }},
         {"ccd", [&] { ccd_command(options, out); }},
         {"report", [&] { report(options); }},
         {"plot", [&] { write_plot(options); }},

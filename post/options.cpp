@@ -79,6 +79,7 @@ void add_maps(CLI::App& app, PostOptions& options) {
     add_files(cracks, options, "run", "run file");
     add_output(cracks, options, "folder for grains.pvd, cracks.pvd and the tables");
     add_events(cracks, options);
+    add_format(cracks, options);
 }
 
 }  // namespace

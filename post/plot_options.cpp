@@ -61,6 +61,8 @@ void add_plots(CLI::App& app, PostOptions& options) {
         add_picture(*plot, options, "curve", "stress against axial and lateral strain, several runs on one plot", "runs");
     add_names(curve, "--laboratory", options.laboratory, "FILE",
               "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
+    add_picture(*plot, options, "strength", "strengths by test with means and intervals, beside the laboratory's", "runs")
+        ->add_option("--material", options.material, "material whose laboratory values stand beside the results");
     add_maps(*plot, options);
     add_picture(*plot, options, "energy", "the energy ledger over the strain", "run");
     add_picture(*plot, options, "thresholds", "crack initiation and damage on stress and volumetric strain", "run");

@@ -19,6 +19,7 @@
 #include "post/picture/plot_rosette.hpp"
 #include "post/picture/plot_size_effect.hpp"
 #include "post/picture/plot_specimen.hpp"
+#include "post/picture/plot_strength.hpp"
 #include "post/picture/plot_surface.hpp"
 #include "post/picture/plot_thresholds.hpp"
 #include "post/test_words.hpp"
@@ -60,6 +61,12 @@ Drawing emission(const PostOptions& options) {
                          run.name());
 }
 
+Drawing strength(const PostOptions& options) {
+    std::optional<Material> material;
+    if (!options.material.empty()) material = read_material(options.material);
+    return draw_strengths(read_runs(options.files), material);
+}
+
 Drawing law(const PostOptions& options) {
     if (options.files.empty() && options.material.empty()) {
         throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
@@ -85,6 +92,7 @@ Drawing picture_of(const PostOptions& options) {
         {"rosette", [&] { return rosette(options); }},
         {"counts", [&] { return counts(options); }},
         {"emission", [&] { return emission(options); }},
+        {"strength", [&] { return strength(options); }},
         {"energy", [&] { return draw_energy(read_run_data(only_file(options))); }},
         {"thresholds", [&] { return draw_thresholds(read_run_data(only_file(options))); }},
         {"envelope", [&] { return envelope(options); }},

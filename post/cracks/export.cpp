@@ -68,11 +68,11 @@ std::optional<LoadCurve> curve_if_any(const RunData& data) {
 
 }  // namespace
 
-void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks) {
+void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format) {
     TableWriter table(out,
                       {"time_s", "step", "contact", "point", "mode", "mode_angle_rad", "x_m", "y_m", "orientation_rad",
                        "length_m", "opening_m", "sliding_m", "energy_released_J", "time_separated_s"},
-                      TableFormat::tsv);
+                      format);
     for (const Crack& c : cracks) {
         table.row({c.time, c.step, std::int64_t{c.contact}, std::int64_t{c.point},
                    std::string(c.mode == CrackMode::tensile ? "tensile" : "shear"), c.mode_angle, c.position[0], c.position[1],
@@ -98,17 +98,18 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     make_folder(folder);
     const Breakup breakup = write_frames(run, specimen, cracks, folder, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options);
-    constexpr TableFormat tsv = TableFormat::tsv;
-    const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name, write); };
-    table("cracks.tsv", [&](std::ostream& out) { write_crack_table(out, cracks); });
-    table("rosette.tsv", [&](std::ostream& out) { write_rosette(out, crack_rosette(cracks, specimen), tsv); });
-    table("events.tsv", [&](std::ostream& out) { write_events(out, events, tsv); });
-    table("fragments.tsv", [&](std::ostream& out) { write_fragments(out, breakup.last, tsv); });
-    table("fragment-counts.tsv", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, tsv); });
-    table("summary.tsv", [&](std::ostream& out) { write_crack_summary(out, data, curve, cracks, events, breakup.last, tsv); });
+    const TableFormat format = options.format;
+    const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
+    const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };
+    table("cracks", [&](std::ostream& out) { write_crack_table(out, cracks, format); });
+    table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(cracks, specimen), format); });
+    table("events", [&](std::ostream& out) { write_events(out, events, format); });
+    table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
+    table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
+    table("summary", [&](std::ostream& out) { write_crack_summary(out, data, curve, cracks, events, breakup.last, format); });
     if (curve) {
-        table("counts.tsv",
-              [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, cracks), tsv); });
+        table("counts",
+              [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, cracks), format); });
     }
     write_whole_file(folder + "/grains.pvd", pvd("grains", "vtu", times));
     write_whole_file(folder + "/cracks.pvd", pvd("cracks", "vtp", times));

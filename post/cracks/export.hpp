@@ -14,8 +14,9 @@ namespace graincrack {
 
 /// What `cracks` may be told; unset values are `default_window`'s.
 struct CrackExportOptions {
-    std::optional<double> event_distance;  ///< m
-    std::optional<double> event_time;      ///< s
+    std::optional<double> event_distance;   ///< m
+    std::optional<double> event_time;       ///< s
+    TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
@@ -28,7 +29,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
                                        const CrackExportOptions& options);
 
-/// The catalogue as TSV, every column with its unit.
-void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks);
+/// The catalogue, every column with its unit.
+void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format);
 
 }  // namespace graincrack

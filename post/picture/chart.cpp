@@ -21,6 +21,7 @@ constexpr double title_size = 31;
 constexpr double subtitle_size = 25;
 constexpr double label_size = 30;
 constexpr double tick_size = 27;
+constexpr double name_size = 23;
 constexpr double legend_size = 26;
 constexpr double legend_line = 40;
 constexpr double legend_mark = 52;
@@ -262,7 +263,7 @@ void Chart::draw_ticks() {
     }
     for (const auto& [tick, words] : ticks) {
         drawing_.line({x_(tick), y_.from}, {x_(tick), y_.from + 8}, 1.6, palette::ink);
-        drawing_.text({{x_(tick), y_.from + 40}, words, tick_size, palette::ink, Anchor::middle});
+        drawing_.text({{x_(tick), y_.from + 40}, words, named_ticks_ ? name_size : tick_size, palette::ink, Anchor::middle});
     }
     for (const double tick : ticks_of(y_.axis, 6)) {
         drawing_.line({x_.from - 8, y_(tick)}, {x_.from, y_(tick)}, 1.6, palette::ink);

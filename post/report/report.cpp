@@ -15,6 +15,7 @@
 #include "post/picture/plot_envelope.hpp"
 #include "post/picture/plot_rosette.hpp"
 #include "post/picture/plot_specimen.hpp"
+#include "post/picture/plot_strength.hpp"
 #include "post/picture/plot_thresholds.hpp"
 #include "post/report/comparison.hpp"
 #include "post/report/html.hpp"
@@ -213,7 +214,9 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        "</h1>\n<p class=\"lead\">Numerical tests by Graincrack, grain by grain; "
                        "contact law " +
                        html::escaped(header.contact_law) + ". Strengths positive; counts of micro-cracks are contacts.</p>\n";
-    body += html::section("figures", "Key figures", key_figures(content) + run_table(content));
+    body += html::section("figures", "Key figures",
+                          key_figures(content) + html::figure(draw_strengths(data_of(content), material), "strengths by test") +
+                              run_table(content));
     body += html::section("columns", "Fitted and predicted", comparison_columns(content.tests, content.envelope, material));
     body += html::section("trust", "What to trust", trust_block(content.tests));
     body += html::section("curves", "Curves", figures(curve_figures(content)));

@@ -152,6 +152,15 @@ TEST_F(CrackMap, CatalogueAndRosetteAreTables) {
               test::field(counts, "tensile_cracks", test::parse_tsv(counts).size() - 2));
 }
 
+TEST_F(CrackMap, TablesMayBeJsonLines) {
+    CrackExportOptions options;
+    options.format = TableFormat::jsonl;
+    export_cracks(RunReader(folder_.file("run.h5")), folder_.file("json"), options, Verbosity::quiet);
+    EXPECT_EQ(test::read_text(folder_.file("json/summary.jsonl")).substr(0, 9), "{\"file\": ");
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("json/summary.tsv")));
+    EXPECT_TRUE(std::filesystem::exists(folder_.file("json/cracks.jsonl")));
+}
+
 TEST_F(CrackMap, CatalogueThatNamesMissingContactsIsRefused) {
     std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     cracks[3].contact = static_cast<std::int32_t>(recipe_.specimen.n_contacts());

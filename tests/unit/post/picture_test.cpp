@@ -19,6 +19,7 @@
 #include "post/picture/plot_law.hpp"
 #include "post/picture/plot_rosette.hpp"
 #include "post/picture/plot_specimen.hpp"
+#include "post/picture/plot_strength.hpp"
 #include "post/picture/plot_table.hpp"
 #include "post/picture/plot_thresholds.hpp"
 #include "share/error.hpp"
@@ -128,6 +129,15 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5"); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
+}
+
+TEST_F(Picture, StrengthsStandByTest) {
+    const Material material = read_material(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+    const std::vector<RunData> runs{read_run_data(path("run.h5"))};
+    const std::string svg = to_svg(draw_strengths(runs, material));
+    EXPECT_NE(svg.find("uniaxial"), std::string::npos);
+    EXPECT_NE(svg.find("laboratory"), std::string::npos);
+    EXPECT_EQ(to_svg(draw_strengths(runs, std::nullopt)).find("laboratory"), std::string::npos);
 }
 
 TEST_F(Picture, TablesAreDrawnByTheirColumns) {
