@@ -6,6 +6,7 @@
 // touches, and from there on its nodes and edges are met like all others.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
