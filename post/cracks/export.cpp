@@ -39,14 +39,23 @@ struct Breakup {
     Fragments last;
 };
 
-Breakup write_frames(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks, const std::string& folder,
-                     Verbosity verbosity) {
+/// Frames of different times: of two at one time, such as an evenly spaced one and the last, the later.
+std::vector<std::size_t> distinct_frames(const std::vector<double>& times) {
+    std::vector<std::size_t> frames;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (i + 1 == times.size() || times[i + 1] > times[i]) frames.push_back(i);
+    }
+    return frames;
+}
+
+Breakup write_frames(const RunReader& run, const std::vector<std::size_t>& frames, const Specimen& specimen,
+                     const std::vector<Crack>& cracks, const std::string& folder, Verbosity verbosity) {
     Progress progress("cracks", verbosity);
     Breakup breakup;
-    const std::size_t n = run.n_frames();
+    const std::size_t n = frames.size();
     for (std::size_t i = 0; i < n; ++i) {
         throw_if_interrupted();
-        const Frame frame = read_frame(run, specimen, i);
+        const Frame frame = read_frame(run, specimen, frames[i]);
         breakup.last = find_fragments(specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
         write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, frame, breakup.last);
@@ -89,14 +98,17 @@ std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& spe
 }
 
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity) {
-    const std::vector<double> times = run.frame_times();
-    if (times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
+    const std::vector<double> all_times = run.frame_times();
+    if (all_times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
     const Specimen specimen = run.specimen();
     const std::vector<Crack> cracks = read_cracks(run, specimen);
     const RunData data = run_data(run);
     const std::optional<LoadCurve> curve = curve_if_any(data);
+    const std::vector<std::size_t> frames = distinct_frames(all_times);
+    std::vector<double> times;
+    for (const std::size_t frame : frames) times.push_back(all_times[frame]);
     make_folder(folder);
-    const Breakup breakup = write_frames(run, specimen, cracks, folder, verbosity);
+    const Breakup breakup = write_frames(run, frames, specimen, cracks, folder, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options);
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";

@@ -43,11 +43,7 @@ double text_width(const std::string& words, double size) {
     return 0.58 * size * static_cast<double>(letters);
 }
 
-namespace {
-
-std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
-
-std::string escaped(const std::string& text) {
+std::string escape_xml(const std::string& text) {
     std::string out;
     for (char c : text) {
         switch (c) {
@@ -60,6 +56,10 @@ std::string escaped(const std::string& text) {
     }
     return out;
 }
+
+namespace {
+
+std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
 
 void append_path(std::string& path, const std::vector<Pixel>& points) {
     char command = 'M';
@@ -92,7 +92,7 @@ public:
             text.at.x, text.at.y, text.size, hex(text.colour), anchors[static_cast<std::size_t>(text.anchor)],
             text.bold ? " font-weight=\"bold\"" : "",
             text.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x, text.at.y) : "",
-            escaped(text.words));
+            escape_xml(text.words));
     }
     void end() {
         if (!path_.empty()) fmt::format_to(std::back_inserter(body_), "<path {} d=\"{}\"/>\n", style_, path_);

@@ -92,6 +92,9 @@ private:
     std::vector<Shape> shapes_;
 };
 
+/// Text as it stands in XML and HTML.
+std::string escape_xml(const std::string& text);
+
 /// The drawing as an SVG document. Neighbouring shapes of one style share a path.
 std::string to_svg(const Drawing& drawing);
 

@@ -69,19 +69,7 @@ std::string image(const Drawing& drawing, const std::string& caption) {
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
-        }
-    }
-    return out;
-}
+std::string escaped(const std::string& text) { return escape_xml(text); }
 
 std::string Table::str() const {
     std::string out = fmt::format("<div class=\"wide\"><table{}>\n<tr>", wraps_ ? " class=\"long\"" : "");

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <random>
 
 #include "post/ccd/design.hpp"
 #include "post/ccd/runs.hpp"
@@ -13,25 +12,15 @@
 #include "share/mohr_coulomb.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/normal.hpp"
 
 namespace graincrack::ccd {
 namespace {
 
+using test::Normal;
+
 const std::string table7 = std::string(GRAINCRACK_TEST_DATA) + "/table7.csv";
 constexpr double degrees = 180 / std::numbers::pi;
-
-/// Normal numbers that are the same everywhere.
-class Normal {
-public:
-    double operator()() {
-        const double u = (static_cast<double>(engine_()) + 1) / 4294967297.0;
-        const double v = static_cast<double>(engine_()) / 4294967296.0;
-        return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
-    }
-
-private:
-    std::mt19937 engine_{20140435};
-};
 
 struct Table7 {
     TableFile table{table7};
@@ -174,7 +163,7 @@ TEST(CcdSolve, TrueBackwardEliminationMovesTheOptimum) {
 
 TEST(CcdFit, EliminationKeepsTheParentsOfWhatIsLeft) {
     const auto runs = coded_runs(2, Star::rotatable, 3);
-    Normal normal;
+    Normal normal(20140435);
     std::vector<double> response;
     for (const auto& x : runs) response.push_back(5 * x[0] * x[1] + 0.01 * normal());
     const Model reduced = eliminate_backward(Model(quadratic_terms(2), runs, response), 0.01);
@@ -209,7 +198,7 @@ TEST(CcdFit, IntervalsCoverPlantedResponses) {
     const auto runs = coded_runs(2, Star::rotatable, 5);
     const auto truth = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1] + 7 * x[1] * x[1]; };
     const std::vector<double> place{0.44, -0.53};
-    Normal normal;
+    Normal normal(20140435);
     constexpr int sets = 2000;
     int mean = 0;
     int single = 0;
@@ -234,7 +223,7 @@ TEST(CcdSolve, JointRegionCoversPlantedFactors) {
     const std::vector<double> place{0.4, -0.5};
     const auto first = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1]; };
     const auto second = [](const std::vector<double>& x) { return 67 - 5 * x[0] + 16 * x[1] - 8 * x[1] * x[1]; };
-    Normal normal;
+    Normal normal(20140435);
     constexpr int sets = 2000;
     int covered = 0;
     for (int s = 0; s < sets; ++s) {

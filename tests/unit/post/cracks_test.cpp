@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include "post/cracks/crack_counts.hpp"
@@ -11,6 +10,7 @@
 #include "post/cracks/emission.hpp"
 #include "post/cracks/fragments.hpp"
 #include "synthetic_run.hpp"
+#include "tests/support/normal.hpp"
 
 namespace graincrack {
 namespace {
@@ -144,7 +144,7 @@ TEST(Emission, DefaultWindowIsTwoEdgesAtHalfTheShearSpeed) {
 }
 
 TEST(Emission, GutenbergRichterCoversThePlantedSlope) {
-    std::mt19937 engine{20140441};
+    test::Normal random(20140441);
     constexpr double planted = 1.2;
     constexpr int sets = 2000;
     int covered = 0;
@@ -152,8 +152,7 @@ TEST(Emission, GutenbergRichterCoversThePlantedSlope) {
     for (int s = 0; s < sets; ++s) {
         std::vector<double> magnitudes{-9, -8.5};  // below the completeness: not counted
         for (int i = 0; i < 300; ++i) {
-            const double u = (static_cast<double>(engine()) + 1) / 4294967297.0;
-            magnitudes.push_back(-5 - std::log10(u) / planted);
+            magnitudes.push_back(-5 - std::log10(random.uniform()) / planted);
         }
         const auto fit = fit_gutenberg_richter(magnitudes, -5);
         ASSERT_TRUE(fit.has_value());

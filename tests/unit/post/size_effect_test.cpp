@@ -4,13 +4,13 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include "post/picture/plot_size_effect.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/normal.hpp"
 
 namespace graincrack {
 namespace {
@@ -50,12 +50,7 @@ TEST(SizeEffect, ASizeWeighsAsItsSeeds) {
 }
 
 TEST(SizeEffect, IntervalsCoverThePlantedExponent) {
-    std::mt19937 engine{20140439};
-    const auto normal = [&] {
-        const double u = (static_cast<double>(engine()) + 1) / 4294967297.0;
-        const double v = static_cast<double>(engine()) / 4294967296.0;
-        return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
-    };
+    test::Normal normal(20140439);
     constexpr int sets = 2000;
     int by_log = 0;
     int by_value = 0;
