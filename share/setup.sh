@@ -11,7 +11,7 @@ build_packages=(
 # What the tests add: their framework, and the reader that share/doc/file-format.md shows.
 test_packages=(libgtest-dev python3-h5py)
 # What the build with the other compiler adds.
-clang_packages=(clang libomp-dev)
+clang_packages=(clang)
 
 say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
 

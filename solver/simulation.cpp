@@ -13,6 +13,7 @@
 #include "solver/catalogue.hpp"
 #include "solver/measure.hpp"
 #include "solver/step.hpp"
+#include "solver/team.hpp"
 #include "solver/time_step.hpp"
 #include "solver/vector_targets.hpp"
 
@@ -122,7 +123,8 @@ public:
           state_(make_state(assemblage_, boundary_, specimen)),
           catalogue_(state_.points.size()),
           header_(make_header(request)),
-          progress_(header_.test, verbosity) {
+          progress_(header_.test, verbosity),
+          team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         header_.vector_target = vector_target();
         header_.mass_scaling_factor = mass_scaling_factor(request, assemblage_, boundary_, parameters_.law);
         parameters_.mass_scaling = make_mass_scaling(assemblage_, header_.mass_scaling_factor);
@@ -144,7 +146,7 @@ public:
             const double duration = static_cast<double>(steps_per_batch_) * parameters_.time_step;
             const BatchLoading batch =
                 loading_.next({state_.time, -last_axial_stress_, history_[HistoryColumn::unbalanced_ratio].back()}, duration);
-            advance(assemblage_, boundary_, parameters_, batch, steps_per_batch_, request_.threads, state_);
+            advance(assemblage_, boundary_, parameters_, batch, steps_per_batch_, team_, state_);
             record();
             show_progress();
             decide_stop();
@@ -160,6 +162,7 @@ public:
         writer_->finish(header_, catalogue_.rows(state_), provenance);
     }
     [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
+    [[nodiscard]] int threads() const { return team_.size(); }
 
 private:
     void push(HistoryColumn column, double value) { history_[column].push_back(value); }
@@ -199,12 +202,16 @@ private:
         header_.energy_scale = std::max(header_.energy_scale, energies.stored());
         const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
-            throw NumericalError(fmt::format(
-                "the run became unstable at step {} (energy balance off by {:.0f} %); use a smaller "
-                "--time-step-fraction than {} (with this damping below {:.2f}) or a slower --rate",
-                state_.step, 100 * std::abs(residual), request_.time_step_fraction, 1 / std::sqrt(1 + request_.damping)));
+            throw_unstable(residual);
         }
         header_.ledger_residual = std::max(header_.ledger_residual, std::abs(energies.imbalance()));
+    }
+
+    [[noreturn]] void throw_unstable(double residual) const {
+        throw NumericalError(
+            fmt::format("the run became unstable before step {} (energy balance off by {:.0f} %); use a smaller "
+                        "--time-step-fraction than {} (with this damping below {:.2f}) or a slower --rate",
+                        state_.step, 100 * std::abs(residual), request_.time_step_fraction, 1 / std::sqrt(1 + request_.damping)));
     }
 
     void push_row(const Measurement& m) {
@@ -279,6 +286,9 @@ private:
         header_.peak_axial_stress = sign * *peak;
         header_.platen_force_difference = platen_force_difference(static_cast<std::size_t>(peak - stress.begin()), sign);
         header_.ledger_residual = header_.energy_scale > 0 ? header_.ledger_residual / header_.energy_scale : 0;
+        if (header_.ledger_residual > unstable_residual) {
+            throw_unstable(header_.ledger_residual);
+        }
         const double external = history_[HistoryColumn::energy_external].back();
         header_.damping_share = external > 0 ? history_[HistoryColumn::energy_damping].back() / external : 0;
         double sum = 0;
@@ -309,6 +319,7 @@ private:
     RunHeader header_;
     Progress progress_;
     History history_;
+    Team team_;
     std::int64_t steps_per_batch_ = 0;
     double last_axial_stress_ = 0;  ///< tension positive, Pa
     double peak_ = 0;               ///< of the driven stress, Pa
@@ -352,7 +363,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     summary.tensile_cracks = simulation.catalogue().tensile_points() / 2;
     summary.shear_cracks = simulation.catalogue().shear_points() / 2;
     provenance.wall_time = summary.wall_time;
-    provenance.threads = request.threads;
+    provenance.threads = simulation.threads();
     simulation.write(provenance);
     return summary;
 }

@@ -29,7 +29,8 @@ struct SimulationRequest {
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
     int frames = 20;
-    int threads = 1;
+    int threads = 1;                        ///< at most
+    std::size_t elements_per_thread = 250;  ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
 };
 
 /// Size and length of a run before it is started.

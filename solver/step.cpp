@@ -1,7 +1,5 @@
 #include "solver/step.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 
 #include "solver/team.hpp"
@@ -76,18 +74,15 @@ private:
 
 /// Steps between two looks after the touches, with a team of threads.
 void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   int n_threads, LoadingClock& clock_at_start, State& s) {
-    SpinBarrier barrier(n_threads);
+                   Team& team, LoadingClock& clock_at_start, State& s) {
     const std::int64_t first_step = s.step;
     const bool scaled = parameters.mass_scaling.is_on();
     LoadingClock clock_at_end = clock_at_start;
-#pragma omp parallel num_threads(n_threads)
-    {
-        const int thread = omp_get_thread_num();
-        const Range grain_blocks = share_of(a.grain_blocks.size(), thread, n_threads);
-        const Range contact_blocks = share_of(a.contact_blocks.size(), thread, n_threads);
-        const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, n_threads);
-        const Range touch_blocks = share_of(s.touches.blocks.size(), thread, n_threads);
+    team.run([&](int thread) {
+        const Range grain_blocks = share_of(a.grain_blocks.size(), thread, team.size());
+        const Range contact_blocks = share_of(a.contact_blocks.size(), thread, team.size());
+        const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, team.size());
+        const Range touch_blocks = share_of(s.touches.blocks.size(), thread, team.size());
         LoadingClock clock = clock_at_start;
         for (std::int64_t k = 0; k < n_steps; ++k) {
             for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
@@ -98,13 +93,13 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
                     integrate_nodes(a, boundary, parameters, block, s);
                 }
             }
-            barrier.wait();
+            team.wait();
             if (scaled) {
                 for (std::int32_t block = group_blocks.begin; block < group_blocks.end; ++block) {
                     update_groups(a, parameters, block, s);
                     integrate_groups(a, parameters, block, s);
                 }
-                barrier.wait();
+                team.wait();
                 for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
                     book_membrane_half_work(boundary, block, parameters.time_step, s);
                 }
@@ -116,12 +111,12 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
                 advance_touches(a, parameters, block, s);
             }
-            barrier.wait();
+            team.wait();
         }
         if (thread == 0) {
             clock_at_end = clock;
         }
-    }
+    });
     clock_at_start = clock_at_end;
     s.step += n_steps;
     s.time = static_cast<double>(s.step) * parameters.time_step;
@@ -130,14 +125,14 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
 }  // namespace
 
 void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
-             std::int64_t n_steps, int n_threads, State& s) {
+             std::int64_t n_steps, Team& team, State& s) {
     LoadingClock clock(loading, n_steps, parameters.time_step, s.loading);
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
         if (s.step >= s.touches.next_check) {
             look_after_touches(a, parameters, s);
         }
-        advance_steps(a, boundary, parameters, std::min(end, s.touches.next_check) - s.step, n_threads, clock, s);
+        advance_steps(a, boundary, parameters, std::min(end, s.touches.next_check) - s.step, team, clock, s);
     }
     s.loading = clock.now();
 }

@@ -9,6 +9,7 @@
 #include "solver/contact_law.hpp"
 #include "solver/mass_scaling.hpp"
 #include "solver/state.hpp"
+#include "solver/team.hpp"
 
 namespace graincrack {
 
@@ -48,9 +49,9 @@ void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, con
 void book_membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, State& state);
 
 /// Advances the state by `n_steps` steps under `loading` with a team of threads. On entry and on return contact forces
-/// and histories belong to the present displacements (see `start`). Results do not depend on `n_threads`.
+/// and histories belong to the present displacements (see `start`). Results do not depend on its size.
 void advance(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters,
-             const BatchLoading& loading, std::int64_t n_steps, int n_threads, State& state);
+             const BatchLoading& loading, std::int64_t n_steps, Team& team, State& state);
 
 /// Evaluates contacts and groups of nodes at the start, so that `advance` and `measure` find forces of the present
 /// displacements.

@@ -359,6 +359,7 @@ std::string digest_with(int threads, SimulationSummary& summary) {
     r.frames = 2;
     r.mass_scaling = true;
     r.threads = threads;
+    r.elements_per_thread = 1;
     const test::TemporaryFolder folder;
     summary = simulate(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), r, folder.file("run.h5"), Verbosity::quiet, {});
     return H5Input(folder.file("run.h5"), "run").digest();

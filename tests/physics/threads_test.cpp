@@ -20,6 +20,7 @@ SimulationRequest request(TestKind test, int threads) {
     r.loading.max_strain = 0.006;
     r.frames = 2;
     r.threads = threads;
+    r.elements_per_thread = 1;
     return r;
 }
 

@@ -55,7 +55,8 @@ struct SmallRun {
     }
     void begin() { start(assemblage, parameters, state); }
     void steps(std::int64_t n, const BatchLoading& loading = {}, int threads = 1) {
-        advance(assemblage, boundary, parameters, loading, n, threads, state);
+        Team team(threads);
+        advance(assemblage, boundary, parameters, loading, n, team, state);
     }
     [[nodiscard]] Measurement measured() { return measure(assemblage, boundary, parameters, state); }
     [[nodiscard]] std::size_t failed_points() const {
