@@ -53,7 +53,7 @@ std::vector<Range> ranges_of_groups(std::int32_t count, std::int32_t n_groups, G
 }
 
 bool holds(const MassScaling::Tie& tie, const State& s) {
-    return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
+    return s.touches.released[tie.point / 2] == 0 && (!s.points[tie.point].separated || s.opening[tie.point] < tie.reach);
 }
 
 /// Finds the components of a group by its ties, and whether a platen holds them.

@@ -10,8 +10,9 @@
 // of the relative motion does not.
 //
 // A contact point holds its two nodes together while it carries something or soon may: until it has separated and opened by
-// `group_reach`, and again when it comes as close. Groups are what is connected by such points, so fragments fly free of each
-// other. A group that touches a platen, or comes as close to one, is held by it as by a mass without limit: ā = 0.
+// `group_reach`, and again when it comes as close, but never once it is released to touches, which are softer. Groups are what is
+// connected by such points, so fragments fly free of each other. A group that touches a platen, or comes as close to one, is held
+// by it as by a mass without limit: ā = 0.
 //
 // When groups change, nodes that part keep their velocities, and nodes that meet their momentum M' v (kept velocities would make
 // energy there). Both lose kinetic energy, never gain any; what is lost is booked.

@@ -63,7 +63,7 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
 TEST(Threads, SameContentForAnyNumberPastThePeak) {
     const Shell shell;
     // large enough that three threads are worth having
-    shell.must("graincrack-mesh disc --diameter 60mm --grains 800 --quiet -o disc.h5");
+    shell.must("graincrack-mesh disc --diameter 30mm --grains 800 --quiet -o disc.h5");
     std::string first;
     for (const char* threads : {"1", "2", "3"}) {
         shell.must("graincrack-solve brazilian disc.h5 -o run.h5 --threads " + std::string(threads) + past_peak);
