@@ -18,10 +18,11 @@ std::vector<std::string> title(const Specimen& specimen) {
                                   : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
     std::string shape = specimen.shape;
     if (!shape.empty() && shape[0] >= 'a' && shape[0] <= 'z') shape[0] = static_cast<char>(shape[0] - 'a' + 'A');
-    return {fmt::format("{} {} mm, {} grains", shape, size, specimen.n_grains()),
-            fmt::format("{}, seed {}: mean edge {:.4g} mm, variation {:.3g}, smallest angle {:.3g}°, ψ6 {:.2g}",
-                        specimen.tessellation, specimen.seed, mesh.mean_edge * 1e3, mesh.edge_variation,
-                        mesh.min_angle * 180 / std::numbers::pi, mesh.psi6)};
+    return {
+        fmt::format("{} {} mm, {} grains", shape, size, specimen.n_grains()),
+        fmt::format("{}, seed {}: mean edge {:.4g} mm, variation {:.3g}", specimen.tessellation, specimen.seed,
+                    mesh.mean_edge * 1e3, mesh.edge_variation),
+        fmt::format("smallest angle {:.3g}°, preferred direction ψ6 {:.2g}", mesh.min_angle * 180 / std::numbers::pi, mesh.psi6)};
 }
 
 }  // namespace

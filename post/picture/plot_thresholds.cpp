@@ -74,11 +74,10 @@ Drawing draw_thresholds(const RunData& run) {
     const auto [low, high] = padded_range(volumes, 0.05);
     const double floor = std::max(low, -0.4 * high);  // a burst after the peak would squeeze the part that matters
     const double top = 1.1 * largest(s.stress);
-    Chart chart(
-        {test_title(run.header),
-         {"plane " + std::string(name_of(run.header.plane)) + ": 2D values do not compare with laboratory ones directly"}},
-        Axis{"axial strain (gauge), %", 0, largest(s.axial)}, Axis{"stress, MPa", floor / high * top, top},
-        Axis{"volumetric strain, %", floor, high});
+    Chart chart({test_title(run.header),
+                 {"plane " + std::string(name_of(run.header.plane)) + ": 2D values do not compare with laboratory ones"}},
+                Axis{"axial strain (gauge), %", 0, largest(s.axial)}, Axis{"stress, MPa", floor / high * top, top},
+                Axis{"volumetric strain, %", floor, high});
     const Stroke load{palette::series(0), 4.5};
     const Stroke plane{palette::series(1), 3.5};
     const Stroke pseudo{palette::series(2), 3.5, true};

@@ -152,6 +152,19 @@ TEST_F(CrackMap, CatalogueAndRosetteAreTables) {
               test::field(counts, "tensile_cracks", test::parse_tsv(counts).size() - 2));
 }
 
+TEST_F(CrackMap, ATimeStandsOnceInTheSeries) {
+    RunWriter writer(H5Output(folder_.file("twice.h5"), "run"), recipe_.specimen, test::synthetic_header(recipe_));
+    writer.append_history(test::synthetic_history(recipe_));
+    for (const double time : {0.0, 1.25, 1.25}) writer.add_frame(test::synthetic_frame(recipe_.specimen, time, 0, 0), true);
+    writer.finish(test::synthetic_header(recipe_), {}, Provenance{});
+    export_cracks(RunReader(folder_.file("twice.h5")), folder_.file("twice"), {}, Verbosity::quiet);
+    const std::string pvd = test::read_text(folder_.file("twice/grains.pvd"));
+    EXPECT_EQ(pvd.find("1.25"), pvd.rfind("1.25"));
+    EXPECT_NE(pvd.find("grains_0001.vtu"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("twice/grains_0002.vtu")));
+    EXPECT_EQ(test::parse_tsv(test::read_text(folder_.file("twice/fragment-counts.tsv"))).size(), 3U);
+}
+
 TEST_F(CrackMap, TablesMayBeJsonLines) {
     CrackExportOptions options;
     options.format = TableFormat::jsonl;

@@ -28,7 +28,6 @@ double hoek_brown(double sigma_ci, double mi, double confining) {
     return confining + sigma_ci * std::sqrt(mi * confining / sigma_ci + 1);
 }
 
-
 TEST(Envelope, RecoversPlantedCohesionAndFriction) {
     const std::vector<double> confining{0, 4e6, 8e6};
     std::vector<double> strength;

@@ -46,6 +46,20 @@ int pixels_of(const std::string& path, Colour colour) {
     return count;
 }
 
+/// Every line of text lies on the page, by the widest of the fonts tried.
+void expect_words_fit(const Drawing& drawing, const std::string& what) {
+    for (const Drawing::Shape& shape : drawing.shapes()) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (text == nullptr) continue;
+        const double width = text_width(text->words, text->size);
+        const double before = text->anchor == Anchor::start ? 0 : text->anchor == Anchor::middle ? 0.5 : 1;
+        const double along = text->upwards ? drawing.height() - text->at.y : text->at.x;
+        const double page = text->upwards ? drawing.height() : drawing.width();
+        EXPECT_GE(along - before * width, 0) << what << ": " << text->words;
+        EXPECT_LE(along + (1 - before) * width, page) << what << ": " << text->words;
+    }
+}
+
 class Picture : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -115,6 +129,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     const RunData data = run_data(run);
     const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
     const auto expect = [&](const Drawing& drawing, const std::vector<std::string>& words) {
+        expect_words_fit(drawing, words[0]);
         const std::string svg = to_svg(drawing);
         for (const std::string& each : words) EXPECT_NE(svg.find(each), std::string::npos) << each;
     };
@@ -126,6 +141,11 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
+    expect(draw_specimen(recipe_.specimen), {"256 grains"});
+    expect(draw_curves({data}), {"peak 125 MPa"});
+    expect(cracks("last"), {"tensile cracks:"});
+    expect(cracks("first,peak,last"), {"(b) peak"});
+    expect(draw_strengths({data}, std::nullopt), {"uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5"); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
