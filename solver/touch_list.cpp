@@ -22,12 +22,16 @@ constexpr std::int32_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
 
-/// Contacts that lost their cohesion since the last look. \return whether there are any
+bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
+    return s.failed[point] != 0 && damage(law, history_of(s, point)) >= 1;
+}
+
+/// Contacts of which a point lost its cohesion since the last look: grains that turn about the other point may be met there.
+/// \return whether there are any
 bool find_bare(const Assemblage& a, const ContactLaw& law, State& s) {
     bool found = false;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.bare[c] == 0 && s.failed[2 * c] != 0 && s.failed[2 * c + 1] != 0 &&
-            damage(law, history_of(s, 2 * c)) >= 1 && damage(law, history_of(s, 2 * c + 1)) >= 1) {
+        if (s.touches.bare[c] == 0 && (is_lost(law, s, 2 * c) || is_lost(law, s, 2 * c + 1))) {
             s.touches.bare[c] = 1;
             found = true;
         }
@@ -36,7 +40,7 @@ bool find_bare(const Assemblage& a, const ContactLaw& law, State& s) {
 }
 
 /// Contacts without cohesion that have moved far. Where touches are softer than contacts only those that carry nothing.
-std::vector<std::int32_t> find_movers(const Assemblage& a, bool only_open, const State& s) {
+std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law, bool only_open, const State& s) {
     std::vector<std::int32_t> movers;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.touches.bare[c] == 0 || s.touches.released[c] != 0) {
@@ -47,7 +51,7 @@ std::vector<std::int32_t> find_movers(const Assemblage& a, bool only_open, const
             only_open
                 ? std::min(s.opening[2 * c], s.opening[2 * c + 1])
                 : std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
-        if (moved > far) {
+        if (moved > far && is_lost(law, s, 2 * c) && is_lost(law, s, 2 * c + 1)) {
             movers.push_back(static_cast<std::int32_t>(c));
         }
     }
@@ -272,7 +276,7 @@ void look_after_touches(const Assemblage& a, const StepParameters& parameters, S
     TouchList& list = s.touches;
     const ContactLaw law = touch_law(parameters);
     bool must_search = find_bare(a, parameters.law, s);
-    const std::vector<std::int32_t> movers = find_movers(a, parameters.touch_share < 1, s);
+    const std::vector<std::int32_t> movers = find_movers(a, parameters.law, parameters.touch_share < 1, s);
     must_search = must_search || !movers.empty() || list.displacement_at_search.empty();
     // How far nodes have gone since the last search, and how fast they go now.
     double gone = 0;
