@@ -41,7 +41,7 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
                              0.5);
             run.parameters.damping = 0.8;
             run.begin();
-            const double speed = 0.01;
+            const double speed = 5e-3;
             BatchLoading pull;
             pull.velocity_end = {-speed, speed};
             run.steps(2000, pull);
