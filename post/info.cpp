@@ -58,6 +58,7 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     number("contact_cohesion", Dimension::stress);
     number("contact_friction_angle", Dimension::angle);
     number("confining_pressure", Dimension::stress);
+    word("rate");
     number("platen_speed", Dimension::speed);
     number("time_step", Dimension::time);
     line(out, "steps", std::to_string(file.attribute_or<std::int64_t>(group, "steps", 0)));

@@ -78,6 +78,8 @@ void visit_header(Header& h, Visit&& visit) {
     visit.newer("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
+    visit.newer("rate", h.rate);
+    visit.newer("rate_tolerance", h.rate_tolerance, Dimension::one);
     visit("platen_speed", h.platen_speed, Dimension::speed);
     visit("damping", h.damping, Dimension::one);
     visit("peak_drop", h.peak_drop, Dimension::one);
@@ -106,6 +108,7 @@ struct HeaderWriter {
     void operator()(const char* name, const double& value, Dimension dimension) const {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
+    void newer(const char* name, const std::string& value) const { (*this)(name, value); }
     void newer(const char* name, const double& value, Dimension dimension) const { (*this)(name, value, dimension); }
 };
 
@@ -117,6 +120,9 @@ struct HeaderReader {
     }
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
+    }
+    void newer(const char* name, std::string& value) const {
+        value = file.attribute_or<std::string>(schema::run_group, name, value);
     }
     void newer(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute_or<double>(schema::run_group, name, value);

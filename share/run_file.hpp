@@ -34,7 +34,9 @@ struct RunHeader {
     ContactParameters contact;
     double platen_friction = 0;     ///< rad
     double confining_pressure = 0;  ///< target, Pa
-    double platen_speed = 0;        ///< of each platen, m/s
+    std::string rate = "fixed";     ///< "auto" | "fixed" | "blocks"
+    double rate_tolerance = 0;      ///< of the measures that steer it; 0 with a fixed rate
+    double platen_speed = 0;        ///< of each platen, m/s; where the rate is automatic, the mean of the axial loading
     double damping = 0;             ///< local damping, 0 for none
     double peak_drop = 0;
     double max_strain = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "share/error.hpp"
 
@@ -11,15 +12,27 @@ namespace graincrack {
 namespace {
 
 constexpr double start_transits = 10;      // wave transits the platens take to reach their speed
+constexpr double ramp_transits = 40;       // the pressure takes where the rate is automatic: nothing breaks on the way
 constexpr double settle_transits = 10;     // that the isotropic stage is held at least
 constexpr double give_up_transits = 200;   // and at most
 constexpr double servo_transits = 4;       // time constant of the servo
 constexpr double settled_pressure = 2e-3;  // wanted axial stress at the end of the isotropic stage, relative
 constexpr double settled_balance = 2e-3;   // wanted unbalanced ratio there
+constexpr double history_rows = 8000;      // to the strain cap
+constexpr std::int64_t least_steps = 20;   // between two rows at a speed that changes: a row costs some two steps
+constexpr double most_transits = 0.5;      // and at most: what happens within a transit is to be seen
+constexpr double counting_load = 1;    // axial stress over the rock's tensile strength from which on it is a load for the rate
+constexpr double rest_transits = 400;  // that a block may take to come to rest
 
 double smooth_step(double x) {
     const double y = std::clamp(x, 0.0, 1.0);
     return y * y * (3 - 2 * y);
+}
+
+RateScales rate_scales(const Specimen& s, const Rock& rock, double transit_time) {
+    const double stress = counting_load * rock.tensile_strength;
+    const double area = std::accumulate(s.grain_area.begin(), s.grain_area.end(), 0.0);
+    return {s.height, transit_time, stress / rock.young_modulus, 0.5 * stress * stress / rock.young_modulus * area};
 }
 
 }  // namespace
@@ -53,9 +66,12 @@ Loading::Loading(const LoadingRequest& request, const Specimen& specimen, const 
       isotropic_compliance_(plane == PlaneCondition::strain
                                 ? (1 + rock.poisson_ratio) * (1 - 2 * rock.poisson_ratio) / rock.young_modulus
                                 : (1 - rock.poisson_ratio) / rock.young_modulus),
-      isotropic_(request.confining_pressure > 0) {
+      isotropic_(request.confining_pressure > 0),
+      control_(request.rate_tolerance, rate_scales(specimen, rock, transit_time_)),
+      blocks_(request.platen_speed, request.rate_tolerance, rest_transits * transit_time_) {
     const double as_fast_as_the_test = request.confining_pressure / young_modulus_ * height_ / (2 * request.platen_speed);
-    ramp_time_ = std::max(start_transits * transit_time_, as_fast_as_the_test);
+    ramp_time_ = request.rate == RateKind::automatic ? ramp_transits * transit_time_
+                                                     : std::max(start_transits * transit_time_, as_fast_as_the_test);
 }
 
 double Loading::target_pressure(double time) const {
@@ -67,6 +83,58 @@ double Loading::isotropic_speed(const LoadingFeedback& feedback, double duration
     const double lag = target_pressure(feedback.time) - mean_compression_;
     const double servo_time = std::max(servo_transits * transit_time_, 4 * duration);
     return 0.5 * height_ * (isotropic_compliance_ * pressure_rate + lag / (young_modulus_ * servo_time));
+}
+
+double Loading::axial_speed(const LoadingFeedback& feedback, double duration) {
+    const double sense = request_.test == TestKind::tension ? -1 : 1;
+    switch (request_.rate) {
+        case RateKind::fixed: {
+            const double begun = (feedback.time + duration - start_time_) / (start_transits * transit_time_);
+            return start_speed_ + (sense * request_.platen_speed - start_speed_) * smooth_step(begun);
+        }
+        case RateKind::automatic: {
+            RateMeasures measures = feedback.rate;
+            measures.strain = axial_strain_;
+            const double speed = control_.next(measures, duration);
+            axial_strain_ += duration * (sense * speed_ + speed) / height_;
+            return sense * speed;
+        }
+        case RateKind::blocks: return sense * blocks_.next(feedback.unbalanced_ratio, duration);
+    }
+    return 0;
+}
+
+std::int64_t Loading::batch_steps(double time_step) const {
+    const double travel = request_.max_strain * height_ / 2 / history_rows;
+    if (request_.rate == RateKind::fixed) {
+        return std::max<std::int64_t>(10, static_cast<std::int64_t>(travel / request_.platen_speed / time_step));
+    }
+    if (request_.rate == RateKind::blocks && !isotropic_) {
+        return std::max<std::int64_t>(1, request_.block_steps / parts_of_block);
+    }
+    const double most = most_transits * transit_time_ / time_step;
+    const double wanted = speed_ == 0 ? most : std::min(most, travel / std::abs(speed_) / time_step);
+    return std::max(least_steps, static_cast<std::int64_t>(wanted));
+}
+
+double Loading::mean_speed(double time) const {
+    return time > start_time_ ? 0.5 * height_ * axial_strain_ / (time - start_time_) : 0;
+}
+
+LoadingLength Loading::longest(double time_step) const {
+    const double travel = request_.max_strain * height_ / 2;
+    double time = 0;
+    constexpr int parts = 1000;
+    for (int i = 0; i < parts; ++i) {
+        const double slowest = request_.rate == RateKind::automatic
+                                   ? control_.least_speed(request_.max_strain * (i + 0.5) / parts, request_.rate_tolerance)
+                                   : request_.platen_speed * (request_.rate == RateKind::blocks ? moving_share_of_block : 1);
+        time += travel / parts / slowest;
+    }
+    const double steps = time / time_step;
+    const double rows = request_.rate == RateKind::automatic ? history_rows + time / (most_transits * transit_time_)
+                                                             : steps / static_cast<double>(batch_steps(time_step));
+    return {static_cast<std::int64_t>(steps), static_cast<std::size_t>(rows)};
 }
 
 BatchLoading Loading::next(const LoadingFeedback& feedback, double duration) {
@@ -87,12 +155,7 @@ BatchLoading Loading::next(const LoadingFeedback& feedback, double duration) {
     }
     const double old_speed = speed_;
     const double end = feedback.time + duration;
-    if (isotropic_) {
-        speed_ = isotropic_speed(feedback, duration);
-    } else {
-        const double full = request_.test == TestKind::tension ? -request_.platen_speed : request_.platen_speed;
-        speed_ = start_speed_ + (full - start_speed_) * smooth_step((end - start_time_) / (start_transits * transit_time_));
-    }
+    speed_ = isotropic_ ? isotropic_speed(feedback, duration) : axial_speed(feedback, duration);
     BatchLoading batch;
     batch.velocity_begin = {old_speed, -old_speed};
     batch.velocity_end = {speed_, -speed_};

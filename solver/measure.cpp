@@ -187,6 +187,24 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     return m;
 }
 
+double endangered_share(const Assemblage& a, const ContactLaw& law, const State& s) {
+    std::size_t whole = 0;
+    std::size_t endangered = 0;
+    contact_law::with_law(law.variant, [&](auto kind) {
+        for (std::size_t i = 0; i < 2 * a.contacts.size(); ++i) {
+            if (s.failed[i] == 0) {
+                const double opening = s.opening[i];
+                const double sliding = s.sliding[i];
+                ++whole;
+                endangered +=
+                    decltype(kind)::intact(law, {opening, sliding, 2 * opening, 2 * sliding, s.cohesion_left[i]}).holds == 0 ? 1
+                                                                                                                             : 0;
+            }
+        }
+    });
+    return whole > 0 ? static_cast<double>(endangered) / static_cast<double>(whole) : 0;
+}
+
 Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
     Frame frame;
     frame.time = s.time;

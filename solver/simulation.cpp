@@ -11,16 +11,15 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "solver/catalogue.hpp"
+#include "solver/frame_keeper.hpp"
 #include "solver/measure.hpp"
-#include "solver/step.hpp"
+#include "solver/setup.hpp"
 #include "solver/team.hpp"
-#include "solver/time_step.hpp"
 #include "solver/vector_targets.hpp"
 
 namespace graincrack {
 namespace {
 
-constexpr double history_rows = 8000;      // to the strain cap: enough to resolve a brittle peak
 constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
 constexpr double judged_stress = 0.01;     // of tc: below the energy of this stress the imbalance is noise of the start
 constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
@@ -42,7 +41,9 @@ RunHeader make_header(const SimulationRequest& r) {
     h.contact = r.contact;
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
-    h.platen_speed = r.loading.platen_speed;
+    h.rate = name_of(r.loading.rate);
+    h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
+    h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
     h.damping = r.damping;
     h.mass_scaling = r.mass_scaling ? "selective" : "none";
     h.peak_drop = r.peak_drop;
@@ -50,75 +51,14 @@ RunHeader make_header(const SimulationRequest& r) {
     return h;
 }
 
-double mass_scaling_factor(const SimulationRequest& r, const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {
-    if (!r.mass_scaling) {
-        return 0;
-    }
-    return r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(a, boundary, law);
-}
-
-/// Steps between two rows of the history.
-std::int64_t batch_steps(const Specimen& s, const SimulationRequest& r, double time_step) {
-    const double time_to_cap = r.loading.max_strain * s.height / (2 * r.loading.platen_speed);
-    return std::max<std::int64_t>(10, static_cast<std::int64_t>(time_to_cap / time_step / history_rows));
-}
-
-/// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
-class FrameKeeper {
-public:
-    FrameKeeper(int wanted, double first_interval, RunWriter& writer)
-        : wanted_(wanted), interval_(first_interval), writer_(writer) {}
-    void regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
-        if (wanted_ == 0 || strain < next_) {
-            return;
-        }
-        writer_.add_frame(make_frame(a, law, state), false);
-        ++regular_;
-        if (regular_ >= 2 * wanted_) {
-            writer_.thin_frames();
-            regular_ = (regular_ + 1) / 2;
-            interval_ *= 2;
-        }
-        next_ = interval_ * (std::floor(strain / interval_) + 1);
-    }
-    /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.
-    void peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaw& law, const State& state) {
-        if (wanted_ == 0) {
-            return;
-        }
-        if (is_highest) {
-            peak_ = make_frame(a, law, state);
-        } else if (has_fallen && peak_) {
-            writer_.add_frame(*peak_, true);
-            peak_.reset();
-        }
-    }
-    void last(const Assemblage& a, const ContactLaw& law, const State& state) {
-        if (peak_ && peak_->step < state.step) {
-            writer_.add_frame(*peak_, true);
-        }
-        writer_.add_frame(make_frame(a, law, state), true);
-    }
-
-private:
-    int wanted_;
-    double interval_;
-    RunWriter& writer_;
-    double next_ = 0;
-    int regular_ = 0;
-    std::optional<Frame> peak_;
-};
-
 /// The run: everything that lives as long as it does.
 class Simulation {
 public:
     Simulation(const Specimen& specimen, const SimulationRequest& request, const std::string& output, Verbosity verbosity)
         : specimen_(specimen),
           request_(request),
-          assemblage_(make_assemblage(specimen, request.material.rock, request.plane)),
-          boundary_(make_test_boundary(assemblage_, specimen, request.loading, request.contact)),
+          setup_(make_setup(specimen, request)),
           gauges_(make_gauges(assemblage_, specimen)),
-          parameters_{make_contact_law(request.contact, request.law, request.coupling), 0, request.damping, {}},
           loading_(request.loading, specimen, request.material.rock, request.plane),
           state_(make_state(assemblage_, boundary_, specimen)),
           catalogue_(state_.points.size()),
@@ -126,12 +66,9 @@ public:
           progress_(header_.test, verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         header_.vector_target = vector_target();
-        header_.mass_scaling_factor = mass_scaling_factor(request, assemblage_, boundary_, parameters_.law);
-        parameters_.mass_scaling = make_mass_scaling(assemblage_, header_.mass_scaling_factor);
-        header_.stable_time_step = stable_time_step(assemblage_, boundary_, parameters_.law, header_.mass_scaling_factor);
-        parameters_.touch_share = bearable_touch_share(assemblage_, boundary_, parameters_.law, header_.mass_scaling_factor);
-        header_.time_step = parameters_.time_step = request.time_step_fraction * header_.stable_time_step;
-        steps_per_batch_ = batch_steps(specimen, request, parameters_.time_step);
+        header_.mass_scaling_factor = setup_.mass_scaling_factor;
+        header_.stable_time_step = setup_.stable_time_step;
+        header_.time_step = parameters_.time_step;
         H5Output file(output, "run");
         const bool pipe = file.is_pipe();
         writer_.emplace(std::move(file), specimen, header_);
@@ -143,10 +80,9 @@ public:
         record();
         while (header_.stop_reason.empty()) {
             throw_if_interrupted();
-            const double duration = static_cast<double>(steps_per_batch_) * parameters_.time_step;
-            const BatchLoading batch =
-                loading_.next({state_.time, -last_axial_stress_, history_[HistoryColumn::unbalanced_ratio].back()}, duration);
-            advance(assemblage_, boundary_, parameters_, batch, steps_per_batch_, team_, state_);
+            const std::int64_t steps = loading_.batch_steps(parameters_.time_step);
+            const BatchLoading batch = loading_.next(feedback_, static_cast<double>(steps) * parameters_.time_step);
+            advance(assemblage_, boundary_, parameters_, batch, steps, team_, state_);
             record();
             show_progress();
             decide_stop();
@@ -181,6 +117,7 @@ private:
         check_stability(m.energies);
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
         push_row(m);
+        feedback_ = feedback(m);
         const bool counts = !loading_.is_isotropic() && !catalogue_.empty();
         const bool is_highest = counts && driven_stress() > peak_;
         peak_ = is_highest ? driven_stress() : peak_;
@@ -190,6 +127,17 @@ private:
         if (history_.size() % 500 == 0) {
             writer_->append_history(history_);
         }
+    }
+
+    [[nodiscard]] LoadingFeedback feedback(const Measurement& m) const {
+        const double load = std::abs(m.force_top - m.force_bottom) / 2;
+        RateMeasures rate;
+        rate.kinetic_energy = m.energies.kinetic;
+        rate.stored_energy = m.energies.stored();
+        rate.unbalanced_ratio = m.unbalanced_ratio;
+        rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
+        rate.endangered = endangered_share(assemblage_, parameters_.law, state_);
+        return {state_.time, -last_axial_stress_, m.unbalanced_ratio, rate};
     }
 
     [[nodiscard]] double judged_energy() const {
@@ -279,6 +227,9 @@ private:
     void finish_header() {
         header_.steps = state_.step;
         header_.isotropic_end_time = loading_.isotropic_end_time();
+        if (request_.loading.rate == RateKind::automatic) {
+            header_.platen_speed = loading_.mean_speed(state_.time);
+        }
         const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
         const std::vector<double>& stress = history_[HistoryColumn::axial_stress];
         const auto peak =
@@ -309,10 +260,11 @@ private:
 
     const Specimen& specimen_;
     const SimulationRequest& request_;
-    Assemblage assemblage_;
-    Boundary boundary_;
+    Setup setup_;
+    const Assemblage& assemblage_ = setup_.assemblage;
+    const Boundary& boundary_ = setup_.boundary;
+    const StepParameters& parameters_ = setup_.parameters;
     Gauges gauges_;
-    StepParameters parameters_;
     Loading loading_;
     State state_;
     CrackCatalogue catalogue_;
@@ -320,7 +272,7 @@ private:
     Progress progress_;
     History history_;
     Team team_;
-    std::int64_t steps_per_batch_ = 0;
+    LoadingFeedback feedback_;
     double last_axial_stress_ = 0;  ///< tension positive, Pa
     double peak_ = 0;               ///< of the driven stress, Pa
     std::optional<RunWriter> writer_;
@@ -328,28 +280,6 @@ private:
 };
 
 }  // namespace
-
-SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request) {
-    const Assemblage a = make_assemblage(specimen, request.material.rock, request.plane);
-    const Boundary boundary = make_test_boundary(a, specimen, request.loading, request.contact);
-    SimulationPlan plan;
-    plan.grains = specimen.n_grains();
-    plan.elements = specimen.n_elements();
-    plan.nodes = specimen.n_nodes();
-    plan.contacts = specimen.n_contacts();
-    const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
-    plan.stable_time_step = stable_time_step(a, boundary, law, mass_scaling_factor(request, a, boundary, law));
-    plan.time_step = request.time_step_fraction * plan.stable_time_step;
-    plan.max_steps = static_cast<std::int64_t>(request.loading.max_strain * specimen.height / (2 * request.loading.platen_speed) /
-                                               plan.time_step);
-    plan.memory = plan.nodes * (5 * sizeof(Vector2) + 2 * sizeof(double)) + plan.elements * (sizeof(TriangleGeometry) + 16) +
-                  plan.contacts * (sizeof(ContactGeometry) + 4 * sizeof(Vector2) + 2 * sizeof(ContactHistory) +
-                                   4 * sizeof(std::int32_t) + 16);
-    const std::size_t frame = plan.nodes * 32 + plan.elements * 32 + plan.contacts * 82;
-    plan.file_size = plan.nodes * 40 + plan.elements * 60 + plan.contacts * 21 + static_cast<std::size_t>(history_rows) * 200 +
-                     static_cast<std::size_t>(2 * std::abs(request.frames) + 2) * frame;
-    return plan;
-}
 
 SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& request, const std::string& output,
                            Verbosity verbosity, Provenance provenance) {

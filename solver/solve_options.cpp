@@ -1,7 +1,12 @@
 #include "solver/solve_options.hpp"
 
+#include <fmt/format.h>
+
+#include <cctype>
+
 #include "share/command_line.hpp"
 #include "share/error.hpp"
+#include "share/units.hpp"
 #include "solver/contact_options.hpp"
 
 namespace graincrack {
@@ -14,8 +19,54 @@ const char* const examples =
 /// Values of options that end in a request only together with the material.
 struct RawOptions {
     ContactOptions contact;
-    std::optional<double> platen_friction, confining_pressure;
+    std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
+    std::optional<std::int64_t> block_steps;
 };
+
+/// --rate auto|blocks|SPEED
+void read_rate(const std::string& text, LoadingRequest& loading) {
+    for (const RateKind kind : {RateKind::automatic, RateKind::blocks}) {
+        if (text == name_of(kind)) {
+            loading.rate = kind;
+            return;
+        }
+    }
+    if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0) {
+        throw UsageError("--rate: \"" + text + "\" is neither a speed nor one of the words auto, blocks; 5mm/s fits");
+    }
+    loading.rate = RateKind::fixed;
+    loading.platen_speed = parse_quantity(text, quantity::platen_speed, "--rate");
+}
+
+void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& raw) {
+    detail::add_value(
+        command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); },
+        "speed of each platen; auto: as fast as the run stays near equilibrium; blocks: loading and rest by turns",
+        "auto|blocks|SPEED", "auto");
+    add_quantity(command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
+                 fmt::format("how near: rise of the load over itself in a wave transit (auto, default {}), unbalanced ratio that "
+                             "counts as rest (blocks, default {})",
+                             default_rate_tolerance, default_rest_tolerance));
+    add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed, "of each platen in a block; default 5mm/s");
+    add_integer(command, "--block-steps", raw.block_steps, "steps of a block; default 5000", std::int64_t{5});
+}
+
+/// \throws UsageError where an option does not belong to the chosen --rate
+void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
+    if (raw.rate_tolerance && loading.rate == RateKind::fixed) {
+        throw UsageError("--rate-tolerance: a fixed rate has none; give --rate auto or blocks, or leave it out");
+    }
+    if ((raw.block_speed || raw.block_steps) && loading.rate != RateKind::blocks) {
+        throw UsageError(std::string(raw.block_speed ? "--block-speed" : "--block-steps") +
+                         ": there are no blocks; give --rate blocks, or leave it out");
+    }
+    loading.rate_tolerance =
+        raw.rate_tolerance.value_or(loading.rate == RateKind::blocks ? default_rest_tolerance : default_rate_tolerance);
+    loading.block_steps = raw.block_steps.value_or(loading.block_steps);
+    if (loading.rate == RateKind::blocks) {
+        loading.platen_speed = raw.block_speed.value_or(loading.platen_speed);
+    }
+}
 
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
     LoadingRequest& loading = request.loading;
@@ -26,7 +77,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     }
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  "friction angle between rock and platens instead of the material's");
-    add_quantity(command, "--rate", loading.platen_speed, quantity::platen_speed, "speed of each platen", "5mm/s");
+    add_rate_options(command, loading, raw);
     add_quantity(command, "--peak-drop", request.peak_drop, quantity::peak_drop,
                  "fall below the peak that ends the test, share of it", "0.3");
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
@@ -56,6 +107,7 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
 
 void complete_request(SimulationRequest& request, const RawOptions& raw) {
     apply_contact_options(raw.contact, request);
+    complete_rate(request.loading, raw);
     request.loading.platen_friction = raw.platen_friction.value_or(request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
     if (request.mass_scaling_factor && !request.mass_scaling) {

@@ -53,6 +53,12 @@ std::string sliding_words(const CrackBalance& b) {
     return share ? fmt::format("{} of {} ({})", b.tensile_more_sliding, b.tensile, percent(*share)) : "no tensile cracks";
 }
 
+std::string rate_words(const RunHeader& h) {
+    const std::string speed = number(h.platen_speed * 1e3) + " mm/s";
+    if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance) + ", mean " + speed;
+    return h.rate == "blocks" ? "blocks, " + speed + " within" : speed;
+}
+
 std::string scaling_words(const RunHeader& header) {
     if (header.mass_scaling == "none") return "none";
     return header.mass_scaling + ", " + number(header.mass_scaling_factor);
@@ -88,7 +94,7 @@ const std::vector<Check>& checks() {
              return fmt::format("{} : {} : {}", t.branches.by_tension, t.branches.by_shear, t.branches.compressed);
          }},
         {"separated by the end", [](const TestReport& t) { return fmt::format("{}", t.branches.separated); }},
-        {"platen speed", [](const TestReport& t) { return number(t.data.header.platen_speed * 1e3) + " mm/s"; }},
+        {"platen speed", [](const TestReport& t) { return rate_words(t.data.header); }},
         {"damping", [](const TestReport& t) { return number(t.data.header.damping); }},
         {"mass scaling", [](const TestReport& t) { return scaling_words(t.data.header); }},
         {"warning", [](const TestReport& t) { return t.split ? t.split->warning : std::string(); }}};

@@ -75,6 +75,12 @@ INSTANTIATE_TEST_SUITE_P(Mesher, Refused, testing::ValuesIn(mesher), name_of_cas
 
 const std::vector<BadInput> solver{
     {"WrongUnit", "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5kg -o out.h5", 2, "--rate"},
+    {"RateThatIsNone", "graincrack-solve brazilian disc.h5 --material augig-granite --rate automatic -o out.h5", 2, "--rate"},
+    {"ToleranceOfAFixedRate",
+     "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5mm/s --rate-tolerance 0.001 -o out.h5", 2,
+     "--rate-tolerance"},
+    {"BlocksOfAnAutomaticRate", "graincrack-solve brazilian disc.h5 --material augig-granite --block-steps 500 -o out.h5", 2,
+     "--block-steps"},
     {"NegativeValue", "graincrack-solve brazilian disc.h5 --material augig-granite --rate -5mm/s -o out.h5", 2, "--rate"},
     {"NegativeStrength", "graincrack-solve brazilian disc.h5 --material augig-granite --contact-tensile-strength -1MPa -o out.h5",
      2, "--contact-tensile-strength"},

@@ -39,6 +39,8 @@ RunHeader header() {
     h.contact = {7.5, 8.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 0, 0, 0, 0};
     h.platen_friction = 16.5;
     h.confining_pressure = 17.5;
+    h.rate = "blocks";
+    h.rate_tolerance = 0.25;
     h.platen_speed = 18.5;
     h.damping = 19.5;
     h.peak_drop = 20.5;
@@ -129,6 +131,8 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(r.fracture_energy_choice, "mixed");
     EXPECT_EQ(r.plane, PlaneCondition::stress);
     EXPECT_EQ(r.mass_scaling, "selective");
+    EXPECT_EQ(r.rate, "blocks");
+    EXPECT_EQ(r.rate_tolerance, 0.25);
     EXPECT_EQ(r.vector_target, "avx2");
     EXPECT_EQ(r.stop_reason, "peak drop");
     EXPECT_EQ(r.steps, 5000000000);

@@ -79,6 +79,64 @@ TEST(Loading, PressureFirstThenPlatens) {
     EXPECT_EQ(loading.platen_speed(), request.platen_speed);
 }
 
+TEST(Loading, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
+    for (const TestKind test : {TestKind::uniaxial, TestKind::tension}) {
+        LoadingRequest request;
+        request.test = test;
+        request.rate = RateKind::automatic;
+        Loading loading = loading_of(request);
+        const double sense = test == TestKind::tension ? -1 : 1;
+        const double time_step = 1e-7;
+        double time = 0;
+        double travel = 0;
+        for (int i = 0; i < 50; ++i) {
+            const std::int64_t steps = loading.batch_steps(time_step);
+            EXPECT_GE(steps, 20);
+            EXPECT_LE(static_cast<double>(steps) * time_step, 0.5 * transit);
+            const double duration = static_cast<double>(steps) * time_step;
+            const BatchLoading b = loading.next({time, 0, 0, {0, 0, 100, 0, 0, 0}}, duration);
+            EXPECT_GT(sense * b.velocity_end[bottom_platen], 0);
+            EXPECT_EQ(b.velocity_end[top_platen], -b.velocity_end[bottom_platen]);
+            travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * duration;
+            time += duration;
+        }
+        expect_close(loading.mean_speed(time), sense * travel / time, 1e-12, std::abs(travel / time));
+    }
+}
+
+TEST(Loading, BlocksRestBetweenThem) {
+    LoadingRequest request;
+    request.rate = RateKind::blocks;
+    request.block_steps = 100;
+    request.rate_tolerance = 1e-4;
+    Loading loading = loading_of(request);
+    EXPECT_EQ(loading.batch_steps(1e-7), 20);
+    for (int block = 0; block < 3; ++block) {
+        double travel = 0;
+        for (int part = 0; part < 5; ++part) {
+            const BatchLoading b = loading.next({0, 0, part == 0 ? 1e-5 : 1.0}, 2e-6);
+            travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * 2e-6;
+        }
+        expect_close(travel, 4 * 2e-6 * request.platen_speed, 1e-12, travel);  // one part of five is start and stop
+        EXPECT_EQ(loading.next({0, 0, 1.0}, 2e-6).velocity_end[bottom_platen], 0);
+    }
+}
+
+TEST(Loading, TheLongestWayIsAsLongAsAtTheSlowestSpeed) {
+    LoadingRequest request;
+    request.max_strain = 0.01;
+    const double travel = 0.5 * 0.01 * 0.08;
+    EXPECT_NEAR(static_cast<double>(loading_of(request).longest(1e-7).steps), travel / 5e-3 / 1e-7, 1);  // rounded down
+    request.rate = RateKind::blocks;
+    EXPECT_NEAR(static_cast<double>(loading_of(request).longest(1e-7).steps), travel / (0.8 * 5e-3) / 1e-7, 1);
+    request.rate = RateKind::automatic;
+    request.rate_tolerance = 1e-3;
+    const std::int64_t slow = loading_of(request).longest(1e-7).steps;
+    request.rate_tolerance = 2e-3;
+    expect_close(static_cast<double>(slow), 2.0 * static_cast<double>(loading_of(request).longest(1e-7).steps), 1e-3,
+                 static_cast<double>(slow));
+}
+
 TEST(Loading, GivesUpOnASpecimenThatDoesNotSettle) {
     LoadingRequest request;
     request.test = TestKind::triaxial;

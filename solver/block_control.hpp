@@ -1,0 +1,33 @@
+// Loading in blocks: the platens move for a number of steps, then stand until the specimen is at rest, then move again
+// (Kazerani & Zhao 2014, §4: blocks of some 5,000 steps, each followed by cycling to quasi-static equilibrium).
+#pragma once
+
+namespace graincrack {
+
+/// Parts of a block: in the first the platens start, in the last they stop.
+inline constexpr int parts_of_block = 5;
+/// Travel of a block over speed and duration of its parts: the platens start within the first and stop within the last.
+inline constexpr double moving_share_of_block = 1 - 1.0 / parts_of_block;
+
+/// Unbalanced ratio that counts as rest. Between blocks of 1.5e-4 of strain it falls below within some wave transits.
+inline constexpr double default_rest_tolerance = 1e-4;
+
+class BlockControl {
+public:
+    /// \param speed of each platen within a block, m/s
+    /// \param tolerance unbalanced ratio below which the specimen is at rest
+    /// \param give_up how long it may take to get there, s
+    BlockControl(double speed, double tolerance, double give_up) : speed_(speed), tolerance_(tolerance), give_up_(give_up) {}
+    /// Speed of each platen at the end of the next part, which takes `duration` seconds, m/s.
+    /// \throws NumericalError if the specimen does not come to rest
+    double next(double unbalanced_ratio, double duration);
+
+private:
+    double speed_;
+    double tolerance_;
+    double give_up_;
+    int part_ = 0;       ///< of the block; `parts_of_block`: the platens stand
+    double stands_ = 0;  ///< for how long, s
+};
+
+}  // namespace graincrack

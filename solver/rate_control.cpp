@@ -1,0 +1,47 @@
+#include "solver/rate_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graincrack {
+namespace {
+
+constexpr double near_damage = 0.01;      // share of endangered points from which on the tolerance counts as it is
+constexpr double most_relaxed = 20;       // what it counts at most where no point is endangered
+constexpr double most_inertia = 0.1;      // and at most: kinetic energy 1e-3 of the stored energy
+constexpr double most_rise = 0.06;        // of least_strain that the strain may rise by in a transit: platens rattle otherwise
+constexpr double follow_transits = 4;     // in which the speed rises at most e-fold; it falls in half of that
+constexpr double slowest = 0.25;          // of the speed that the tolerance means without damage
+constexpr double smoothing_transits = 1;  // over which measures are smoothed
+
+}  // namespace
+
+double RateControl::allowed(double endangered) const {
+    const double relaxed = std::clamp(near_damage / std::max(endangered, 1e-9), 1.0, most_relaxed);
+    return std::max(tolerance_, std::min(relaxed * tolerance_, most_inertia));
+}
+
+double RateControl::most_speed() const { return 0.5 * scales_.height / scales_.transit_time * most_rise * scales_.least_strain; }
+
+double RateControl::least_speed(double strain, double allowed) const {
+    const double wave_speed = scales_.height / scales_.transit_time;
+    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.least_strain), most_speed());
+}
+
+double RateControl::next(const RateMeasures& now, double duration) {
+    const double share = std::min(1.0, duration / (smoothing_transits * scales_.transit_time));
+    const double inertia = std::sqrt(12 * now.kinetic_energy / std::max(now.stored_energy, scales_.least_energy));
+    inertia_ += share * (inertia - inertia_);
+    unbalanced_ratio_ += share * (now.unbalanced_ratio - unbalanced_ratio_);
+    force_difference_ += share * (now.force_difference - force_difference_);
+    endangered_ = std::max(endangered_, now.endangered);
+    const double limit = allowed(endangered_);
+    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / tolerance_});
+    const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
+    const double follow = duration / (follow_transits * scales_.transit_time);
+    speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));
+    speed_ = std::min(std::max(speed_, least_speed(now.strain, limit)), most_speed());
+    return speed_;
+}
+
+}  // namespace graincrack

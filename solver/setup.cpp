@@ -1,0 +1,26 @@
+#include "solver/setup.hpp"
+
+#include "solver/time_step.hpp"
+
+namespace graincrack {
+
+Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
+    Setup s{make_assemblage(specimen, r.material.rock, r.plane),
+            {},
+            {make_contact_law(r.contact, r.law, r.coupling), 0, r.damping},
+            0,
+            0};
+    s.boundary = make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
+    const ContactLaw& law = s.parameters.law;
+    if (r.mass_scaling) {
+        s.mass_scaling_factor =
+            r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(s.assemblage, s.boundary, law);
+    }
+    s.stable_time_step = stable_time_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
+    s.parameters.mass_scaling = make_mass_scaling(s.assemblage, s.mass_scaling_factor);
+    s.parameters.touch_share = bearable_touch_share(s.assemblage, s.boundary, law, s.mass_scaling_factor);
+    s.parameters.time_step = r.time_step_fraction * s.stable_time_step;
+    return s;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,20 @@
+// What a run computes with, found once from specimen and request.
+#pragma once
+
+#include "solver/assemblage.hpp"
+#include "solver/boundary.hpp"
+#include "solver/simulation.hpp"
+#include "solver/step.hpp"
+
+namespace graincrack {
+
+struct Setup {
+    Assemblage assemblage;
+    Boundary boundary;
+    StepParameters parameters;
+    double mass_scaling_factor = 0;  ///< β, 0: none
+    double stable_time_step = 0;     ///< s
+};
+Setup make_setup(const Specimen& specimen, const SimulationRequest& request);
+
+}  // namespace graincrack

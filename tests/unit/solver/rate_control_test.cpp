@@ -1,0 +1,135 @@
+// The automatic rate and loading in blocks: measures in, speed out.
+#include "solver/rate_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "share/error.hpp"
+#include "solver/block_control.hpp"
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+constexpr double tolerance = 5e-3;
+constexpr RateScales scales{0.16, 5e-5, 3e-4, 10};
+constexpr double wave_speed = 0.16 / 5e-5;
+constexpr double duration = 0.25 * scales.transit_time;
+
+/// An elastic bar of unit mass and modulus between the platens, without ringing: K = m v²/6, U = ½ E ε² V with c² = E V/m.
+class Bar {
+public:
+    explicit Bar(double endangered, double tolerance_of_control = tolerance)
+        : control_(tolerance_of_control, scales), endangered_(endangered) {}
+    /// Speed after some more batches.
+    double speed_after(int batches) {
+        for (int i = 0; i < batches; ++i) {
+            const double stored = 0.5 * mass * wave_speed * wave_speed * strain_ * strain_;
+            speed_ =
+                control_.next({strain_, mass * speed_ * speed_ / 6, stored, unbalanced_ratio, difference, endangered_}, duration);
+            strain_ += 2 * speed_ * duration / scales.height;
+        }
+        return speed_;
+    }
+    [[nodiscard]] double strain() const { return strain_; }
+    double unbalanced_ratio = 0;
+    double difference = 0;
+
+private:
+    // With this mass the bar stores `least_energy` at `least_strain`.
+    static constexpr double mass =
+        2 * scales.least_energy / (wave_speed * wave_speed * scales.least_strain * scales.least_strain);
+    RateControl control_;
+    double endangered_;
+    double speed_ = 0;
+    double strain_ = 0;
+};
+
+TEST(RateControl, NearDamageTheLoadRisesByTheToleranceInATransit) {
+    Bar bar(1.0);
+    // The speed follows the strain, which grows e-fold in 1/T = 200 transits, with a lag of 4 + 1 transits: 2.5 % below.
+    const double speed = bar.speed_after(4 * 400);
+    expect_close(2 * speed / (wave_speed * bar.strain()), tolerance, 0.03, tolerance);
+}
+
+TEST(RateControl, HalfTheToleranceIsHalfTheSpeed) {
+    Bar whole(1.0);
+    Bar half(1.0, tolerance / 2);
+    const double speed = whole.speed_after(4 * 400) / whole.strain();
+    expect_close(half.speed_after(4 * 800) / half.strain(), speed / 2, 0.02, speed / 2);  // lags as above, 2.5 % and 1.3 %
+}
+
+TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
+    const RateControl control(tolerance, scales);
+    Bar far(0);
+    Bar near(1.0);
+    EXPECT_GT(far.speed_after(400), 3 * near.speed_after(400));
+    EXPECT_LE(far.speed_after(4000), control.most_speed());
+    EXPECT_GT(control.allowed(0), 10 * tolerance);
+    EXPECT_LE(control.allowed(0) * control.allowed(0) / 12, 1e-3);  // kinetic over stored energy (quasi-static, as tests ask)
+    EXPECT_EQ(control.allowed(1), tolerance);
+}
+
+TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
+    for (const bool by_difference : {false, true}) {
+        Bar bar(1.0);
+        const double before = bar.speed_after(1000);
+        (by_difference ? bar.difference : bar.unbalanced_ratio) = 20 * tolerance;
+        double last = before;
+        for (int i = 0; i < 40; ++i) {
+            const double speed = bar.speed_after(1);
+            EXPECT_GE(speed, last * std::exp(-duration / (3.9 * scales.transit_time)));  // e-fold in four transits
+            last = speed;
+        }
+        EXPECT_LT(bar.speed_after(100), 0.3 * before);
+        const RateControl control(tolerance, scales);
+        expect_close(bar.speed_after(1), control.least_speed(bar.strain(), tolerance), 1e-3, last);
+    }
+}
+
+TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
+    RateControl control(tolerance, scales);
+    double speed = 0;
+    for (int i = 0; i < 2000; ++i) {
+        speed = control.next({1e-3, 0, 100, 0, 0, i == 0 ? 1.0 : 0.0}, duration);
+    }
+    RateControl never_near(tolerance, scales);
+    double free_speed = 0;
+    for (int i = 0; i < 10; ++i) {
+        free_speed = never_near.next({1e-3, 0, 100, 0, 0, 0}, duration);
+    }
+    EXPECT_EQ(speed, control.most_speed());  // nothing moves: no measure holds it
+    EXPECT_GT(free_speed, 5 * control.least_speed(1e-3, tolerance));
+    RateControl started(tolerance, scales);
+    EXPECT_EQ(started.next({1e-3, 0, 100, 0, 0, 1}, duration), control.least_speed(1e-3, tolerance));
+    EXPECT_LT(started.next({1e-3, 0, 100, 0, 0, 0}, duration), 1.1 * control.least_speed(1e-3, tolerance));
+}
+
+TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
+    BlockControl control(2.0, 1e-4, 10.0);
+    for (int block = 0; block < 3; ++block) {
+        for (int part = 0; part < parts_of_block - 1; ++part) {
+            EXPECT_EQ(control.next(part == 0 ? 1e-5 : 0.5, 1.0), 2.0);
+        }
+        for (int batch = 0; batch < 5; ++batch) {
+            EXPECT_EQ(control.next(0.5, 1.0), 0.0);
+        }
+    }
+}
+
+TEST(BlockControl, GivesUpOnASpecimenThatDoesNotComeToRest) {
+    BlockControl control(2.0, 1e-4, 10.0);
+    test::expect_one_line<NumericalError>(
+        [&] {
+            for (int i = 0; i < 100; ++i) {
+                static_cast<void>(control.next(0.5, 1.0));
+            }
+        },
+        {"no equilibrium", "--rate-tolerance"});
+}
+
+}  // namespace
+}  // namespace graincrack
