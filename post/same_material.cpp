@@ -15,8 +15,7 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
     const ContactParameters& p = a.contact;
     const ContactParameters& q = b.contact;
     if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle ||
-        p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||
-        p.residual_friction_angle != q.residual_friction_angle) {
+        p.open_shear_strength != q.open_shear_strength) {
         return "the contact parameters";
     }
     if (p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||

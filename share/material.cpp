@@ -73,6 +73,7 @@ std::vector<Table> tables_of(Material& material) {
           {"shear_stiffness", quantity::contact_shear_stiffness, to_optional(contact.shear_stiffness), false},
           {"fracture_energy", quantity::fracture_energy, to_optional(contact.fracture_energy), false},
           {"mode_ii_fracture_energy", quantity::mode_ii_fracture_energy, to_optional(contact.mode_ii_fracture_energy), false},
+          {"open_shear_strength", quantity::contact_open_shear_strength, to_optional(contact.open_shear_strength), false},
           {"residual_tensile_strength", quantity::contact_residual_tensile_strength,
            to_optional(contact.residual_tensile_strength), false},
           {"residual_cohesion", quantity::contact_residual_cohesion, to_optional(contact.residual_cohesion), false},
@@ -240,6 +241,8 @@ ContactParameters contact_parameters(const Material& material, PlaneCondition pl
     p.critical_sliding = fpz::critical_displacement(p.cohesion, p.shear_stiffness);
     p.ultimate_opening = fpz::ultimate_displacement(p.fracture_energy, p.tensile_strength, p.critical_opening);
     p.mode_ii_fracture_energy = contact.mode_ii_fracture_energy.value_or(fpz::mode_ii_fracture_energy(rock, plane));
+    p.open_shear_strength =
+        contact.open_shear_strength.value_or(p.tensile_strength * std::sqrt(p.shear_stiffness / p.normal_stiffness));
     p.residual_tensile_strength = contact.residual_tensile_strength.value_or(0);
     p.residual_cohesion = contact.residual_cohesion.value_or(0);
     p.residual_friction_angle = contact.residual_friction_angle.value_or(contact.friction_angle);

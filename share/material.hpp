@@ -23,6 +23,7 @@ struct ContactMaterial {
     std::optional<double> fracture_energy;   ///< Gf, J/m²
     // of single laws only
     std::optional<double> mode_ii_fracture_energy;    ///< G_II, J/m²
+    std::optional<double> open_shear_strength;        ///< Pa
     std::optional<double> residual_tensile_strength;  ///< Pa
     std::optional<double> residual_cohesion;          ///< Pa
     std::optional<double> residual_friction_angle;    ///< rad
@@ -81,6 +82,7 @@ struct ContactParameters {
     double residual_tensile_strength = 0;  ///< after failure, Pa
     double residual_cohesion = 0;          ///< after failure, Pa
     double residual_friction_angle = 0;    ///< after failure, rad; φc unless given
+    double open_shear_strength = 0;        ///< while open, Pa; tc √(ks/kt) unless given
 };
 
 /// Derives the contact parameters of a material for a plane condition (Eqs 3–5, 8, 11, 14, 32).

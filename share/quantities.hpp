@@ -98,6 +98,8 @@ inline constexpr Quantity fracture_energy{
     "fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true};
 inline constexpr Quantity mode_ii_fracture_energy{
     "mode_ii_fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to slide a unit of contact area apart", true};
+inline constexpr Quantity contact_open_shear_strength{
+    "contact_open_shear_strength", Dimension::stress, 0, 1e12, "shear strength of a contact while it is open", true};
 inline constexpr Quantity contact_residual_tensile_strength{"contact_residual_tensile_strength", Dimension::stress, 0, 1e12,
                                                             "tensile strength of a failed contact"};
 inline constexpr Quantity contact_residual_cohesion{"contact_residual_cohesion", Dimension::stress, 0, 1e12,

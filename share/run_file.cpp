@@ -76,6 +76,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit.newer("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
     visit.newer("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
     visit.newer("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
+    visit.newer("contact_open_shear_strength", h.contact.open_shear_strength, Dimension::stress);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit.newer("rate", h.rate);
@@ -137,6 +138,7 @@ void write_header(H5Output& file, const RunHeader& header) {
 
 RunHeader read_header(const H5Input& file) {
     RunHeader header;
+    header.contact.open_shear_strength = file.attribute<double>(schema::run_group, "contact_tensile_strength");  // in older files
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
     visit_header(header, HeaderReader{file});

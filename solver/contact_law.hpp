@@ -35,6 +35,7 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     law.tan_phi = std::tan(p.friction_angle);
     law.gf = p.fracture_energy;
     law.g2 = p.mode_ii_fracture_energy;
+    law.open_shear_strength = p.open_shear_strength;
     law.residual_tc = p.residual_tensile_strength;
     law.residual_cc = p.residual_cohesion;
     law.residual_tan_phi = std::tan(p.residual_friction_angle);

@@ -21,6 +21,8 @@ void add_parameters(CLI::App& command, ContactOptions& o) {
                  "cohesion cc of the contacts instead of the material's");
     add_quantity(command, "--contact-friction-angle", o.friction_angle, quantity::contact_friction_angle,
                  "friction angle of the contacts instead of the material's");
+    add_quantity(command, "--contact-open-shear-strength", o.open_shear_strength, quantity::contact_open_shear_strength,
+                 "consistent: shear strength while open; tc sqrt(ks/kt) unless given");
     add_quantity(command, "--contact-residual-tensile-strength", o.residual_tensile_strength,
                  quantity::contact_residual_tensile_strength, "coulomb-slip: tensile strength after failure; 0 unless given");
     add_quantity(command, "--contact-residual-cohesion", o.residual_cohesion, quantity::contact_residual_cohesion,
@@ -64,6 +66,7 @@ void check_use(const ContactOptions& o) {
     require_use(o.fracture_energy.has_value(), "--fracture-energy", o.law, &LawDescription::fracture_energy);
     require_use(o.mode_ii_fracture_energy.has_value(), "--mode-ii-fracture-energy", o.law,
                 &LawDescription::mode_ii_fracture_energy);
+    require_use(o.open_shear_strength.has_value(), "--contact-open-shear-strength", o.law, &LawDescription::open_shear_strength);
     require_use(o.residual_tensile_strength.has_value(), "--contact-residual-tensile-strength", o.law, residual);
     require_use(o.residual_cohesion.has_value(), "--contact-residual-cohesion", o.law, residual);
     require_use(o.residual_friction_angle.has_value(), "--contact-residual-friction-angle", o.law, residual);
@@ -91,6 +94,7 @@ Material material_of(const ContactOptions& o) {
     replace(contact.tensile_strength, o.tensile_strength);
     replace(contact.cohesion, o.cohesion);
     replace(contact.friction_angle, o.friction_angle);
+    replace(contact.open_shear_strength, o.open_shear_strength);
     replace(contact.residual_tensile_strength, o.residual_tensile_strength);
     replace(contact.residual_cohesion, o.residual_cohesion);
     replace(contact.residual_friction_angle, o.residual_friction_angle);

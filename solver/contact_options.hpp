@@ -16,6 +16,7 @@ struct ContactOptions {
     LawVariant law = SimulationRequest{}.law;
     Coupling coupling = Coupling::full;
     std::optional<double> normal_stiffness, shear_stiffness, tensile_strength, cohesion, friction_angle;
+    std::optional<double> open_shear_strength;
     std::optional<double> residual_tensile_strength, residual_cohesion, residual_friction_angle;
     std::optional<FractureEnergyChoice> fracture_energy;
     std::optional<double> mode_ii_fracture_energy;

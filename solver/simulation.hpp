@@ -21,7 +21,7 @@ struct SimulationRequest {
     ContactParameters contact;  ///< derived from it, validated
     std::string fracture_energy_choice = "mode-i";
     PlaneCondition plane = PlaneCondition::strain;
-    LawVariant law = LawVariant::scaled;
+    LawVariant law = LawVariant::consistent;
     Coupling coupling = Coupling::full;
     double peak_drop = 0.3;
     double damping = 0.8;

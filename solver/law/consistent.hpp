@@ -12,8 +12,9 @@
 //   closed   λ = |δs|/δcs:                    β ≤ e^(−λ) up to λ = 1, then β = 0: cohesion is lost at once
 //
 // Pure opening gives Eq 7's curve with area Gf, sliding under compression Eq 10's. What the paper calls non-linear elastic is
-// damage here: un- and reloading go along the secant before the peak too. δso = e tc/ks: an open contact has the strength tc in
-// shear as well, the text's σ of Eq 7. λu gives every direction of opening the energy Gf. A point that failed closed carries
+// damage here: un- and reloading go along the secant before the peak too. δso = e to/ks: an open contact has the strength to in
+// shear, a parameter; with to = tc √κ, the default, λ² is the energy ½ (kt δn² + ks δs²) over that of δct, so that damage follows
+// the force that is conjugate to it. λu gives every direction of opening the energy Gf. A point that failed closed carries
 // friction on all of its area, from the traction it had (Eq 12); one that failed open on the share D it has lost, from zero when
 // it closes (Alfano & Sacco 2006, Int J Numer Meth Engng 68: friction on the damaged part). Shares are merged by their mean
 // slip; energy is convex in slip, so what is lost thereby is never negative. Over δn = 0 only β can change, and only fall: that
@@ -41,13 +42,14 @@ struct Consistent {
                                                 .name = "consistent",
                                                 .meaning = "one damage variable, an energy, no mismatch",
                                                 .potential = true,
-                                                .fracture_energy = true};
+                                                .fracture_energy = true,
+                                                .open_shear_strength = true};
     static constexpr bool damages_intact = true;
     /// In pure opening. A direction in which the way to the peak takes more than Gf has no softening and takes that.
     static FractureEnergies least_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
     static void complete(ContactLaw& law) {
         law.stiffest_shear = law.ks;
-        law.inv_dso = law.ks / (std::numbers::e * law.tc);
+        law.inv_dso = law.ks / (std::numbers::e * law.open_shear_strength);
     }
 
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {

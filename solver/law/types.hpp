@@ -33,6 +33,7 @@ struct LawDescription {
     bool coupling = false;                 ///< --coupling; a law without couples the modes by nature
     bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II
     bool mode_ii_fracture_energy = false;  ///< G_II
+    bool open_shear_strength = false;      ///< shear strength while open
     bool residual_strength = false;        ///< residual tensile strength, cohesion and friction angle
 };
 

@@ -108,7 +108,7 @@ TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
         const double closed = walk.go({-tiny, sliding}, 100).shear;
         const double before = walk.fracture();
         const double open = walk.to({tiny, sliding}).shear;
-        const double open_load = sliding * c.shear_stiffness / (e * c.tensile_strength);
+        const double open_load = sliding * c.shear_stiffness / (e * c.open_shear_strength);
         if (open_load < 1) {
             expect_close(open, c.shear_stiffness * sliding * std::exp(-open_load), 1e-9, closed);
         }

@@ -109,9 +109,8 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
     EXPECT_EQ(
         complaint(stone + "cohesio = 3\n"),
         "line 13: unknown key contact.cohesio (did you mean cohesion?); known are tensile_strength, cohesion, friction_angle, "
-        "normal_stiffness, shear_stiffness, fracture_energy, mode_ii_fracture_energy, residual_tensile_strength, "
-        "residual_cohesion, "
-        "residual_friction_angle");
+        "normal_stiffness, shear_stiffness, fracture_energy, mode_ii_fracture_energy, open_shear_strength, "
+        "residual_tensile_strength, residual_cohesion, residual_friction_angle");
     EXPECT_EQ(complaint("colour = 'red'\n" + stone), "line 1: unknown key colour; known outside of tables is only name");
     EXPECT_EQ(complaint("name = 'x'\n" + contact), "rock.young_modulus is missing; it is the Young's modulus of the rock, in Pa");
     EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),

@@ -59,6 +59,7 @@ RunHeader header() {
     h.confinement_mean = 29.5;
     h.confinement_deviation = 30.5;
     h.damping_share = 31.5;
+    h.contact.open_shear_strength = 36.5;
     h.contact.mode_ii_fracture_energy = 32.5;
     h.contact.residual_tensile_strength = 33.5;
     h.contact.residual_cohesion = 34.5;
@@ -131,6 +132,7 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(r.fracture_energy_choice, "mixed");
     EXPECT_EQ(r.plane, PlaneCondition::stress);
     EXPECT_EQ(r.mass_scaling, "selective");
+    EXPECT_EQ(r.contact.open_shear_strength, 36.5);
     EXPECT_EQ(r.rate, "blocks");
     EXPECT_EQ(r.rate_tolerance, 0.25);
     EXPECT_EQ(r.vector_target, "avx2");
@@ -187,7 +189,7 @@ TEST(RunFile, AnOlderHeaderHasTheDefaults) {
     std::ifstream input(folder.file("new.h5"), std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(input), {}};
     for (const std::string name : {"mode_ii_fracture_energy", "contact_residual_tensile_strength", "contact_residual_cohesion",
-                                   "contact_residual_friction_angle"}) {
+                                   "contact_residual_friction_angle", "contact_open_shear_strength"}) {
         const std::size_t at = bytes.find(name + '\0');
         ASSERT_NE(at, std::string::npos) << name;
         bytes[at] = 'X';
@@ -195,6 +197,7 @@ TEST(RunFile, AnOlderHeaderHasTheDefaults) {
     std::ofstream(folder.file("old.h5"), std::ios::binary) << bytes;
     const RunReader run(folder.file("old.h5"));
     EXPECT_FALSE(run.file().has_attribute("/run", "contact_residual_cohesion"));
+    EXPECT_EQ(run.header().contact.open_shear_strength, header().contact.tensile_strength);  // as the law was then
     EXPECT_EQ(run.header().contact.mode_ii_fracture_energy, 0);
     EXPECT_EQ(run.header().contact.residual_tensile_strength, 0);
     EXPECT_EQ(run.header().contact.residual_cohesion, 0);

@@ -108,17 +108,19 @@ TEST(ContactLawPoint, ClosedPushesWithInitialStiffness) {
     }
 }
 
-// The shear strength of a contact that is open by nothing is what tells the laws apart: tc, tc √κ, cc.
+// The shear strength of a contact that is open by nothing is what tells the laws apart: tc, tc √κ, a parameter, cc.
 TEST(ContactLawPoint, ShearStrengthWhileOpen) {
-    const ContactParameters p = augig_contact();
+    ContactParameters p = augig_contact();
+    const double kappa = p.shear_stiffness / p.normal_stiffness;
+    EXPECT_EQ(p.open_shear_strength, p.tensile_strength * std::sqrt(kappa));
+    p.open_shear_strength = 11e6;
     for (const ContactLaw& law : all_laws(p)) {
         test::ContactWalk walk(law);
         walk.go({0, 1.5 * p.critical_sliding}, 100000);
-        const double kappa = p.shear_stiffness / p.normal_stiffness;
-        const bool is_tensile = law.variant == LawVariant::literal || law.variant == LawVariant::consistent;
-        const double strength = is_tensile                          ? p.tensile_strength
-                                : law.variant == LawVariant::scaled ? p.tensile_strength * std::sqrt(kappa)
-                                                                    : p.cohesion;
+        const double strength = law.variant == LawVariant::literal      ? p.tensile_strength
+                                : law.variant == LawVariant::consistent ? p.open_shear_strength
+                                : law.variant == LawVariant::scaled     ? p.tensile_strength * std::sqrt(kappa)
+                                                                        : p.cohesion;
         expect_close(walk.largest_shear(), strength, 1e-4, strength);
         EXPECT_EQ(walk.history().first_mode, CrackMode::tensile);  // open then
     }
