@@ -301,9 +301,13 @@ void RunWriter::thin_frames() {
 
 std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
 
-void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance) {
+void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance,
+                       const std::vector<SensitivityRow>& sensitivity) {
     write_header(state_->file, header);
     write_cracks(state_->file, cracks);
+    if (!sensitivity.empty()) {
+        write_sensitivity(state_->file, sensitivity);
+    }
     for (std::size_t i = 0; i < state_->frames.size(); ++i) {
         std::string& group = state_->frames[i].group;
         const std::string numbered = fmt::format("{}/{:04}", schema::frames_group, i);

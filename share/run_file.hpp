@@ -13,6 +13,7 @@
 #include "share/fracture_process_zone.hpp"
 #include "share/material.hpp"
 #include "share/quantities.hpp"
+#include "share/sensitivity.hpp"
 #include "share/specimen.hpp"
 
 namespace graincrack {
@@ -151,9 +152,10 @@ public:
     /// Removes every second frame that is not kept.
     void thin_frames();
     [[nodiscard]] std::size_t n_frames() const;
-    /// Writes the final header, catalogue, numbering of the frames in time order, the last frame into /VTKHDF, and
-    /// /provenance; then commits.
-    void finish(const RunHeader& header, const std::vector<Crack>& cracks, const struct Provenance& provenance);
+    /// Writes the final header, catalogue, sensitivity if there is one, numbering of the frames in time order, the last frame
+    /// into /VTKHDF, and /provenance; then commits.
+    void finish(const RunHeader& header, const std::vector<Crack>& cracks, const struct Provenance& provenance,
+                const std::vector<SensitivityRow>& sensitivity = {});
 
 private:
     struct State;

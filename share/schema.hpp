@@ -17,6 +17,7 @@ inline constexpr const char* specimen_group = "/specimen";
 inline constexpr const char* run_group = "/run";
 inline constexpr const char* history_group = "/history";
 inline constexpr const char* cracks_group = "/cracks";
+inline constexpr const char* sensitivity_group = "/sensitivity";
 inline constexpr const char* frames_group = "/frames";
 inline constexpr const char* provenance_group = "/provenance";
 inline constexpr const char* vtk_group = "/VTKHDF";

@@ -5,6 +5,8 @@
 //     brazilian.h5
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "share/error.hpp"
@@ -53,6 +55,25 @@ void print_summary(const SimulationSummary& s) {
     }
 }
 
+/// The table of a run with --sensitivity: values of the test as it is, then changes.
+void print_sensitivity(std::FILE* out, const std::vector<SensitivityRow>& rows) {
+    fmt::print(out,
+               "changed\tpeak_stress_MPa\tstrain_at_peak\tpost_peak_slope_GPa\ttensile_cracks\tshear_cracks\tpeak_change_percent"
+               "\tstrain_change_percent\tslope_change_percent\ttensile_cracks_change\tshear_cracks_change\n");
+    const auto cell = [](double value, int digits) {
+        return std::isfinite(value) ? format_number(value, digits) : std::string();
+    };
+    const SensitivityRow& own = rows.front();
+    for (const SensitivityRow& row : rows) {
+        fmt::print(out, "{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.changed, cell(row.peak_axial_stress * 1e-6, 5),
+                   cell(row.strain_at_peak, 5), cell(row.post_peak_slope * 1e-9, 4), cell(row.tensile_cracks, 6),
+                   cell(row.shear_cracks, 6), cell(100 * (row.peak_axial_stress / own.peak_axial_stress - 1), 3),
+                   cell(100 * (row.strain_at_peak / own.strain_at_peak - 1), 3),
+                   cell(100 * (row.post_peak_slope / own.post_peak_slope - 1), 3),
+                   cell(row.tensile_cracks - own.tensile_cracks, 4), cell(row.shear_cracks - own.shear_cracks, 4));
+    }
+}
+
 int solve(int argc, char** argv) {
     const auto options = read_solve_options(argc, argv);
     if (!options) {
@@ -73,6 +94,9 @@ int solve(int argc, char** argv) {
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary);
+    }
+    if (options->request.sensitivity) {
+        print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     }
     return 0;
 }

@@ -13,6 +13,7 @@
 #include "solver/catalogue.hpp"
 #include "solver/frame_keeper.hpp"
 #include "solver/measure.hpp"
+#include "solver/sensitivity.hpp"
 #include "solver/setup.hpp"
 #include "solver/team.hpp"
 #include "solver/vector_targets.hpp"
@@ -54,7 +55,7 @@ RunHeader make_header(const SimulationRequest& r) {
 /// The run: everything that lives as long as it does.
 class Simulation {
 public:
-    Simulation(const Specimen& specimen, const SimulationRequest& request, const std::string& output, Verbosity verbosity)
+    Simulation(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity)
         : specimen_(specimen),
           request_(request),
           setup_(make_setup(specimen, request)),
@@ -63,16 +64,20 @@ public:
           state_(make_state(assemblage_, boundary_, specimen)),
           catalogue_(state_.points.size()),
           header_(make_header(request)),
-          progress_(header_.test, verbosity),
+          progress_(label, verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         header_.vector_target = vector_target();
         header_.mass_scaling_factor = setup_.mass_scaling_factor;
         header_.stable_time_step = setup_.stable_time_step;
         header_.time_step = parameters_.time_step;
+    }
+
+    /// Writes the run to a file as it goes ("-": stdout); to be called before `run`.
+    void write_to(const std::string& output) {
         H5Output file(output, "run");
         const bool pipe = file.is_pipe();
-        writer_.emplace(std::move(file), specimen, header_);
-        frames_.emplace(pipe && request.frames < 0 ? 0 : std::abs(request.frames), request.loading.max_strain / 64, *writer_);
+        writer_.emplace(std::move(file), specimen_, header_);
+        frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), request_.loading.max_strain / 64, *writer_);
     }
 
     RunHeader run() {
@@ -92,12 +97,14 @@ public:
         return header_;
     }
 
-    void write(const Provenance& provenance) {
+    /// Completes the file.
+    void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
         frames_->last(assemblage_, parameters_.law, state_);
         writer_->append_history(history_);
-        writer_->finish(header_, catalogue_.rows(state_), provenance);
+        writer_->finish(header_, catalogue_.rows(state_), provenance, sensitivity);
     }
     [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
+    [[nodiscard]] TestOutcome outcome() const { return {header_, history_}; }
     [[nodiscard]] int threads() const { return team_.size(); }
 
 private:
@@ -121,11 +128,13 @@ private:
         const bool counts = !loading_.is_isotropic() && !catalogue_.empty();
         const bool is_highest = counts && driven_stress() > peak_;
         peak_ = is_highest ? driven_stress() : peak_;
-        frames_->peak(is_highest, counts && driven_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
-                      state_);
-        frames_->regular(std::abs(axial_strain()), assemblage_, parameters_.law, state_);
-        if (history_.size() % 500 == 0) {
-            writer_->append_history(history_);
+        if (writer_) {
+            frames_->peak(is_highest, counts && driven_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
+                          state_);
+            frames_->regular(std::abs(axial_strain()), assemblage_, parameters_.law, state_);
+            if (history_.size() % 500 == 0) {
+                writer_->append_history(history_);
+            }
         }
     }
 
@@ -281,10 +290,17 @@ private:
 
 }  // namespace
 
+TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity) {
+    Simulation simulation(specimen, request, label, verbosity);
+    simulation.run();
+    return simulation.outcome();
+}
+
 SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& request, const std::string& output,
                            Verbosity verbosity, Provenance provenance) {
     const auto begin = std::chrono::steady_clock::now();
-    Simulation simulation(specimen, request, output, verbosity);
+    Simulation simulation(specimen, request, std::string(name_of(request.loading.test)), verbosity);
+    simulation.write_to(output);
     SimulationSummary summary;
     summary.header = simulation.run();
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -292,9 +308,12 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
         1e9 * summary.wall_time / (static_cast<double>(summary.header.steps) * static_cast<double>(specimen.n_grains()));
     summary.tensile_cracks = simulation.catalogue().tensile_points() / 2;
     summary.shear_cracks = simulation.catalogue().shear_points() / 2;
+    if (request.sensitivity) {
+        summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
+    }
     provenance.wall_time = summary.wall_time;
     provenance.threads = simulation.threads();
-    simulation.write(provenance);
+    simulation.finish(summary.sensitivity, provenance);
     return summary;
 }
 

@@ -28,6 +28,7 @@ struct SimulationRequest {
     bool mass_scaling = false;                  ///< selective
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
+    bool sensitivity = false;  ///< run again with one thing changed at a time
     int frames = 20;
     int threads = 1;                        ///< at most
     std::size_t elements_per_thread = 250;  ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
@@ -52,7 +53,17 @@ struct SimulationSummary {
     std::size_t shear_cracks = 0;
     double wall_time = 0;  ///< s
     double ns_per_grain_step = 0;
+    std::vector<SensitivityRow> sensitivity;  ///< if asked for
 };
+
+/// A test that was run and not written.
+struct TestOutcome {
+    RunHeader header;
+    History history;
+};
+/// Runs the test and writes nothing. \param label what the progress says
+/// \throws NumericalError, Interrupted
+TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity);
 
 /// Runs the test and writes the run file to `output` ("-": stdout).
 /// \throws NumericalError if the run becomes unstable, Interrupted on a signal, OutputError

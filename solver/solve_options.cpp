@@ -89,6 +89,9 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
                  "that multiple less one; as much as lets the grains alone limit the step unless given");
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
                  "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
+    command.add_flag("--sensitivity", request.sensitivity,
+                     "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
+                     "elements along an edge; print what moves, and keep it in the run");
     add_integer(command, "--frames", request.frames,
                 "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
     add_threads(command, request.threads);

@@ -68,6 +68,7 @@ TestReport read_test_report(const RunReader& run) {
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.at_end = balance_cracks(cracks, times.back());
     report.branches = count_branches(cracks);
+    report.sensitivity = read_sensitivity(run.file());
     report.contact_zone_length =
         fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);
     report.provenance = provenance_of(run.file());

@@ -64,6 +64,18 @@ std::string scaling_words(const RunHeader& header) {
     return header.mass_scaling + ", " + number(header.mass_scaling_factor);
 }
 
+/// What moves the peak most, if the run was asked.
+std::string sensitivity_words(const TestReport& t) {
+    std::string words;
+    for (std::size_t i = 1; i < t.sensitivity.size(); ++i) {
+        const SensitivityRow& row = t.sensitivity[i];
+        const double change = row.peak_axial_stress / t.sensitivity[0].peak_axial_stress - 1;
+        words += (words.empty() ? "" : "; ") + row.changed + " " +
+                 (std::isfinite(change) ? fmt::format("{:+.1f} %", 100 * change) : std::string("failed"));
+    }
+    return words.empty() ? "not asked for (--sensitivity)" : words;
+}
+
 struct Check {
     const char* words;
     std::function<std::string(const TestReport&)> value;
@@ -97,6 +109,7 @@ const std::vector<Check>& checks() {
         {"platen speed", [](const TestReport& t) { return rate_words(t.data.header); }},
         {"damping", [](const TestReport& t) { return number(t.data.header.damping); }},
         {"mass scaling", [](const TestReport& t) { return scaling_words(t.data.header); }},
+        {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_words(t); }},
         {"warning", [](const TestReport& t) { return t.split ? t.split->warning : std::string(); }}};
     return all;
 }

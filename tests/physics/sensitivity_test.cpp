@@ -1,0 +1,132 @@
+// What --sensitivity changes and what it tells; the refined specimen.
+#include "solver/sensitivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mesher/specimen_maker.hpp"
+#include "solver/assemblage.hpp"
+#include "solver/refinement.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+Specimen disc(int grains, int elements_per_edge) {
+    mesher::SpecimenRequest request;
+    request.shape = {mesher::ShapeKind::disc, 0.04, 0.04};
+    request.grains = grains;
+    request.elements_per_edge = elements_per_edge;
+    return mesher::make_specimen(request);
+}
+
+SimulationRequest brazilian() {
+    SimulationRequest request;
+    request.loading.test = TestKind::brazilian;
+    request.loading.rate = RateKind::automatic;
+    request.loading.rate_tolerance = 0.05;  // fast: what is tested is the table
+    request.loading.platen_friction = 5 * test::degree;
+    request.plane = PlaneCondition::stress;
+    request.material = test::augig_granite();
+    request.contact = test::augig_contact(request.plane);
+    request.frames = 0;
+    return request;
+}
+
+TEST(Sensitivity, ChangesOneThingEach) {
+    SimulationRequest request = brazilian();
+    request.mass_scaling = true;
+    const auto cases = sensitivity_cases(request, 100);
+    ASSERT_EQ(cases.size(), 5U);
+    EXPECT_EQ(cases[0].request.loading.rate_tolerance, 0.025);
+    EXPECT_EQ(cases[0].request.time_step_fraction, request.time_step_fraction);
+    EXPECT_EQ(cases[1].request.time_step_fraction, request.time_step_fraction / 2);
+    EXPECT_EQ(cases[1].request.loading.rate_tolerance, 0.05);
+    EXPECT_EQ(cases[2].request.damping, 0.4);
+    EXPECT_EQ(cases[3].request.mass_scaling_factor, 25);
+    EXPECT_TRUE(cases[4].refine);
+    EXPECT_FALSE(cases[3].refine);
+    request.damping = 0;
+    request.loading.rate = RateKind::fixed;
+    request.loading.platen_speed = 0.01;
+    const auto fewer = sensitivity_cases(request, 0);
+    ASSERT_EQ(fewer.size(), 3U);
+    EXPECT_EQ(fewer[0].request.loading.platen_speed, 0.005);
+}
+
+TEST(Sensitivity, ARowTellsThePeakAndWhatFollows) {
+    RunHeader header;
+    header.test = "uniaxial";
+    header.peak_axial_stress = 3;
+    header.stop_reason = "peak drop";
+    History history;
+    history[HistoryColumn::axial_stress] = {0, -2, -3, -1};
+    history[HistoryColumn::axial_strain] = {0, -0.25, -0.5, -1};
+    history[HistoryColumn::tensile_cracks] = {0, 1, 4, 9};
+    history[HistoryColumn::shear_cracks] = {0, 0, 2, 3};
+    SensitivityRow row = sensitivity_row("as it is", header, history);
+    EXPECT_EQ(row.peak_axial_stress, 3);
+    EXPECT_EQ(row.strain_at_peak, 0.5);
+    EXPECT_EQ(row.post_peak_slope, -4);  // (1 − 3)/(1 − 0.5)
+    EXPECT_EQ(row.tensile_cracks, 4);
+    EXPECT_EQ(row.shear_cracks, 2);
+    header.stop_reason = "strain cap";
+    EXPECT_TRUE(std::isnan(sensitivity_row("as it is", header, history).post_peak_slope));
+}
+
+TEST(Sensitivity, TheRunKeepsTheTable) {
+    SimulationRequest request = brazilian();
+    request.sensitivity = true;
+    const test::TemporaryFolder folder;
+    const SimulationSummary summary = simulate(disc(30, 1), request, folder.file("run.h5"), Verbosity::quiet, {});
+    ASSERT_EQ(summary.sensitivity.size(), 5U);
+    EXPECT_EQ(summary.sensitivity[0].peak_axial_stress, summary.header.peak_axial_stress);
+    EXPECT_NE(summary.sensitivity[1].peak_axial_stress, summary.header.peak_axial_stress);
+    const RunReader run(folder.file("run.h5"));
+    const auto read = read_sensitivity(run.file());
+    ASSERT_EQ(read.size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(read[i].changed, summary.sensitivity[i].changed);
+        EXPECT_EQ(read[i].peak_axial_stress, summary.sensitivity[i].peak_axial_stress);
+        EXPECT_EQ(read[i].shear_cracks, summary.sensitivity[i].shear_cracks);
+    }
+    EXPECT_TRUE(std::isfinite(read[4].peak_axial_stress));
+    request.sensitivity = false;
+    simulate(disc(30, 1), request, folder.file("plain.h5"), Verbosity::quiet, {});
+    EXPECT_TRUE(read_sensitivity(RunReader(folder.file("plain.h5")).file()).empty());
+}
+
+TEST(Refinement, GivesTheMeshOfTwiceTheElementsAlongAnEdge) {
+    const Specimen fine = refined(disc(50, 1));
+    const Specimen made = disc(50, 2);
+    EXPECT_NO_THROW(validate(fine, "refined"));
+    EXPECT_EQ(fine.n_nodes(), made.n_nodes());
+    EXPECT_EQ(fine.n_elements(), made.n_elements());
+    EXPECT_EQ(fine.n_contacts(), made.n_contacts());
+    EXPECT_EQ(fine.n_boundary_edges(), made.n_boundary_edges());
+    EXPECT_EQ(fine.elements_per_edge, 2);
+    const auto sorted = [](const Specimen& s) {
+        auto points = s.node_position;
+        std::sort(points.begin(), points.end());
+        return points;
+    };
+    const auto ours = sorted(fine);
+    const auto theirs = sorted(made);
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        EXPECT_NEAR(ours[i][0], theirs[i][0], 1e-15);  // middles, to round-off of 0.04 m
+    }
+    const auto sum = [](const Specimen& s) {
+        return std::accumulate(s.contact_grain_boundary.begin(), s.contact_grain_boundary.end(), std::int64_t{0});
+    };
+    EXPECT_EQ(sum(fine), sum(made));
+}
+
+}  // namespace
+}  // namespace graincrack
