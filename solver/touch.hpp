@@ -42,13 +42,9 @@ inline TouchGeometry touch_geometry(const Vector2& node, const Vector2& first, c
     return {t, n, inv_length, inv_length * dot(from_first, t), -dot(from_first, n)};
 }
 
-/// Of an edge, at its ends: no touch begins there, where several corners meet and would hold each other.
-inline constexpr double touch_end_zone = 5e-3;
-
 /// What a touch remembers.
 struct Touch {
     bool active = false;
-    bool was_apart = true;   ///< at the last update the node was not behind the edge
     bool near_first = true;  ///< nearer to the first end of the edge than to the second
     double area = 0;         ///< A of the node, m²
     double allowance = 0;    ///< m

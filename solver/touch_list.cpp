@@ -15,6 +15,7 @@ namespace {
 
 constexpr double buffer = 0.04;          // of the mean edge: pairs nearer than this are listed
 constexpr double hand_over = 0.005;      // of a contact's length: sliding or opening from which on it is released
+constexpr double loosening = 0.001;      // of a contact's length: a failed point that has moved so far ties no more
 constexpr std::int64_t most_steps = 64;  // between two looks
 constexpr std::int64_t least_steps = 4;
 constexpr double wary = 8;  // times as far as the fastest node goes until then: so near a pair is watched
@@ -26,13 +27,17 @@ bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
     return s.failed[point] != 0 && damage(law, history_of(s, point)) >= 1;
 }
 
-/// Contacts of which a point lost its cohesion since the last look: grains that turn about the other point may be met there.
+/// Points that came loose since the last look.
 /// \return whether there are any
-bool find_bare(const Assemblage& a, const ContactLaw& law, State& s) {
+bool find_loose(const Assemblage& a, const ContactLaw& law, State& s) {
     bool found = false;
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.bare[c] == 0 && (is_lost(law, s, 2 * c) || is_lost(law, s, 2 * c + 1))) {
-            s.touches.bare[c] = 1;
+    for (std::size_t point = 0; point < s.touches.loose.size(); ++point) {
+        if (s.failed[point] == 0 || s.touches.loose[point] != 0) {
+            continue;
+        }
+        const double far = loosening * 2 * a.contacts[point / 2].point_area;
+        if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost(law, s, point)) {
+            s.touches.loose[point] = 1;
             found = true;
         }
     }
@@ -43,7 +48,7 @@ bool find_bare(const Assemblage& a, const ContactLaw& law, State& s) {
 std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law, bool only_open, const State& s) {
     std::vector<std::int32_t> movers;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.bare[c] == 0 || s.touches.released[c] != 0) {
+        if (s.touches.released[c] != 0 || s.touches.loose[2 * c] == 0 || s.touches.loose[2 * c + 1] == 0) {
             continue;
         }
         const double far = hand_over * 2 * a.contacts[c].point_area;
@@ -94,11 +99,8 @@ void search(const Assemblage& a, const ContactLaw& law, State& s) {
     list.displacement_at_search = s.displacement;
 }
 
-/// How far a node has to go to stand behind an edge, away from its ends, m; not above 0 where it does.
-double clearance(const TouchGeometry& g) {
-    const double to_zone = std::max(touch_end_zone - g.place, g.place - 1 + touch_end_zone) / g.inv_length;
-    return std::max(-g.depth, to_zone);
-}
+/// How far a node has to go to stand behind an edge, m; not above 0 where it does.
+double clearance(const TouchGeometry& g) { return std::max(-g.depth, std::max(-g.place, g.place - 1) / g.inv_length); }
 
 /// Groups that touch, or whose node may come behind one of their edges by going `reach`; the forces of the others are nil.
 std::vector<std::int32_t> find_awake(const Assemblage& a, double reach, State& s) {
@@ -257,7 +259,7 @@ void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s
             }
         }
         if (best >= 0) {
-            list.touches[best] = {true, false, place < 0.5, contact.point_area, depth - h.pressing, h.pressing, h.stretch, 0.0};
+            list.touches[best] = {true, place < 0.5, contact.point_area, depth - h.pressing, h.pressing, h.stretch, 0.0};
         }
     }
 }
@@ -266,7 +268,7 @@ void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s
 
 TouchList make_touch_list(const Assemblage& a) {
     TouchList list;
-    list.bare.assign(a.contacts.size(), 0);
+    list.loose.assign(2 * a.contacts.size(), 0);
     list.released.assign(a.contacts.size(), 0);
     list.gathers_of_block.assign(a.grain_blocks.size(), Range{});
     return list;
@@ -275,7 +277,7 @@ TouchList make_touch_list(const Assemblage& a) {
 void look_after_touches(const Assemblage& a, const StepParameters& parameters, State& s) {
     TouchList& list = s.touches;
     const ContactLaw law = touch_law(parameters);
-    bool must_search = find_bare(a, parameters.law, s);
+    bool must_search = find_loose(a, parameters.law, s);
     const std::vector<std::int32_t> movers = find_movers(a, parameters.law, parameters.touch_share < 1, s);
     must_search = must_search || !movers.empty() || list.displacement_at_search.empty();
     // How far nodes have gone since the last search, and how fast they go now.

@@ -1,9 +1,10 @@
 // Which nodes may touch which edges: a list kept between searches, and what each pair of it remembers.
 //
-// Where grains are still bonded nothing is searched. An edge is exposed when it is a free face or a point of its contact has
-// lost its cohesion; a node is exposed when an edge of it is. A contact without cohesion goes on as a contact with its original
-// partner (compression and friction) until it has moved by `hand_over` of its length; then it is released: its tractions pass to
-// touches, and from there on its nodes and edges are met like all others.
+// Where grains are still bonded nothing is searched. A contact point is loose when it has lost its cohesion, or failed and moved;
+// an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain is loose:
+// another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion goes on as a
+// contact with its original partner (compression and friction) until it has moved by `hand_over` of its length; then it is
+// released: its tractions pass to touches, and from there on its nodes and edges are met like all others.
 #pragma once
 
 #include <compare>
@@ -33,7 +34,7 @@ struct TouchGather {
 };
 
 struct TouchList {
-    std::vector<std::uint8_t> bare;      ///< [c] 1 once a point of it has lost its cohesion: its edges are exposed
+    std::vector<std::uint8_t> loose;     ///< [2 c] 1 once the point does not hold its nodes side by side any more
     std::vector<std::uint8_t> released;  ///< [c] 1 once it is no contact any more
     std::vector<TouchPair> pairs;        ///< ascending
     std::vector<Touch> touches;          ///< [pairs]

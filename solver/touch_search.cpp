@@ -12,8 +12,8 @@ namespace {
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
 
-/// Nodes that are tied to each other by contacts that have not been released, at a vertex of the specimen: the smallest node of
-/// the group each belongs to.
+/// Nodes that are tied to each other by contact points that are not loose, at a vertex of the specimen: the smallest node of the
+/// group each belongs to.
 std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list) {
     std::vector<std::int32_t> root(a.position.size());
     std::iota(root.begin(), root.end(), 0);
@@ -25,8 +25,8 @@ std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list)
         return i;
     };
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (list.released[c] == 0) {
-            for (std::size_t p = 0; p < 2; ++p) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            if (list.loose[2 * c + p] == 0) {
                 const std::int32_t i = find(a.contacts[c].nodes[p]);
                 const std::int32_t j = find(a.contacts[c].nodes[2 + p]);
                 root[std::max(i, j)] = std::min(i, j);
@@ -39,7 +39,15 @@ std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list)
     return root;
 }
 
-bool is_exposed(const TouchList& list, const OutlineEdge& edge) { return edge.contact < 0 || list.bare[edge.contact] != 0; }
+bool is_loose(const TouchList& list, std::int32_t contact) {
+    return contact >= 0 &&
+           (list.loose[2 * static_cast<std::size_t>(contact)] != 0 || list.loose[2 * static_cast<std::size_t>(contact) + 1] != 0);
+}
+
+bool is_exposed(const TouchList& list, const Outline& outline, const OutlineEdge& edge) {
+    const auto has_loose = [&](std::int32_t e) { return e >= 0 && is_loose(list, outline.edges[e].contact); };
+    return edge.contact < 0 || is_loose(list, edge.contact) || has_loose(edge.previous) || has_loose(edge.next);
+}
 
 struct Box {
     Vector2 low, high;
@@ -120,7 +128,7 @@ std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const Stat
     std::vector<std::uint8_t> is_exposed_node(a.position.size(), 0);
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(outline.edges.size()); ++e) {
         const OutlineEdge& edge = outline.edges[e];
-        if (is_exposed(s.touches, edge)) {
+        if (is_exposed(s.touches, outline, edge)) {
             edges.push_back(e);
             boxes.push_back(around(place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]), margin));
             is_exposed_node[edge.nodes[0]] = is_exposed_node[edge.nodes[1]] = 1;
@@ -146,10 +154,10 @@ std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const Stat
                 return;
             }
             const bool is_tied = tied[node] == tied[edge.nodes[0]] || tied[node] == tied[edge.nodes[1]];
-            const bool was_partner = edge.contact >= 0 && s.touches.released[edge.contact] != 0 &&
-                                     std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
+            const bool is_partner =
+                edge.contact >= 0 && std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
                                                node) != a.contacts[edge.contact].nodes.end();
-            if (!is_tied || was_partner) {
+            if (is_partner ? s.touches.released[edge.contact] != 0 : !is_tied) {
                 pairs.push_back({node, edges[box]});
             }
         });

@@ -11,13 +11,14 @@
 namespace graincrack {
 namespace {
 
-constexpr double slack = 1e-3;  // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
-constexpr double touch_end_zone =
-    5e-3;  // of an edge, at its ends: no touch begins there, where several corners meet and hold each other
-constexpr double least_area = 0.1;      // of what a node stands for, in a crowd
-constexpr double aligned = 0.5;         // cosine of two normals up to which two edges count as one surface
-constexpr double corner = 0.05;         // sine of a turn of the outline from which on its two edges are two faces
-constexpr double largest_entry = 1e-2;  // of the mean edge: farther behind an edge a node does not begin a touch with it
+constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
+constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several grains meet
+                                      // and would hold each other
+constexpr double deep = 6e-3;         // of the mean edge: a node as far in a grain as that is kept out even so
+constexpr double bond_width = 3e-3;   // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
+constexpr double least_area = 0.1;    // of what a node stands for, in a crowd
+constexpr double aligned = 0.5;       // cosine of two normals up to which two edges count as one surface
+constexpr double corner = 0.05;       // sine of a turn of the outline from which on its two edges are two faces
 
 /// The pairs of one node.
 struct Group {
@@ -99,7 +100,6 @@ void pass_on(Group& group, std::int32_t from, std::int32_t to) {
     touch.allowance = group.geometry[to].depth - touch.pressing;
     group.touch(to) = touch;
     group.touch(from) = Touch{};
-    group.touch(from).was_apart = false;
 }
 
 /// The edge on which touch `i` goes on; −1 if it ends.
@@ -126,7 +126,6 @@ void move(Group& group, std::int32_t i) {
     const TouchResponse r = move_touch(group.law, group.touch(i), g, sliding);
     group.friction += r.friction;
     group.touch(i) = r.touch;
-    group.touch(i).was_apart = false;
     if (g.depth <= 0 && r.touch.pressing == 0) {
         group.touch(i) = Touch{};
     }
@@ -144,27 +143,65 @@ double area_of(const Group& group, std::int32_t i) {
     return std::clamp(std::min(room[group.node()], room[end]), least_area * tributary, tributary);
 }
 
-/// Begins touches where the node has come behind an edge: one to a grain and one to a surface.
-void begin_touches(Group& group) {
-    for (std::int32_t i = 0; i < group.size(); ++i) {
-        Touch& touch = group.touch(i);
-        if (touch.active) {
+/// Whether an edge belongs to a contact that has not been released and is not one of the node.
+bool is_between_others(const Group& group, const OutlineEdge& edge) {
+    if (edge.contact < 0 || group.state.touches.released[edge.contact] != 0) {
+        return false;
+    }
+    const auto& nodes = group.assemblage.contacts[edge.contact].nodes;
+    return std::find(nodes.begin(), nodes.end(), group.node()) == nodes.end();
+}
+
+/// Whether the node is in front of the face on the other side of a convex corner of edge `i`, or nearer to that face: it has come
+/// through that one, or is held there by a contact. Nothing comes through an edge that is bonded to another grain.
+bool came_through_neighbour(const Group& group, std::int32_t i) {
+    const Assemblage& a = group.assemblage;
+    const auto place_of = [&](std::int32_t n) { return a.position[n] + group.state.displacement[n]; };
+    const OutlineEdge& edge = group.edge(i);
+    const TouchGeometry& g = group.geometry[i];
+    for (const std::int32_t index : {edge.previous, edge.next}) {
+        if (index < 0) {
             continue;
         }
-        const TouchGeometry& g = group.geometry[i];
-        const bool apart = g.depth <= 0 || !is_over(g, -touch_end_zone);
-        const bool comes = touch.was_apart && !apart && g.depth < largest_entry * group.assemblage.outline.mean_length &&
-                           nearer_face(group, i, g.depth) < 0;
-        touch.was_apart = apart;
-        bool is_free = comes;
-        for (std::int32_t k = 0; is_free && k < group.size(); ++k) {
-            is_free = !(group.touch(k).active &&
-                        (group.edge(k).grain == group.edge(i).grain || dot(group.geometry[k].normal, g.normal) > aligned));
+        const auto& [first, second] = a.outline.edges[index].nodes;
+        const TouchGeometry other = touch_geometry(place_of(group.node()), place_of(first), place_of(second));
+        const double turn = g.tangent.x * other.tangent.y - g.tangent.y * other.tangent.x;
+        const bool convex = index == edge.next ? turn > corner : turn < -corner;
+        const double front =
+            is_between_others(group, a.outline.edges[index]) ? std::min(g.depth, bond_width * a.outline.mean_length) : g.depth;
+        if (convex && other.depth < front) {
+            return true;
         }
-        if (is_free) {
+    }
+    return false;
+}
+
+/// Whether a touch may begin: the node is in the grain, and nothing else keeps it out of there.
+bool may_begin(const Group& group, std::int32_t i) {
+    const TouchGeometry& g = group.geometry[i];
+    if (group.touch(i).active || g.depth <= 0 || !is_over(g, 0)) {
+        return false;
+    }
+    const bool is_deep = g.depth > deep * group.assemblage.outline.mean_length;
+    if (!is_deep && !is_over(g, -corner_zone)) {
+        return false;
+    }
+    for (std::int32_t k = 0; k < group.size(); ++k) {
+        if (group.touch(k).active &&
+            (group.edge(k).grain == group.edge(i).grain || (!is_deep && dot(group.geometry[k].normal, g.normal) > aligned))) {
+            return false;
+        }
+    }
+    return !came_through_neighbour(group, i);
+}
+
+void begin_touches(Group& group) {
+    for (std::int32_t i = 0; i < group.size(); ++i) {
+        if (may_begin(group, i)) {
+            Touch& touch = group.touch(i);
             touch.active = true;
             touch.area = area_of(group, i);
-            touch.allowance = g.depth;
+            touch.allowance = group.geometry[i].depth;
         }
     }
 }

@@ -153,6 +153,62 @@ TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
     EXPECT_LT(std::abs(back.x), pressed.y * law.tan_phi);
 }
 
+/// The touches of the last grain of a specimen that is led by hand; the others stand still.
+struct Led {
+    SmallRun run;
+    std::int32_t node = 0;  ///< of the last grain, its lowest
+    explicit Led(const Specimen& s) : run(s, test::augig_law()) {
+        run.begin();
+        const auto& grain = run.assemblage.outline.grain_of_node;
+        const std::int32_t last = *std::max_element(grain.begin(), grain.end());
+        for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
+            const bool lower = grain[node] != last || run.assemblage.position[i].y < run.assemblage.position[node].y;
+            node = grain[i] == last && lower ? i : node;
+        }
+    }
+    /// \return force on the node, N
+    Vector2 lead(const Vector2& by) {
+        State& s = run.state;
+        const auto& grain = run.assemblage.outline.grain_of_node;
+        const Vector2 step = (1 / run.parameters.time_step) * by;
+        for (std::size_t i = 0; i < s.velocity.size(); ++i) {
+            const bool is_led = grain[i] == grain[node];
+            s.velocity[i] = is_led ? step : Vector2{};
+            s.displacement[i] += is_led ? by : Vector2{};
+        }
+        ++s.step;
+        look_after_touches(run.assemblage, run.parameters, s);
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
+            advance_touches(run.assemblage, run.parameters, block, s);
+        }
+        Vector2 force;
+        for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
+            force += s.touches.pairs[i].node == node ? s.touches.forces[3 * i] : Vector2{};
+        }
+        return force;
+    }
+};
+
+// A corner comes down on a roof of two bonded grains, so near its ridge that it is in the zone of corners where no touch begins,
+// and goes on down beside the bond between them.
+TEST(Touch, ACornerThatSlipsInBesideABondIsCaught) {
+    const double a = 4e-3;
+    for (const double beside : {0.4e-2, 0.45e-2, 0.8e-2, 2e-2}) {
+        SCOPED_TRACE(beside);
+        const double x = beside * a;
+        Led led(test::specimen_of_triangles({{-a, 0}, {0, -a}, {a, 0}, {0, 0}, {x, 1e-5}, {x + a / 2, a}, {x - a / 2, a}},
+                                            {{0, 1, 3}, {1, 2, 3}, {4, 5, 6}}));
+        const double edge = led.run.assemblage.outline.mean_length;
+        led.lead({0, 0});
+        double depth = -1e-5;
+        while (depth < 0.02 * edge && led.lead({0, -1e-4 * edge}).y <= 0) {
+            depth += 1e-4 * edge;
+        }
+        // The largest depth at which a node goes unheld is the design's 0.6 %; a node is to stay above 1 %.
+        EXPECT_LT(depth, 0.008 * edge);
+    }
+}
+
 /// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it.
 SmallRun sliding_blocks(double slide) {
     Specimen s = test::one_diagonal_grid(1, 1, 4e-3, 4e-3);
@@ -251,7 +307,7 @@ Crushed crush(int threads, double shortening) {
 
 TEST(Touch, CrushedToFivePerCentKeepsEnergyAndShape) {
     const Crushed c = crush(1, 0.05);
-    EXPECT_GT(c.released, 10U);
+    EXPECT_GT(c.released, 5U);
     EXPECT_GT(c.touches, 10U);
     EXPECT_LT(c.residual, 5e-3);
     EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
@@ -260,7 +316,7 @@ TEST(Touch, CrushedToFivePerCentKeepsEnergyAndShape) {
 
 TEST(Touch, TheSameBytesForAnyNumberOfThreads) {
     const Crushed c = crush(1, 0.015);
-    EXPECT_GT(c.released, 3U);
+    EXPECT_GT(c.released, 1U);
     EXPECT_GT(c.touches, 3U);
     for (const int threads : {2, 3}) {
         const Crushed other = crush(threads, 0.015);
