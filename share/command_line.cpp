@@ -292,6 +292,8 @@ std::string type_name(Dimension dimension) {
         case Dimension::toughness: return "TOUGHNESS";
         case Dimension::fracture_energy: return "ENERGY/AREA";
         case Dimension::density: return "DENSITY";
+        case Dimension::acceleration: return "ACCELERATION";
+        case Dimension::frequency: return "FREQUENCY";
     }
     return "VALUE";
 }

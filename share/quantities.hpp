@@ -24,6 +24,8 @@ enum class Dimension {
     toughness,        ///< Pa.m^0.5, stress intensity
     fracture_energy,  ///< J/m2
     density,          ///< kg/m3
+    acceleration,     ///< m/s2
+    frequency,        ///< Hz
 };
 
 /// SI unit as written in files: "m", "Pa", "rad", "1", …
@@ -42,6 +44,8 @@ constexpr std::string_view si_unit(Dimension dimension) {
         case Dimension::toughness: return "Pa.m^0.5";
         case Dimension::fracture_energy: return "J/m2";
         case Dimension::density: return "kg/m3";
+        case Dimension::acceleration: return "m/s2";
+        case Dimension::frequency: return "Hz";
     }
     return "?";
 }

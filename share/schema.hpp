@@ -19,6 +19,9 @@ inline constexpr const char* history_group = "/history";
 inline constexpr const char* cracks_group = "/cracks";
 inline constexpr const char* sensitivity_group = "/sensitivity";
 inline constexpr const char* frames_group = "/frames";
+inline constexpr const char* probes_group = "/probes";
+inline constexpr const char* program_group = "/program";
+inline constexpr const char* state_group = "/state";
 inline constexpr const char* provenance_group = "/provenance";
 inline constexpr const char* vtk_group = "/VTKHDF";
 

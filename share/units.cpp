@@ -21,10 +21,10 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr std::array all_dimensions{Dimension::one,    Dimension::length,    Dimension::area,      Dimension::angle,
                                     Dimension::time,   Dimension::speed,     Dimension::stress,    Dimension::force,
                                     Dimension::energy, Dimension::stiffness, Dimension::toughness, Dimension::fracture_energy,
-                                    Dimension::density};
+                                    Dimension::density,   Dimension::acceleration, Dimension::frequency};
 
 /// Spellings that are read but not listed, and the symbol each stands for.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> other_spellings{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{
     {"\u00b5m", "um"},
     {"\u03bcm", "um"},
     {"\u00b5s", "us"},
@@ -41,6 +41,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> other_sp
     {"kJ/m^2", "kJ/m2"},
     {"kg/m^3", "kg/m3"},
     {"g/cm^3", "g/cm3"},
+    {"m/s^2", "m/s2"},
 }};
 
 /// Units in which values are shown, smallest first.
@@ -62,6 +63,8 @@ constexpr DisplayUnits display_units(Dimension dimension) {
         case Dimension::toughness: return {{"MPa.m^0.5"}};
         case Dimension::fracture_energy: return {{"J/m2"}};
         case Dimension::density: return {{"kg/m3"}};
+        case Dimension::acceleration: return {{"m/s2"}};
+        case Dimension::frequency: return {{"Hz", "kHz", "MHz"}};
     }
     return {};
 }
@@ -171,6 +174,8 @@ const std::vector<Unit>& units_of(Dimension dimension) {
     static const std::vector<Unit> toughness{{"Pa.m^0.5", 1}, {"kPa.m^0.5", 1e3}, {"MPa.m^0.5", 1e6}};
     static const std::vector<Unit> fracture_energy{{"J/m2", 1}, {"kJ/m2", 1e3}, {"N/m", 1}};
     static const std::vector<Unit> density{{"kg/m3", 1}, {"g/cm3", 1e3}, {"t/m3", 1e3}};
+    static const std::vector<Unit> acceleration{{"m/s2", 1}, {"mm/s2", 1e-3}};
+    static const std::vector<Unit> frequency{{"Hz", 1}, {"kHz", 1e3}, {"MHz", 1e6}};
     switch (dimension) {
         case Dimension::one: return one;
         case Dimension::length: return length;
@@ -185,6 +190,8 @@ const std::vector<Unit>& units_of(Dimension dimension) {
         case Dimension::toughness: return toughness;
         case Dimension::fracture_energy: return fracture_energy;
         case Dimension::density: return density;
+        case Dimension::acceleration: return acceleration;
+        case Dimension::frequency: return frequency;
     }
     throw std::invalid_argument("no such dimension");
 }
@@ -204,6 +211,8 @@ std::string_view name_of(Dimension dimension) {
         case Dimension::toughness: return "fracture toughness";
         case Dimension::fracture_energy: return "fracture energy";
         case Dimension::density: return "mass density";
+        case Dimension::acceleration: return "acceleration";
+        case Dimension::frequency: return "frequency";
     }
     return "quantity";
 }

@@ -38,7 +38,7 @@ void CrackCatalogue::collect(const Assemblage& a, double time_step, State& state
     });
     for (const ContactEvent& event : events) {
         const std::size_t point = 2 * static_cast<std::size_t>(event.contact) + event.point;
-        const double time = static_cast<double>(event.step) * time_step;
+        const double time = time_of(state, event.step, time_step);
         if (event.is_separation) {
             if (crack_of_point_[point] >= 0) {
                 cracks_[crack_of_point_[point]].time_separated = time;

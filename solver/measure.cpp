@@ -128,6 +128,19 @@ void add_platen_energies(const Boundary& boundary, const State& s, Measurement& 
     }
 }
 
+void add_drive_energies(const Assemblage& a, const Drives& drives, double time_step, const State& s, Measurement& m) {
+    if (drives.empty()) {
+        return;
+    }
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
+        m.energies.external += load_half_work(a, drives, block, time_step, s);
+    }
+    m.energies.external += reaction_half_work(drives, time_step, s);
+    for (const double pressing : s.drives.pressing) {
+        m.membrane_force += std::abs(pressing);
+    }
+}
+
 }  // namespace
 
 double Gauge::strain(const std::vector<Vector2>& displacement) const {
@@ -179,9 +192,10 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.external += 0.5 * parameters.time_step * dot(s.membrane_force[e], s.velocity[first] + s.velocity[second]);
         m.membrane_force += std::abs(s.membrane_force[e].x);  // two ends an edge, two sides: the mean of the sides
     }
+    add_drive_energies(a, boundary.drives, parameters.time_step, s, m);
     for (const GrainSums& sums : s.grain_sums) {
         m.energies.damping += sums.damping;
-        m.energies.external += sums.platen_work + sums.membrane_work;
+        m.energies.external += sums.platen_work + sums.membrane_work + sums.load_work + sums.reaction_work;
         m.energies.platen += sums.platen_friction;
     }
     return m;

@@ -134,9 +134,12 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
     add_touches(block, s);
     add_platens(boundary, loading, block, commit, s);
     add_membrane(a, boundary, loading.pressure, block, s);
+    if (!boundary.drives.empty()) {
+        add_drives(a, boundary.drives, loading, block, s);
+    }
 }
 
-void book_membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, State& s) {
+void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t block, double time_step, State& s) {
     double work = 0;
     const Range edges = boundary.membrane_edges_of_block[block];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
@@ -144,6 +147,9 @@ void book_membrane_half_work(const Boundary& boundary, std::int32_t block, doubl
         work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
     }
     s.grain_sums[block].membrane_work += work;
+    if (!boundary.drives.empty()) {
+        s.grain_sums[block].load_work += load_half_work(a, boundary.drives, block, time_step, s);
+    }
 }
 
 void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
@@ -151,11 +157,13 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     const Range nodes = a.grain_blocks[block].nodes;
     GrainSums& sums = s.grain_sums[block];
     const double dt = parameters.time_step;
-    book_membrane_half_work(boundary, block, dt, s);
+    book_half_work(a, boundary, block, dt, s);
+    hold_driven(boundary.drives, block, s);
     const std::int32_t n = nodes.size();
     sums.damping += move_nodes(n, dt, parameters.damping, &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
                                &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
-    book_membrane_half_work(boundary, block, dt, s);
+    sums.reaction_work += lead_driven(a, boundary.drives, block, dt, s);
+    book_half_work(a, boundary, block, dt, s);
 }
 
 }  // namespace graincrack

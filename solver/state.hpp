@@ -37,12 +37,16 @@ struct GrainSums {
     double damping = 0;
     double platen_work = 0;
     double membrane_work = 0;
+    double load_work = 0;      ///< of gravity and loaded edges, and kinetic energy given at the start
+    double reaction_work = 0;  ///< of driven nodes
     double platen_friction = 0;
 };
 
 struct State {
     std::int64_t step = 0;
     double time = 0;
+    std::int64_t origin_step = 0;  ///< from which on the time step is what it is
+    double origin_time = 0;        ///< of that step, s
     std::vector<Vector2> displacement;    ///< [n] m, at `time`
     std::vector<Vector2> velocity;        ///< [n] m/s, half a step before `time`
     std::vector<Vector2> force;           ///< [n] N, scratch of the node stage
@@ -63,7 +67,13 @@ struct State {
     std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
     StepLoading loading;                            ///< at `time`
     GroupState groups;                              ///< with mass scaling
+    DriveState drives;
 };
+
+/// Time of a step, s.
+inline double time_of(const State& state, std::int64_t step, double time_step) {
+    return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
+}
 
 /// History of contact point 2 c + p with its present motion and cohesion.
 inline ContactHistory history_of(const State& state, std::size_t point) {

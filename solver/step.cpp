@@ -30,6 +30,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.touches = make_touch_list(a);
     s.platen_points = boundary.platen_points;
     s.membrane_force.resize(boundary.membrane_edges.size());
+    s.drives.nodes.resize(boundary.drives.nodes.size());
+    s.drives.load.resize(boundary.drives.edges.size());
+    s.drives.pressing.resize(boundary.drives.edges.size());
     s.grain_sums.resize(a.grain_blocks.size());
     s.contact_sums.resize(a.contact_blocks.size());
     s.events.resize(a.contact_blocks.size());
@@ -41,8 +44,10 @@ namespace {
 /// Platens and pressure at step `k` of a batch: the same arithmetic in every thread.
 class LoadingClock {
 public:
-    LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const StepLoading& at_start)
-        : batch_(batch), n_steps_(n_steps), time_step_(time_step), now_(at_start) {
+    LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& s)
+        : batch_(batch), n_steps_(n_steps), time_step_(time_step), origin_time_(s.origin_time),
+          steps_since_origin_(s.step - s.origin_step), now_(s.loading) {
+        now_.channels.resize(batch.channels == nullptr ? 0 : batch.channels->size());
         prepare();
     }
     [[nodiscard]] const StepLoading& now() const { return now_; }
@@ -64,10 +69,17 @@ private:
         }
         const double done = static_cast<double>(k_) / static_cast<double>(n_steps_);
         now_.pressure = batch_.pressure_begin + done * (batch_.pressure_end - batch_.pressure_begin);
+        const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
+        for (std::size_t i = 0; i < now_.channels.size(); ++i) {
+            const Channel& channel = (*batch_.channels)[i];
+            now_.channels[i] = channel.at(channel.of_velocity ? time + 0.5 * time_step_ : time);
+        }
     }
     BatchLoading batch_;
     std::int64_t n_steps_;
     double time_step_;
+    double origin_time_;
+    std::int64_t steps_since_origin_;
     std::int64_t k_ = 0;
     StepLoading now_;
 };
@@ -88,7 +100,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
                 sum_nodal_forces(a, boundary, clock.now(), block, true, s);
                 if (scaled) {
-                    book_membrane_half_work(boundary, block, parameters.time_step, s);
+                    book_half_work(a, boundary, block, parameters.time_step, s);
                 } else {
                     integrate_nodes(a, boundary, parameters, block, s);
                 }
@@ -101,7 +113,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
                 }
                 team.wait();
                 for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
-                    book_membrane_half_work(boundary, block, parameters.time_step, s);
+                    book_half_work(a, boundary, block, parameters.time_step, s);
                 }
             }
             clock.tick();
@@ -119,14 +131,14 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
     });
     clock_at_start = clock_at_end;
     s.step += n_steps;
-    s.time = static_cast<double>(s.step) * parameters.time_step;
+    s.time = time_of(s, s.step, parameters.time_step);
 }
 
 }  // namespace
 
 void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
              std::int64_t n_steps, Team& team, State& s) {
-    LoadingClock clock(loading, n_steps, parameters.time_step, s.loading);
+    LoadingClock clock(loading, n_steps, parameters.time_step, s);
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
         if (s.step >= s.touches.next_check) {

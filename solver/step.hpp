@@ -33,8 +33,8 @@ inline Vector2 damping_force(double alpha, const Vector2& force, const Vector2& 
 /// Advances the contacts of a block to the present displacements: histories, slots, energies, events.
 void advance_contacts(const Assemblage& assemblage, const ContactLaw& law, std::int32_t block, std::int64_t step, State& state);
 
-/// Sums the forces on the nodes of a block into `state.force`: elements, contact slots, touches, platens, membrane, in this
-/// order.
+/// Sums the forces on the nodes of a block into `state.force`: elements, contact slots, touches, platens, membrane, drives,
+/// in this order.
 /// With `commit` the platen points remember their friction and the sums take it in; without it nothing but `force` changes.
 void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t block,
                       bool commit, State& state);
@@ -45,8 +45,8 @@ void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, co
 void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
                      State& state);
 
-/// Books the membrane's work over half a step at the present velocities.
-void book_membrane_half_work(const Boundary& boundary, std::int32_t block, double time_step, State& state);
+/// Books the work of the membrane, of gravity and of loaded edges over half a step at the present velocities.
+void book_half_work(const Assemblage& assemblage, const Boundary& boundary, std::int32_t block, double time_step, State& state);
 
 /// Advances the state by `n_steps` steps under `loading` with a team of threads. On entry and on return contact forces
 /// and histories belong to the present displacements (see `start`). Results do not depend on its size.

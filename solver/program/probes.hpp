@@ -1,0 +1,39 @@
+// What a program watches: motion of points, mean stress in circles, motion of and force on what it drives and loads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "share/probe_file.hpp"
+#include "solver/boundary.hpp"
+#include "solver/program/program.hpp"
+#include "solver/state.hpp"
+
+namespace graincrack {
+
+class Probes {
+public:
+    /// \throws InputError for a point outside of the specimen, or a circle without the centre of an element
+    Probes(const Program& program, const Assemblage& assemblage, const Specimen& specimen);
+    /// Adds a row of the state after `measure`, which leaves the forces of its time in it.
+    void record(const Assemblage& assemblage, const Boundary& boundary, const State& state);
+    [[nodiscard]] const std::vector<ProbeHistory>& histories() const { return histories_; }
+    /// The last value of a column.
+    [[nodiscard]] double last(const std::string& probe, std::size_t column) const;
+
+private:
+    struct Point {
+        std::array<std::int32_t, 3> nodes;
+        std::array<double, 3> weights;
+    };
+    void push(std::size_t probe, const std::vector<double>& row);
+
+    std::vector<std::vector<std::int32_t>> nodes_of_control_;
+    std::vector<Point> points_;                             ///< of point probes
+    std::vector<std::vector<std::int32_t>> circles_;        ///< elements of circle probes
+    std::vector<std::pair<bool, std::size_t>> request_at_;  ///< is a circle, index into points or circles
+    std::vector<ProbeHistory> histories_;                   ///< controls, then requests
+};
+
+}  // namespace graincrack

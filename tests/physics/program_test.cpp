@@ -1,0 +1,370 @@
+// What programs make possible, where the answer is known: free fall, weight, uniform tractions, a block on a slope, a joint in
+// shear, waves and their reflections; and the ledger of every force a program exerts.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/check.hpp"
+#include "tests/support/program_run.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using std::numbers::pi;
+using test::augig_law;
+using test::expect_close;
+using test::ProgramRun;
+using test::verify;
+
+constexpr double g = 9.81;
+const Rock rock = test::augig_granite().rock;
+
+/// Mean velocity of the nodes of the upper half.
+Vector2 velocity_of_upper_half(const test::SmallRun& run) {
+    Vector2 sum;
+    double mass = 0;
+    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
+        const auto& grain = run.assemblage.outline.grain_of_node;
+        if (grain[i] == grain.back()) {
+            sum += run.assemblage.mass[i] * run.state.velocity[i];
+            mass += run.assemblage.mass[i];
+        }
+    }
+    return (1 / mass) * sum;
+}
+
+/// Two blocks on each other, cut by a crack.
+Specimen two_blocks(int nx, int ny, double width, double height) {
+    Specimen s = test::crossed_blocks(nx, 2 * ny, width, height, [ny](int, int j) { return j < ny ? 0 : 1; });
+    test::break_contacts(s, [](double, double) { return true; });
+    return s;
+}
+
+ContactLaw law_with_friction(double degrees) {
+    ContactParameters contact = test::augig_contact();
+    contact.friction_angle = degrees * test::degree;
+    return make_contact_law(contact, LawVariant::consistent, Coupling::full);
+}
+
+// --- gravity ---------------------------------------------------------------------------------------------------------
+
+TEST(Program, FallsAndFliesFreely) {
+    ProgramRun fall(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), R"(
+        name = "fall"
+        gravity = ["1 m/s2", "-9.81 m/s2"]
+        stages = ["fall"]
+        initial.all.velocity = ["0.5 m/s", "0 m/s"]
+        stage.fall.until.time = "20 us"
+    )", augig_law());
+    fall.go(20);
+    const double t = fall.run.state.time;
+    EXPECT_GE(t, 20e-6);
+    // v(n − ½) = v0 + n g Δt: exact in the scheme's arithmetic but for round-off.
+    const Vector2 v = fall.run.mean(fall.run.state.velocity);
+    verify("dynamics: free fall, speed over g t", v.y / (-g * t), 1, 1e-12, "v = g t");
+    expect_close(v.x, 0.5 + t, 1e-12, 0.5);
+    EXPECT_LT(fall.residual(), 1e-12);
+    EXPECT_GT(fall.energies.back().kinetic, 0.0);
+}
+
+TEST(Program, AColumnCarriesItsWeight) {
+    const double height = 0.1;
+    ProgramRun column(test::crossed_blocks(4, 16, 0.025, height, [](int, int) { return 0; }), R"(
+        name = "column"
+        gravity = ["0 m/s2", "-9.81 m/s2"]
+        stages = ["settle"]
+        boundary.floor = { on = "bottom", velocity_y = 0.0 }
+        probe.low.circle = ["0 mm", "-31.25 mm", "6 mm"]
+        probe.middle.circle = ["0 mm", "0 mm", "6 mm"]
+        probe.high.circle = ["0 mm", "31.25 mm", "6 mm"]
+        stage.settle.until = { time = "20 ms", rest = 1e-9 }
+    )", augig_law(), PlaneCondition::strain, 0.8);
+    column.go(100);
+    EXPECT_EQ(column.conductor.records().at(0).ended_by, "rest");
+    const double foot = rock.density * g * height;
+    for (const auto& [probe, y] : {std::pair{"low", -0.03125}, {"middle", 0.0}, {"high", 0.03125}}) {
+        // The stress is linear and CSTs are constant: the mean over a circle that lies evenly about y is exact.
+        verify(std::string("dynamics: column under its weight, axial stress at y = ") + std::to_string(1000 * y).substr(0, 6) +
+                   " mm over that of the foot",
+               column.column(probe, "stress_yy").back() / foot, -(0.5 - y / height), 1e-3, "rho g (h/2 - y)", 1);
+    }
+    verify("dynamics: column under its weight, reaction over weight", column.column("floor", "force_y").back() / (foot * 0.025), 1,
+           1e-6, "weight");
+    EXPECT_LT(column.residual(), 1e-3);
+}
+
+// --- tractions -------------------------------------------------------------------------------------------------------
+
+TEST(Program, CirclesSeeAUniformStress) {
+    // σ = (2, −3, 0.5) MPa as tractions on four sides.
+    ProgramRun patch(test::jittered_grid(6, 6, 0.03, 0.03, 0.25), R"(
+        name = "patch"
+        stages = ["load"]
+        boundary.right = { on = "right", traction_x = "2 MPa", traction_y = "0.5 MPa" }
+        boundary.left = { on = "left", traction_x = "-2 MPa", traction_y = "-0.5 MPa" }
+        boundary.top = { on = "top", traction_x = "0.5 MPa", pressure = "3 MPa" }
+        boundary.bottom = { on = "bottom", traction_x = "-0.5 MPa", pressure = "3 MPa" }
+        probe.all.circle = [0, 0, "30 mm"]
+        probe.core.circle = [0, 0, "8 mm"]
+        stage.load.until = { time = "10 ms", rest = 1e-8 }
+    )", augig_law(), PlaneCondition::stress, 0.8);
+    patch.go(100);
+    EXPECT_EQ(patch.conductor.records().at(0).ended_by, "rest");
+    // The mean stress over the whole follows from the tractions alone; contacts of no thickness take no part in it, but their
+    // opening moves the tractions' points: of the size of the strain, 1e-4.
+    const auto all = [&](const char* name) { return patch.column("all", name).back() * 1e-6; };
+    verify("elements: mean stress of a specimen under tractions, xx (MPa)", all("stress_xx"), 2, 1e-3, "mean stress theorem");
+    verify("elements: mean stress of a specimen under tractions, yy (MPa)", all("stress_yy"), -3, 1e-3, "mean stress theorem");
+    verify("elements: mean stress of a specimen under tractions, xy (MPa)", all("stress_xy"), 0.5, 1e-3, "mean stress theorem", 3);
+    EXPECT_EQ(all("stress_zz"), 0);
+    EXPECT_NE(patch.column("core", "stress_xx").back(), patch.column("all", "stress_xx").back());
+    verify("elements: force of a pressure along its part (kN/m)", patch.column("top", "force_y").back() * 1e-3, -90, 1e-3,
+           "pressure x length");
+    EXPECT_LT(patch.residual(), 1e-3);
+}
+
+// --- a block on a slope ----------------------------------------------------------------------------------------------
+
+/// Acceleration of a block down a slope, as gravity that is turned.
+double acceleration_down(double slope, double friction) {
+    const std::string text = fmt::format(R"(
+        name = "slope"
+        gravity = [{}, {}]
+        stages = ["slide"]
+        boundary.base = {{ on = "bottom", velocity_x = 0.0, velocity_y = 0.0 }}
+        stage.slide.until.time = "0.4 ms"
+    )", g * std::sin(slope * test::degree), -g * std::cos(slope * test::degree));
+    ProgramRun block(two_blocks(4, 2, 0.02, 0.02), text, law_with_friction(friction), PlaneCondition::strain, 0, 0.7);
+    std::vector<double> time;
+    std::vector<double> speed;
+    block.run.begin();
+    const std::vector<double> still(2, 0.0);
+    std::vector<Channel> channels(2);
+    for (Channel& channel : channels) {
+        channel.of_velocity = true;
+    }
+    BatchLoading loading;
+    loading.channels = &channels;
+    while (block.run.state.time < 0.4e-3) {
+        block.run.steps(10, loading);
+        time.push_back(block.run.state.time);
+        speed.push_back(velocity_of_upper_half(block.run).x);
+    }
+    // Slope of the least-squares line over the second half: the blocks ring on their contacts, evenly about the mean.
+    double n = 0;
+    double mean_t = 0;
+    double mean_v = 0;
+    for (std::size_t i = time.size() / 2; i < time.size(); ++i, n += 1) {
+        mean_t += time[i];
+        mean_v += speed[i];
+    }
+    double tt = 0;
+    double tv = 0;
+    for (std::size_t i = time.size() / 2; i < time.size(); ++i) {
+        tt += (time[i] - mean_t / n) * (time[i] - mean_t / n);
+        tv += (time[i] - mean_t / n) * (speed[i] - mean_v / n);
+    }
+    return tv / tt;
+}
+
+TEST(Program, ABlockSlidesDownASlope) {
+    const std::string source = "g (sin a - cos a tan phi)";
+    verify("dynamics: block on a slope of 30 deg, friction 20 deg (m/s2)", acceleration_down(30, 20), 1.812815, 5e-3, source);
+    verify("dynamics: block on a slope of 35 deg, friction 30 deg (m/s2)", acceleration_down(35, 30), 0.987266, 5e-3, source);
+    verify("dynamics: block on a slope of 20 deg, friction 30 deg, over g", acceleration_down(20, 30), 0, 5e-3, "it sticks", g);
+}
+
+// --- a joint in shear ------------------------------------------------------------------------------------------------
+
+TEST(Program, AJointShearsAtItsFriction) {
+    const double width = 0.02;
+    const double phi = 30;
+    const ContactLaw law = law_with_friction(phi);
+    ProgramRun joint(two_blocks(4, 2, width, 0.02), R"(
+        name = "joint"
+        stages = ["press", "forth", "back"]
+        boundary.base = { on = "bottom", velocity_x = 0.0, velocity_y = 0.0 }
+        boundary.press = { on = "top" }
+        boundary.push = { on = "top" }
+        [stage.press]
+        press.pressure = { to = "10 MPa", over = "50 us" }
+        until = { time = "1 ms", rest = 1e-5 }
+        [stage.forth]
+        push.velocity_x = { to = "50 mm/s", over = "50 us" }
+        until = { time = "1 ms", push.displacement_x = "20 um" }
+        [stage.back]
+        push.velocity_x = { to = "-50 mm/s", over = "50 us" }
+        until = { time = "1 ms", push.displacement_x = "5 um" }
+    )", law, PlaneCondition::strain, 0.8);
+    joint.go(50);
+    ASSERT_EQ(joint.conductor.records().size(), 3U);
+    EXPECT_EQ(joint.conductor.records()[0].ended_by, "rest");
+    EXPECT_EQ(joint.conductor.records()[1].ended_by, "push.displacement_x");
+    EXPECT_EQ(joint.conductor.records()[2].ended_by, "push.displacement_x");
+    const std::vector<double>& force = joint.column("push", "force_x");
+    const std::vector<double>& time = joint.history[HistoryColumn::time];
+    const double limit = 10e6 * width * std::tan(phi * test::degree);
+    const auto at = [&](double t) { return force[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())]; };
+    // 50 mm/s over 20 mm of rock: inertia of the ends is far below 1e-3 of the friction.
+    verify("specimens: joint in shear, force forth over normal force", at(joint.conductor.records()[1].end) / (10e6 * width),
+           std::tan(phi * test::degree), 5e-3, "tan phi");
+    verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width), -std::tan(phi * test::degree),
+           5e-3, "tan phi");
+    EXPECT_GT(joint.energies.back().friction, 0.5 * limit * 30e-6);
+    EXPECT_LT(joint.residual(), 5e-3);
+}
+
+// --- waves -----------------------------------------------------------------------------------------------------------
+
+constexpr double bar_length = 0.2;
+
+struct Wave {
+    double speed, peak_velocity, end_velocity, back_velocity;
+    double residual;
+};
+
+/// A pulse of 1 MPa and 8 µs at the left end of a bar of one grain; the right end free or held.
+Wave wave(const std::string& sides, PlaneCondition plane, const Rock& of, const std::string& pulse, const std::string& component,
+          const std::string& end) {
+    const std::string text = fmt::format(R"(
+        name = "wave"
+        stages = ["run"]
+        {}
+        boundary.source = {{ on = "left", {} }}
+        {}
+        probe.first.point = ["-60 mm", 0]
+        probe.second.point = ["60 mm", 0]
+        probe.end.point = ["100 mm", 0]
+        stage.run.until.time = "150 us"
+    )", sides, pulse, end);
+    ProgramRun bar(test::crossed_blocks(200, 1, bar_length, bar_length / 200, [](int, int) { return 0; }), text, augig_law(), plane,
+                   0, 0.8, of);
+    bar.go(4);
+    const std::vector<double>& t = bar.history[HistoryColumn::time];
+    const auto of_probe = [&](const std::string& name) { return bar.column(name, "velocity_" + component); };
+    // The first passage ends before the reflection arrives: 160 mm and back at most at 3360 m/s.
+    const auto centre = [&](const std::vector<double>& v, double from, double to) {
+        double sum = 0;
+        double moment = 0;
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            if (t[i] > from && t[i] < to) {
+                sum += v[i] * v[i];
+                moment += v[i] * v[i] * t[i];
+            }
+        }
+        return moment / sum;
+    };
+    const auto extreme = [&](const std::vector<double>& v, double from, double to) {
+        double best = 0;
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            best = t[i] > from && t[i] < to && std::abs(v[i]) > std::abs(best) ? v[i] : best;
+        }
+        return best;
+    };
+    const double c = component == "x" ? 3300.0 : 1989.0;
+    const double pass_first = 0.04 / c + 4e-6;
+    const double pass_second = 0.16 / c + 4e-6;
+    const double pass_back = 0.24 / c + 4e-6;
+    constexpr double window = 10e-6;
+    Wave w{};
+    w.speed = 0.12 / (centre(of_probe("second"), pass_second - window, pass_second + window) -
+                      centre(of_probe("first"), pass_first - window, pass_first + window));
+    w.peak_velocity = extreme(of_probe("second"), pass_second - window, pass_second + window);
+    w.back_velocity = extreme(of_probe("second"), pass_back - window, pass_back + window);
+    w.end_velocity = extreme(of_probe("end"), 0, 150e-6);
+    w.residual = bar.residual();
+    return w;
+}
+
+TEST(Program, AWaveRunsAndIsReflected) {
+    const std::string rollers = "boundary.sides = { box = [\"-1 m\", \"1 m\", \"-1 m\", \"1 m\"], velocity_y = 0.0 }";
+    const std::string push = "pressure = { pulse = \"1 MPa\", over = \"8 us\" }";
+    const double cp = 3359.56;
+    const Wave strain = wave(rollers, PlaneCondition::strain, rock, push, "x", "");
+    // 200 cells of 1 mm against a pulse of 27 mm: dispersion is of the order (π/27)²/24 = 6e-4.
+    verify("dynamics: P wave, plane strain (m/s)", strain.speed, cp, 5e-3, "sqrt((lambda + 2 mu)/rho)");
+    verify("dynamics: P wave, velocity over stress (m/s)", strain.peak_velocity, 1e6 / (rock.density * cp), 1e-2, "sigma/(rho c)");
+    verify("dynamics: P wave, velocity at a free end over that of the wave", strain.end_velocity / strain.peak_velocity, 2, 1e-2,
+           "free end");
+    verify("dynamics: P wave, reflected at a free end over incident", strain.back_velocity / strain.peak_velocity, 1, 1e-2,
+           "free end: same velocity, opposite stress");
+    EXPECT_LT(strain.residual, 1e-3);
+
+    const Wave stress = wave(rollers, PlaneCondition::stress, rock, push, "x", "");
+    verify("dynamics: P wave, plane stress (m/s)", stress.speed, 3206.19, 5e-3, "sqrt(E/(rho (1 - nu^2)))");
+
+    Rock without = rock;
+    without.poisson_ratio = 0;
+    const Wave bar = wave("", PlaneCondition::stress, without, push, "x",
+                          "boundary.wall = { on = \"right\", velocity_x = 0.0 }");
+    verify("dynamics: wave in a bar (m/s)", bar.speed, 3120.23, 5e-3, "sqrt(E/rho)");
+    verify("dynamics: wave in a bar, reflected at a held end over incident", bar.back_velocity / bar.peak_velocity, -1, 1e-2,
+           "held end: opposite velocity, same stress");
+    EXPECT_EQ(bar.end_velocity, 0);
+
+    const std::string slide = "boundary.sides = { box = [\"-1 m\", \"1 m\", \"-1 m\", \"1 m\"], velocity_x = 0.0 }";
+    const Wave shear = wave(slide, PlaneCondition::strain, rock, "traction_y = { pulse = \"1 MPa\", over = \"8 us\" }", "y", "");
+    verify("dynamics: S wave (m/s)", shear.speed, 1989.39, 5e-3, "sqrt(G/rho)");
+    verify("dynamics: S wave, velocity over stress (m/s)", shear.peak_velocity, 1e6 / (rock.density * 1989.39), 1e-2, "tau/(rho c)");
+}
+
+// --- ledger ----------------------------------------------------------------------------------------------------------
+
+// Everything at once, through failure: driven corners, a follower pressure, a dead traction, gravity, a start in motion.
+const char* const everything = R"(
+    name = "everything"
+    gravity = ["0 m/s2", "-1000 m/s2"]
+    stages = ["load", "break", "let go"]
+    boundary.floor = { on = "bottom", velocity_y = 0.0 }
+    boundary.roof = { on = "top", velocity_y = 0.0, velocity_x = { sine = "0.2 m/s", frequency = "20 kHz" } }
+    boundary.sides = { on = ["left", "right"] }
+    initial.top = { box = ["-1 m", "1 m", 0, "1 m"], velocity = ["0.1 m/s", "-0.05 m/s"] }
+    [stage.load]
+    sides = { pressure = { to = "2 MPa", over = "40 us" }, traction_y = { times = [0, "30 us"], values = [0, "0.3 MPa"] } }
+    until.time = "50 us"
+    [stage.break]
+    roof.velocity_y = { to = "-1 m/s", over = "30 us" }
+    until = { time = "400 us", tensile_cracks = 10 }
+    [stage."let go"]
+    roof.velocity_x = "free"
+    roof.velocity_y = "free"
+    until.time = "100 us"
+)";
+ProgramRun everything_at_once(double damping, int threads) {
+    ProgramRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), everything, augig_law(LawVariant::consistent), PlaneCondition::strain,
+                   damping);
+    run.go(20, threads);
+    return run;
+}
+
+TEST(Program, TheLedgerStaysClosed) {
+    for (const double damping : {0.0, 0.8}) {
+        const ProgramRun all = everything_at_once(damping, 1);
+        ASSERT_EQ(all.conductor.records().size(), 3U);
+        EXPECT_EQ(all.conductor.records()[1].ended_by, "tensile_cracks");
+        EXPECT_GT(all.run.failed_points(), 10U);
+        EXPECT_GT(all.energies.back().external, 0.0);
+        verify("specimens: ledger residual over stored energy, a program with every force", all.residual(), 0, 2e-3,
+               "each term by its own definition", 1);
+    }
+}
+
+TEST(Program, TheSameBytesForAnyNumberOfThreads) {
+    const ProgramRun one = everything_at_once(0.8, 1);
+    for (const int threads : {2, 3}) {
+        const ProgramRun other = everything_at_once(0.8, threads);
+        ASSERT_EQ(other.run.state.step, one.run.state.step);
+        for (std::size_t i = 0; i < one.run.state.displacement.size(); ++i) {
+            ASSERT_EQ(other.run.state.displacement[i].x, one.run.state.displacement[i].x);
+            ASSERT_EQ(other.run.state.displacement[i].y, one.run.state.displacement[i].y);
+        }
+        ASSERT_EQ(other.column("roof", "force_x"), one.column("roof", "force_x"));
+    }
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,92 @@
+// A program led over a small specimen, without a run file.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/program/conductor.hpp"
+#include "solver/program/probes.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack::test {
+
+class ProgramRun {
+public:
+    ProgramRun(Specimen specimen, const std::string& text, const ContactLaw& law, PlaneCondition plane = PlaneCondition::strain,
+               double damping = 0, double fraction = 0.5, const Rock& rock = augig_granite().rock,
+               const ContactParameters& contact = augig_contact(), double platen_friction = 0)
+        : program(parse_program(text, "test.toml")),
+          run(std::move(specimen), law, plane, fraction, rock),
+          probes(program, run.assemblage, run.specimen),
+          conductor(program, run.specimen, rock) {
+        run.set_boundary(make_program_boundary(run.assemblage, run.specimen, program, contact, platen_friction), fraction);
+        run.parameters.damping = damping;
+        set_initial_velocities(program, run.assemblage, run.specimen, run.state);
+    }
+    /// Runs to the end of the program. \param steps between two rows
+    void go(std::int64_t steps, int threads = 1) {
+        run.begin();
+        record();
+        const auto last = [this](const std::string& probe, std::size_t column) { return probes.last(probe, column); };
+        const std::function<double(const std::string&, std::size_t)> reader = last;
+        const auto feedback = [&] { return ConductorFeedback{run.state.time, history, reader}; };
+        conductor.begin(feedback());
+        run.state.loading.channels = conductor.values(0);
+        while (!conductor.finished()) {
+            const double duration = static_cast<double>(steps) * run.parameters.time_step;
+            run.steps(steps, conductor.next(feedback(), duration), threads);
+            record();
+            conductor.judge(feedback());
+        }
+    }
+    [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {
+        for (const ProbeHistory& h : probes.histories()) {
+            for (std::size_t c = 0; c < h.columns.size(); ++c) {
+                if (h.name == probe && h.columns[c].name == name) {
+                    return h.values[c];
+                }
+            }
+        }
+        throw std::out_of_range(probe + "." + name);
+    }
+    [[nodiscard]] const std::vector<double>& operator[](HistoryColumn c) const { return history[c]; }
+    /// max |external − sum| over the largest of all energies
+    [[nodiscard]] double residual() const {
+        double worst = 0;
+        double scale = 0;
+        for (const Energies& e : energies) {
+            worst = std::max(worst, std::abs(e.imbalance()));
+            scale = std::max({scale, e.stored(), e.kinetic});
+        }
+        return worst / scale;
+    }
+
+    Program program;
+    SmallRun run;
+    Probes probes;
+    Conductor conductor;
+    History history;
+    std::vector<Energies> energies;
+
+private:
+    void record() {
+        const Measurement m = run.measured();
+        energies.push_back(m.energies);
+        for (auto& column : history.columns) {
+            column.push_back(0);
+        }
+        const auto set = [this](HistoryColumn c, double value) { history[c].back() = value; };
+        set(HistoryColumn::time, run.state.time);
+        set(HistoryColumn::axial_stress, 0.5 * (m.force_top - m.force_bottom) / run.specimen.width);
+        const auto& platens = run.state.loading.platen_displacement;
+        set(HistoryColumn::axial_strain, (platens[top_platen] - platens[bottom_platen]) / run.specimen.height);
+        set(HistoryColumn::unbalanced_ratio, m.unbalanced_ratio);
+        set(HistoryColumn::confining_pressure, m.membrane_force / run.specimen.height);
+        set(HistoryColumn::tensile_cracks, 0.5 * static_cast<double>(run.failed_points()));
+        probes.record(run.assemblage, run.boundary, run.state);
+    }
+};
+
+}  // namespace graincrack::test
