@@ -18,10 +18,10 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-constexpr std::array all_dimensions{Dimension::one,    Dimension::length,    Dimension::area,      Dimension::angle,
-                                    Dimension::time,   Dimension::speed,     Dimension::stress,    Dimension::force,
-                                    Dimension::energy, Dimension::stiffness, Dimension::toughness, Dimension::fracture_energy,
-                                    Dimension::density,   Dimension::acceleration, Dimension::frequency};
+constexpr std::array all_dimensions{Dimension::one,     Dimension::length,       Dimension::area,      Dimension::angle,
+                                    Dimension::time,    Dimension::speed,        Dimension::stress,    Dimension::force,
+                                    Dimension::energy,  Dimension::stiffness,    Dimension::toughness, Dimension::fracture_energy,
+                                    Dimension::density, Dimension::acceleration, Dimension::frequency};
 
 /// Spellings that are read but not listed, and the symbol each stands for.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{

@@ -45,8 +45,8 @@ struct GrainSums {
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t origin_step = 0;  ///< from which on the time step is what it is
-    double origin_time = 0;        ///< of that step, s
+    std::int64_t origin_step = 0;         ///< from which on the time step is what it is
+    double origin_time = 0;               ///< of that step, s
     std::vector<Vector2> displacement;    ///< [n] m, at `time`
     std::vector<Vector2> velocity;        ///< [n] m/s, half a step before `time`
     std::vector<Vector2> force;           ///< [n] N, scratch of the node stage

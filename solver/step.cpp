@@ -45,8 +45,12 @@ namespace {
 class LoadingClock {
 public:
     LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& s)
-        : batch_(batch), n_steps_(n_steps), time_step_(time_step), origin_time_(s.origin_time),
-          steps_since_origin_(s.step - s.origin_step), now_(s.loading) {
+        : batch_(batch),
+          n_steps_(n_steps),
+          time_step_(time_step),
+          origin_time_(s.origin_time),
+          steps_since_origin_(s.step - s.origin_step),
+          now_(s.loading) {
         now_.channels.resize(batch.channels == nullptr ? 0 : batch.channels->size());
         prepare();
     }

@@ -75,7 +75,8 @@ ConductorState Conductor::state(double time) const {
 
 std::vector<double> Conductor::values(double time) const {
     std::vector<double> values;
-    std::transform(channels_.begin(), channels_.end(), std::back_inserter(values), [time](const Channel& c) { return c.at(time); });
+    std::transform(channels_.begin(), channels_.end(), std::back_inserter(values),
+                   [time](const Channel& c) { return c.at(time); });
     return values;
 }
 
@@ -182,8 +183,7 @@ BatchLoading Conductor::next(const ConductorFeedback& f, double duration) {
         return batch;
     }
     // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
-    mean_compression_ +=
-        std::min(1.0, duration / transit_time_) * (-last(f, HistoryColumn::axial_stress) - mean_compression_);
+    mean_compression_ += std::min(1.0, duration / transit_time_) * (-last(f, HistoryColumn::axial_stress) - mean_compression_);
     const double begin = servo_ ? speed_ : platen_.at(f.time);
     speed_ = servo_ ? servo_speed(f.time, duration) : platen_.at(f.time + duration);
     batch.velocity_begin = {begin, -begin};

@@ -64,18 +64,18 @@ private:
     ChannelNumbers numbers_;
     std::vector<Channel> channels_;
     std::size_t at_ = 0;
-    double stage_begin_ = 0;        ///< s
-    double functions_end_ = 0;      ///< of those the stage set, s
-    int quiet_rows_ = 0;            ///< at rest, in succession
-    double highest_ = 0;            ///< axial stress of the stage, absolute, Pa
-    std::vector<double> offsets_;   ///< of its conditions at its begin
+    double stage_begin_ = 0;       ///< s
+    double functions_end_ = 0;     ///< of those the stage set, s
+    int quiet_rows_ = 0;           ///< at rest, in succession
+    double highest_ = 0;           ///< axial stress of the stage, absolute, Pa
+    std::vector<double> offsets_;  ///< of its conditions at its begin
     std::vector<StageRecord> records_;
     double height_;
-    double transit_time_;           ///< of a bar wave through the specimen, s
+    double transit_time_;  ///< of a bar wave through the specimen, s
     double young_modulus_;
-    Channel platen_;                ///< speed, or pressure with a servo
+    Channel platen_;  ///< speed, or pressure with a servo
     bool servo_ = false;
-    double mean_compression_ = 0;   ///< over about a transit, Pa
+    double mean_compression_ = 0;  ///< over about a transit, Pa
     double speed_ = 0;
 };
 

@@ -31,9 +31,10 @@ struct DrivenNode {
 
 /// A boundary edge that carries a load.
 struct LoadedEdge {
-    std::array<std::int32_t, 2> nodes{};               ///< solid on the left
-    std::array<std::int32_t, 2> traction{no_channel, no_channel};  ///< channels of a dead traction along x and y, per reference length, Pa
-    std::int32_t pressure = no_channel;                      ///< channel of a pressure that follows the edge, Pa
+    std::array<std::int32_t, 2> nodes{};  ///< solid on the left
+    std::array<std::int32_t, 2> traction{no_channel,
+                                         no_channel};  ///< channels of a dead traction along x and y, per reference length, Pa
+    std::int32_t pressure = no_channel;                ///< channel of a pressure that follows the edge, Pa
     std::int32_t control = no_channel;
     double length = 0;  ///< reference, m
 };
@@ -59,8 +60,8 @@ struct DriveState {
         Vector2 old_velocity;  ///< m/s
     };
     std::vector<Node> nodes;
-    std::vector<Vector2> load;      ///< of an edge, on each of its ends, N
-    std::vector<double> pressing;   ///< the part of it along x that is pressure, N
+    std::vector<Vector2> load;     ///< of an edge, on each of its ends, N
+    std::vector<double> pressing;  ///< the part of it along x that is pressure, N
 };
 
 /// Adds gravity and the edges' loads to `state.force`, then takes the forces off driven components and keeps them as reactions.

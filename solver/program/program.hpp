@@ -41,7 +41,7 @@ using Settings = std::array<std::optional<TimeFunction>, n_actions>;
 struct Control {
     std::string name;
     Region region;
-    Settings start;            ///< from the start of the program on; what is missing is free, or 0
+    Settings start;                        ///< from the start of the program on; what is missing is free, or 0
     std::array<bool, n_actions> is_set{};  ///< anywhere in the program
 };
 
@@ -88,14 +88,14 @@ struct Stage {
 struct Program {
     std::string file;  ///< where it was read from
     std::string name;
-    std::string text;  ///< the file as it is
+    std::string text;                ///< the file as it is
     std::vector<std::string> order;  ///< of stages by name; a name may come again
     std::vector<Stage> stages;
     std::vector<Control> controls;
     std::optional<ProgramPlatens> platens;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<ProbeRequest> probes;
-    Vector2 gravity;  ///< m/s²
+    Vector2 gravity;                     ///< m/s²
     std::optional<double> row_interval;  ///< between rows of the history, s
     std::string start_from;              ///< run file with a saved state, or ""
 

@@ -69,14 +69,14 @@ Drives make_drives(const Assemblage& a, const Specimen& s, const Program& progra
         }
         if (is_set(Action::traction_x) || is_set(Action::traction_y) || is_set(Action::pressure)) {
             if (members.edges.empty()) {
-                throw InputError(where + ": there is no boundary edge to load; a part of the boundary, or a box that holds some, fits");
+                throw InputError(where +
+                                 ": there is no boundary edge to load; a part of the boundary, or a box that holds some, fits");
             }
             load_edges(members, channels[c], static_cast<std::int32_t>(c), a, s, drives);
         }
     }
-    std::copy_if(by_node.begin(), by_node.end(), std::back_inserter(drives.nodes), [](const DrivenNode& n) {
-        return n.channel[0] != no_channel || n.channel[1] != no_channel;
-    });
+    std::copy_if(by_node.begin(), by_node.end(), std::back_inserter(drives.nodes),
+                 [](const DrivenNode& n) { return n.channel[0] != no_channel || n.channel[1] != no_channel; });
     arrange_drives(a, drives);
     return drives;
 }
@@ -123,9 +123,10 @@ RegionMembers members_of(const Region& region, const Assemblage& a, const Specim
     std::sort(members.nodes.begin(), members.nodes.end());
     members.nodes.erase(std::unique(members.nodes.begin(), members.nodes.end()), members.nodes.end());
     if (members.nodes.empty()) {
-        throw InputError(fmt::format("{}: nothing of the specimen is there; it reaches from {} mm to {} mm along x and from {} mm to "
-                                     "{} mm along y",
-                                     where, -500 * s.width, 500 * s.width, -500 * s.height, 500 * s.height));
+        throw InputError(
+            fmt::format("{}: nothing of the specimen is there; it reaches from {} mm to {} mm along x and from {} mm to "
+                        "{} mm along y",
+                        where, -500 * s.width, 500 * s.width, -500 * s.height, 500 * s.height));
     }
     return members;
 }

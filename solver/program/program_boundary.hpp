@@ -16,8 +16,8 @@ namespace graincrack {
 using ChannelNumbers = std::vector<std::array<std::int32_t, n_actions>>;
 ChannelNumbers number_channels(const Program& program);
 
-/// Nodes and boundary edges of a region, ascending, in internal indices of nodes and rows of /boundary. Corners within 1e-9 of the
-/// specimen's size of a box belong to it.
+/// Nodes and boundary edges of a region, ascending, in internal indices of nodes and rows of /boundary. Corners within 1e-9 of
+/// the specimen's size of a box belong to it.
 struct RegionMembers {
     std::vector<std::int32_t> nodes;
     std::vector<std::size_t> edges;

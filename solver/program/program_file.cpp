@@ -24,9 +24,7 @@ const Quantity coordinate = any("coordinate", Dimension::length);
 const Quantity duration = positive("duration", Dimension::time);
 const Quantity a_frequency = positive("frequency", Dimension::frequency);
 
-Quantity quantity_of(Action action) {
-    return any(name_of(action), is_velocity(action) ? Dimension::speed : Dimension::stress);
-}
+Quantity quantity_of(Action action) { return any(name_of(action), is_velocity(action) ? Dimension::speed : Dimension::stress); }
 
 /// Two components, x and y.
 std::optional<Vector2> read_vector(TomlTable& table, const std::string& key, const Quantity& quantity) {
@@ -90,8 +88,9 @@ TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
         f.value = *height;
         f.duration = table.needed_quantity("over", duration, "a pulse needs its duration, such as over = \"10 us\"");
     } else {
-        table.refuse("", "is no function of time; {to, over}, {times, values}, {sine, frequency}, {ricker, frequency}, "
-                         "{pulse, over} or one value fits");
+        table.refuse("",
+                     "is no function of time; {to, over}, {times, values}, {sine, frequency}, {ricker, frequency}, "
+                     "{pulse, over} or one value fits");
     }
     table.refuse_others();
     return f;
@@ -201,7 +200,8 @@ void read_probe_conditions(const Program& program, TomlTable table, Stage& stage
 }
 
 void read_until(const Program& program, TomlTable table, Stage& stage) {
-    stage.longest_time = table.needed_quantity("time", duration, "every stage needs the longest time it may take, such as \"1 ms\"");
+    stage.longest_time =
+        table.needed_quantity("time", duration, "every stage needs the longest time it may take, such as \"1 ms\"");
     stage.rest = table.quantity("rest", {"rest", Dimension::one, 0, 1, "rest", true});
     stage.peak_drop = table.quantity("peak_drop", quantity::peak_drop);
     for (std::size_t i = 0; i < history_datasets.size(); ++i) {
@@ -237,7 +237,8 @@ Stage read_stage(Program& program, TomlTable& table) {
             stage.settings[control.name] = settings;
         }
     }
-    read_until(program, table.needed_table("until", "every stage needs until = { time = \"...\" }, and may have other ends"), stage);
+    read_until(program, table.needed_table("until", "every stage needs until = { time = \"...\" }, and may have other ends"),
+               stage);
     table.refuse_others();
     return stage;
 }
@@ -274,9 +275,10 @@ void note_actions(Program& program) {
             }
         }
         if (std::none_of(control.is_set.begin(), control.is_set.end(), [](bool set) { return set; })) {
-            throw InputError(fmt::format("{}: boundary.{}: does nothing; give it a velocity_x, velocity_y, traction_x, traction_y "
-                                         "or pressure, here or in a stage",
-                                         program.file, control.name));
+            throw InputError(
+                fmt::format("{}: boundary.{}: does nothing; give it a velocity_x, velocity_y, traction_x, traction_y "
+                            "or pressure, here or in a stage",
+                            program.file, control.name));
         }
     }
 }

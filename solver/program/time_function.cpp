@@ -35,7 +35,8 @@ double TimeFunction::operator()(double t) const {
             return from + (value - from) * (x * x * (3 - 2 * x));
         }
         case Kind::table: return interpolated(times, values, t);
-        case Kind::sine: return t < 0 || (duration > 0 && t > duration) ? from : from + value * std::sin(2 * pi * frequency * t + phase);
+        case Kind::sine:
+            return t < 0 || (duration > 0 && t > duration) ? from : from + value * std::sin(2 * pi * frequency * t + phase);
         case Kind::ricker: {
             const double x = pi * frequency * (t - peak_time);
             return from + value * (1 - 2 * x * x) * std::exp(-x * x);

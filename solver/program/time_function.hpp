@@ -11,12 +11,12 @@ namespace graincrack {
 struct TimeFunction {
     enum class Kind : std::uint8_t { constant, ramp, table, sine, ricker, pulse };
     Kind kind = Kind::constant;
-    double value = 0;      ///< constant; end of the ramp; amplitude of sine, wavelet and pulse
-    double from = 0;       ///< value before
-    double duration = 0;   ///< of ramp and pulse; of a sine, 0 without end; s
-    double frequency = 0;  ///< of sine and wavelet, Hz
-    double phase = 0;      ///< of the sine, rad
-    double peak_time = 0;  ///< of the wavelet, s
+    double value = 0;                   ///< constant; end of the ramp; amplitude of sine, wavelet and pulse
+    double from = 0;                    ///< value before
+    double duration = 0;                ///< of ramp and pulse; of a sine, 0 without end; s
+    double frequency = 0;               ///< of sine and wavelet, Hz
+    double phase = 0;                   ///< of the sine, rad
+    double peak_time = 0;               ///< of the wavelet, s
     std::vector<double> times, values;  ///< of the table, linear between, constant outside
 
     /// ramp: from + (value − from) x² (3 − 2x), x = t/duration        sine: from + value (sin(2π f t + phase))

@@ -59,7 +59,8 @@ TEST(Program, FallsAndFliesFreely) {
         stages = ["fall"]
         initial.all.velocity = ["0.5 m/s", "0 m/s"]
         stage.fall.until.time = "20 us"
-    )", augig_law());
+    )",
+                    augig_law());
     fall.go(20);
     const double t = fall.run.state.time;
     EXPECT_GE(t, 20e-6);
@@ -82,7 +83,8 @@ TEST(Program, AColumnCarriesItsWeight) {
         probe.middle.circle = ["0 mm", "0 mm", "6 mm"]
         probe.high.circle = ["0 mm", "31.25 mm", "6 mm"]
         stage.settle.until = { time = "20 ms", rest = 1e-9 }
-    )", augig_law(), PlaneCondition::strain, 0.8);
+    )",
+                      augig_law(), PlaneCondition::strain, 0.8);
     column.go(100);
     EXPECT_EQ(column.conductor.records().at(0).ended_by, "rest");
     const double foot = rock.density * g * height;
@@ -92,15 +94,15 @@ TEST(Program, AColumnCarriesItsWeight) {
                    " mm over that of the foot",
                column.column(probe, "stress_yy").back() / foot, -(0.5 - y / height), 1e-3, "rho g (h/2 - y)", 1);
     }
-    verify("dynamics: column under its weight, reaction over weight", column.column("floor", "force_y").back() / (foot * 0.025), 1,
-           1e-6, "weight");
+    verify("dynamics: column under its weight, reaction over weight", column.column("floor", "force_y").back() / (foot * 0.025),
+           1, 1e-6, "weight");
     EXPECT_LT(column.residual(), 1e-3);
 }
 
 // --- tractions -------------------------------------------------------------------------------------------------------
 
 TEST(Program, CirclesSeeAUniformStress) {
-    // σ = (2, −3, 0.5) MPa as tractions on four sides.
+    // σ = (2, −3, 0.5) MPa as tractions on four sides. Dead ones turn the strained body a little for ever: 4e-6 of the forces.
     ProgramRun patch(test::jittered_grid(6, 6, 0.03, 0.03, 0.25), R"(
         name = "patch"
         stages = ["load"]
@@ -110,8 +112,9 @@ TEST(Program, CirclesSeeAUniformStress) {
         boundary.bottom = { on = "bottom", traction_x = "-0.5 MPa", pressure = "3 MPa" }
         probe.all.circle = [0, 0, "30 mm"]
         probe.core.circle = [0, 0, "8 mm"]
-        stage.load.until = { time = "10 ms", rest = 1e-8 }
-    )", augig_law(), PlaneCondition::stress, 0.8);
+        stage.load.until = { time = "10 ms", rest = 1e-5 }
+    )",
+                     augig_law(), PlaneCondition::stress, 0.8);
     patch.go(100);
     EXPECT_EQ(patch.conductor.records().at(0).ended_by, "rest");
     // The mean stress over the whole follows from the tractions alone; contacts of no thickness take no part in it, but their
@@ -119,7 +122,8 @@ TEST(Program, CirclesSeeAUniformStress) {
     const auto all = [&](const char* name) { return patch.column("all", name).back() * 1e-6; };
     verify("elements: mean stress of a specimen under tractions, xx (MPa)", all("stress_xx"), 2, 1e-3, "mean stress theorem");
     verify("elements: mean stress of a specimen under tractions, yy (MPa)", all("stress_yy"), -3, 1e-3, "mean stress theorem");
-    verify("elements: mean stress of a specimen under tractions, xy (MPa)", all("stress_xy"), 0.5, 1e-3, "mean stress theorem", 3);
+    verify("elements: mean stress of a specimen under tractions, xy (MPa)", all("stress_xy"), 0.5, 1e-3, "mean stress theorem",
+           3);
     EXPECT_EQ(all("stress_zz"), 0);
     EXPECT_NE(patch.column("core", "stress_xx").back(), patch.column("all", "stress_xx").back());
     verify("elements: force of a pressure along its part (kN/m)", patch.column("top", "force_y").back() * 1e-3, -90, 1e-3,
@@ -129,46 +133,47 @@ TEST(Program, CirclesSeeAUniformStress) {
 
 // --- a block on a slope ----------------------------------------------------------------------------------------------
 
-/// Acceleration of a block down a slope, as gravity that is turned.
+/// Acceleration of a block down a slope: it settles, damped, on a slope where it sticks; then it loses its damping and all
+/// friction but the wanted. Its joint is soft against it, so that it slides as a rigid one: an elastic block that slides on a
+/// stiff joint without damping begins to chatter, leaves the joint for moments, and is braked less (measured: by up to a half).
 double acceleration_down(double slope, double friction) {
-    const std::string text = fmt::format(R"(
+    constexpr double softness = 1e-4;
+    constexpr double sticks = 60;
+    const auto law = [&](double degrees) {
+        ContactLaw soft = law_with_friction(degrees);
+        soft.kt *= softness;
+        soft.ks *= softness;
+        return soft;
+    };
+    const double a = slope * test::degree;
+    ProgramRun block(two_blocks(8, 1, 0.04, 0.01),
+                     fmt::format(R"(
         name = "slope"
         gravity = [{}, {}]
-        stages = ["slide"]
+        stages = ["settle"]
         boundary.base = {{ on = "bottom", velocity_x = 0.0, velocity_y = 0.0 }}
-        stage.slide.until.time = "0.4 ms"
-    )", g * std::sin(slope * test::degree), -g * std::cos(slope * test::degree));
-    ProgramRun block(two_blocks(4, 2, 0.02, 0.02), text, law_with_friction(friction), PlaneCondition::strain, 0, 0.7);
-    std::vector<double> time;
-    std::vector<double> speed;
-    block.run.begin();
-    const std::vector<double> still(2, 0.0);
-    std::vector<Channel> channels(2);
-    for (Channel& channel : channels) {
-        channel.of_velocity = true;
-    }
+        stage.settle.until = {{ time = "20 ms", rest = 1e-7 }}
+    )",
+                                 g * std::sin(a), -g * std::cos(a)),
+                     law(sticks), PlaneCondition::strain, 0.8, 0.5);
+    block.go(100);
+    EXPECT_EQ(block.conductor.records().at(0).ended_by, "rest");
+    block.run.parameters.law = law(friction);
+    block.run.parameters.damping = 0;
     BatchLoading loading;
+    const std::vector<Channel> channels(2, Channel{{}, 0, true});
     loading.channels = &channels;
-    while (block.run.state.time < 0.4e-3) {
-        block.run.steps(10, loading);
-        time.push_back(block.run.state.time);
-        speed.push_back(velocity_of_upper_half(block.run).x);
-    }
-    // Slope of the least-squares line over the second half: the blocks ring on their contacts, evenly about the mean.
-    double n = 0;
-    double mean_t = 0;
-    double mean_v = 0;
-    for (std::size_t i = time.size() / 2; i < time.size(); ++i, n += 1) {
-        mean_t += time[i];
-        mean_v += speed[i];
-    }
-    double tt = 0;
-    double tv = 0;
-    for (std::size_t i = time.size() / 2; i < time.size(); ++i) {
-        tt += (time[i] - mean_t / n) * (time[i] - mean_t / n);
-        tv += (time[i] - mean_t / n) * (speed[i] - mean_v / n);
-    }
-    return tv / tt;
+    const auto speed_after = [&](double duration) {
+        const double end = block.run.state.time + duration;
+        while (block.run.state.time < end) {
+            block.run.steps(10, loading);
+        }
+        return velocity_of_upper_half(block.run).x;
+    };
+    const double before = speed_after(0.3e-3);
+    const double begin = block.run.state.time;
+    const double after = speed_after(1e-3);
+    return (after - before) / (block.run.state.time - begin);
 }
 
 TEST(Program, ABlockSlidesDownASlope) {
@@ -181,10 +186,10 @@ TEST(Program, ABlockSlidesDownASlope) {
 // --- a joint in shear ------------------------------------------------------------------------------------------------
 
 TEST(Program, AJointShearsAtItsFriction) {
-    const double width = 0.02;
+    const double width = 0.04;
     const double phi = 30;
     const ContactLaw law = law_with_friction(phi);
-    ProgramRun joint(two_blocks(4, 2, width, 0.02), R"(
+    ProgramRun joint(two_blocks(8, 1, width, 0.01), R"(
         name = "joint"
         stages = ["press", "forth", "back"]
         boundary.base = { on = "bottom", velocity_x = 0.0, velocity_y = 0.0 }
@@ -198,8 +203,9 @@ TEST(Program, AJointShearsAtItsFriction) {
         until = { time = "1 ms", push.displacement_x = "20 um" }
         [stage.back]
         push.velocity_x = { to = "-50 mm/s", over = "50 us" }
-        until = { time = "1 ms", push.displacement_x = "5 um" }
-    )", law, PlaneCondition::strain, 0.8);
+        until = { time = "2 ms", push.displacement_x = "-20 um" }
+    )",
+                     law, PlaneCondition::strain, 0.8);
     joint.go(50);
     ASSERT_EQ(joint.conductor.records().size(), 3U);
     EXPECT_EQ(joint.conductor.records()[0].ended_by, "rest");
@@ -208,12 +214,14 @@ TEST(Program, AJointShearsAtItsFriction) {
     const std::vector<double>& force = joint.column("push", "force_x");
     const std::vector<double>& time = joint.history[HistoryColumn::time];
     const double limit = 10e6 * width * std::tan(phi * test::degree);
-    const auto at = [&](double t) { return force[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())]; };
-    // 50 mm/s over 20 mm of rock: inertia of the ends is far below 1e-3 of the friction.
+    const auto at = [&](double t) {
+        return force[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())];
+    };
+    // Whatever its distribution, the friction of points that all slide is tan phi times the whole normal force.
     verify("specimens: joint in shear, force forth over normal force", at(joint.conductor.records()[1].end) / (10e6 * width),
            std::tan(phi * test::degree), 5e-3, "tan phi");
-    verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width), -std::tan(phi * test::degree),
-           5e-3, "tan phi");
+    verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width),
+           -std::tan(phi * test::degree), 5e-3, "tan phi");
     EXPECT_GT(joint.energies.back().friction, 0.5 * limit * 30e-6);
     EXPECT_LT(joint.residual(), 5e-3);
 }
@@ -240,9 +248,10 @@ Wave wave(const std::string& sides, PlaneCondition plane, const Rock& of, const 
         probe.second.point = ["60 mm", 0]
         probe.end.point = ["100 mm", 0]
         stage.run.until.time = "150 us"
-    )", sides, pulse, end);
-    ProgramRun bar(test::crossed_blocks(200, 1, bar_length, bar_length / 200, [](int, int) { return 0; }), text, augig_law(), plane,
-                   0, 0.8, of);
+    )",
+                                         sides, pulse, end);
+    ProgramRun bar(test::crossed_blocks(200, 1, bar_length, bar_length / 200, [](int, int) { return 0; }), text, augig_law(),
+                   plane, 0, 0.8, of);
     bar.go(4);
     const std::vector<double>& t = bar.history[HistoryColumn::time];
     const auto of_probe = [&](const std::string& name) { return bar.column(name, "velocity_" + component); };
@@ -287,7 +296,8 @@ TEST(Program, AWaveRunsAndIsReflected) {
     const Wave strain = wave(rollers, PlaneCondition::strain, rock, push, "x", "");
     // 200 cells of 1 mm against a pulse of 27 mm: dispersion is of the order (π/27)²/24 = 6e-4.
     verify("dynamics: P wave, plane strain (m/s)", strain.speed, cp, 5e-3, "sqrt((lambda + 2 mu)/rho)");
-    verify("dynamics: P wave, velocity over stress (m/s)", strain.peak_velocity, 1e6 / (rock.density * cp), 1e-2, "sigma/(rho c)");
+    verify("dynamics: P wave, velocity over stress (m/s)", strain.peak_velocity, 1e6 / (rock.density * cp), 1e-2,
+           "sigma/(rho c)");
     verify("dynamics: P wave, velocity at a free end over that of the wave", strain.end_velocity / strain.peak_velocity, 2, 1e-2,
            "free end");
     verify("dynamics: P wave, reflected at a free end over incident", strain.back_velocity / strain.peak_velocity, 1, 1e-2,
@@ -299,8 +309,7 @@ TEST(Program, AWaveRunsAndIsReflected) {
 
     Rock without = rock;
     without.poisson_ratio = 0;
-    const Wave bar = wave("", PlaneCondition::stress, without, push, "x",
-                          "boundary.wall = { on = \"right\", velocity_x = 0.0 }");
+    const Wave bar = wave("", PlaneCondition::stress, without, push, "x", "boundary.wall = { on = \"right\", velocity_x = 0.0 }");
     verify("dynamics: wave in a bar (m/s)", bar.speed, 3120.23, 5e-3, "sqrt(E/rho)");
     verify("dynamics: wave in a bar, reflected at a held end over incident", bar.back_velocity / bar.peak_velocity, -1, 1e-2,
            "held end: opposite velocity, same stress");
@@ -309,7 +318,8 @@ TEST(Program, AWaveRunsAndIsReflected) {
     const std::string slide = "boundary.sides = { box = [\"-1 m\", \"1 m\", \"-1 m\", \"1 m\"], velocity_x = 0.0 }";
     const Wave shear = wave(slide, PlaneCondition::strain, rock, "traction_y = { pulse = \"1 MPa\", over = \"8 us\" }", "y", "");
     verify("dynamics: S wave (m/s)", shear.speed, 1989.39, 5e-3, "sqrt(G/rho)");
-    verify("dynamics: S wave, velocity over stress (m/s)", shear.peak_velocity, 1e6 / (rock.density * 1989.39), 1e-2, "tau/(rho c)");
+    verify("dynamics: S wave, velocity over stress (m/s)", shear.peak_velocity, 1e6 / (rock.density * 1989.39), 1e-2,
+           "tau/(rho c)");
 }
 
 // --- ledger ----------------------------------------------------------------------------------------------------------
@@ -335,8 +345,8 @@ const char* const everything = R"(
     until.time = "100 us"
 )";
 ProgramRun everything_at_once(double damping, int threads) {
-    ProgramRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), everything, augig_law(LawVariant::consistent), PlaneCondition::strain,
-                   damping);
+    ProgramRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), everything, augig_law(LawVariant::consistent),
+                   PlaneCondition::strain, damping);
     run.go(20, threads);
     return run;
 }
