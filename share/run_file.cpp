@@ -299,6 +299,7 @@ void RunWriter::thin_frames() {
     state_->frames = std::move(left);
 }
 
+H5Output& RunWriter::file() { return state_->file; }
 std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
 
 void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance,

@@ -152,6 +152,8 @@ public:
     /// Removes every second frame that is not kept.
     void thin_frames();
     [[nodiscard]] std::size_t n_frames() const;
+    /// For what a run adds besides.
+    [[nodiscard]] H5Output& file();
     /// Writes the final header, catalogue, sensitivity if there is one, numbering of the frames in time order, the last frame
     /// into /VTKHDF, and /provenance; then commits.
     void finish(const RunHeader& header, const std::vector<Crack>& cracks, const struct Provenance& provenance,

@@ -15,13 +15,14 @@
 
 namespace graincrack {
 
-enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension };
+enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
 constexpr std::string_view name_of(TestKind test) {
     switch (test) {
         case TestKind::uniaxial: return "uniaxial";
         case TestKind::triaxial: return "triaxial";
         case TestKind::brazilian: return "brazilian";
         case TestKind::tension: return "tension";
+        case TestKind::program: return "program";
     }
     return "?";
 }

@@ -1,5 +1,6 @@
 #include "solver/setup.hpp"
 
+#include "solver/program/program_boundary.hpp"
 #include "solver/time_step.hpp"
 
 namespace graincrack {
@@ -10,7 +11,8 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
             {make_contact_law(r.contact, r.law, r.coupling), 0, r.damping},
             0,
             0};
-    s.boundary = make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
+    s.boundary = r.program ? make_program_boundary(s.assemblage, specimen, *r.program, r.contact, r.loading.platen_friction)
+                           : make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
     const ContactLaw& law = s.parameters.law;
     if (r.mass_scaling) {
         s.mass_scaling_factor =

@@ -13,6 +13,8 @@
 #include "solver/catalogue.hpp"
 #include "solver/frame_keeper.hpp"
 #include "solver/measure.hpp"
+#include "solver/program/program_boundary.hpp"
+#include "solver/run_driver.hpp"
 #include "solver/sensitivity.hpp"
 #include "solver/setup.hpp"
 #include "solver/team.hpp"
@@ -42,7 +44,7 @@ RunHeader make_header(const SimulationRequest& r) {
     h.contact = r.contact;
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
-    h.rate = name_of(r.loading.rate);
+    h.rate = r.program ? "program" : name_of(r.loading.rate);
     h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
     h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
     h.damping = r.damping;
@@ -60,7 +62,7 @@ public:
           request_(request),
           setup_(make_setup(specimen, request)),
           gauges_(make_gauges(assemblage_, specimen)),
-          loading_(request.loading, specimen, request.material.rock, request.plane),
+          driver_(make_run_driver(request, assemblage_, specimen)),
           state_(make_state(assemblage_, boundary_, specimen)),
           catalogue_(state_.points.size()),
           header_(make_header(request)),
@@ -70,6 +72,9 @@ public:
         header_.mass_scaling_factor = setup_.mass_scaling_factor;
         header_.stable_time_step = setup_.stable_time_step;
         header_.time_step = parameters_.time_step;
+        if (request.program) {
+            set_initial_velocities(*request.program, assemblage_, specimen, state_);
+        }
     }
 
     /// Writes the run to a file as it goes ("-": stdout); to be called before `run`.
@@ -77,7 +82,7 @@ public:
         H5Output file(output, "run");
         const bool pipe = file.is_pipe();
         writer_.emplace(std::move(file), specimen_, header_);
-        frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), request_.loading.max_strain / 64, *writer_);
+        frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
     }
 
     RunHeader run() {
@@ -85,12 +90,12 @@ public:
         record();
         while (header_.stop_reason.empty()) {
             throw_if_interrupted();
-            const std::int64_t steps = loading_.batch_steps(parameters_.time_step);
-            const BatchLoading batch = loading_.next(feedback_, static_cast<double>(steps) * parameters_.time_step);
+            const std::int64_t steps = driver_->batch_steps(parameters_.time_step);
+            const BatchLoading batch = driver_->next(view(), static_cast<double>(steps) * parameters_.time_step);
             advance(assemblage_, boundary_, parameters_, batch, steps, team_, state_);
             record();
             show_progress();
-            decide_stop();
+            header_.stop_reason = driver_->stop_reason(view());
         }
         progress_.finish();
         finish_header();
@@ -100,7 +105,8 @@ public:
     /// Completes the file.
     void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
         frames_->last(assemblage_, parameters_.law, state_);
-        writer_->append_history(history_);
+        append_rows();
+        driver_->write(writer_->file());
         writer_->finish(header_, catalogue_.rows(state_), provenance, sensitivity);
     }
     [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
@@ -125,17 +131,28 @@ private:
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
         push_row(m);
         feedback_ = feedback(m);
-        const bool counts = !loading_.is_isotropic() && !catalogue_.empty();
+        driver_->note(view());
+        const bool counts = driver_->counts() && !catalogue_.empty();
         const bool is_highest = counts && driven_stress() > peak_;
         peak_ = is_highest ? driven_stress() : peak_;
         if (writer_) {
             frames_->peak(is_highest, counts && driven_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
                           state_);
-            frames_->regular(std::abs(axial_strain()), assemblage_, parameters_.law, state_);
+            frames_->regular(driver_->progress(view()), assemblage_, parameters_.law, state_);
             if (history_.size() % 500 == 0) {
-                writer_->append_history(history_);
+                append_rows();
             }
         }
+    }
+
+    void append_rows() {
+        driver_->append(writer_->file(), rows_written_);
+        rows_written_ = history_.size();
+        writer_->append_history(history_);
+    }
+
+    [[nodiscard]] RunView view() const {
+        return {assemblage_, boundary_, state_, history_, feedback_, axial_strain(), driven_stress(), peak_, !catalogue_.empty()};
     }
 
     [[nodiscard]] LoadingFeedback feedback(const Measurement& m) const {
@@ -156,7 +173,9 @@ private:
     }
 
     void check_stability(const Energies& energies) {
-        header_.energy_scale = std::max(header_.energy_scale, energies.stored());
+        // A program may be all motion, and store next to nothing.
+        const double scale = energies.stored() + (request_.program ? energies.kinetic : 0);
+        header_.energy_scale = std::max(header_.energy_scale, scale);
         const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
             throw_unstable(residual);
@@ -199,24 +218,13 @@ private:
         push(unbalanced_ratio, m.unbalanced_ratio);
         push(tensile_cracks, 0.5 * static_cast<double>(catalogue_.tensile_points()));
         push(shear_cracks, 0.5 * static_cast<double>(catalogue_.shear_points()));
-        push(platen_speed, loading_.platen_speed());
+        push(platen_speed, driver_->platen_speed());
     }
 
     void show_progress() {
-        progress_.update(std::abs(axial_strain()) / request_.loading.max_strain,
+        progress_.update(driver_->progress(view()),
                          fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", driven_stress() * 1e-6,
                                      catalogue_.tensile_points() / 2, catalogue_.shear_points() / 2));
-    }
-
-    void decide_stop() {
-        if (loading_.is_isotropic()) {
-            return;
-        }
-        if (!catalogue_.empty() && driven_stress() < (1 - request_.peak_drop) * peak_) {
-            header_.stop_reason = "peak drop";
-        } else if (std::abs(axial_strain()) >= request_.loading.max_strain) {
-            header_.stop_reason = "strain cap";
-        }
     }
 
     /// Largest difference of the platen forces over their mean, on the way up from half the peak to the peak.
@@ -235,10 +243,7 @@ private:
 
     void finish_header() {
         header_.steps = state_.step;
-        header_.isotropic_end_time = loading_.isotropic_end_time();
-        if (request_.loading.rate == RateKind::automatic) {
-            header_.platen_speed = loading_.mean_speed(state_.time);
-        }
+        driver_->complete(header_, state_.time);
         const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
         const std::vector<double>& stress = history_[HistoryColumn::axial_stress];
         const auto peak =
@@ -274,7 +279,7 @@ private:
     const Boundary& boundary_ = setup_.boundary;
     const StepParameters& parameters_ = setup_.parameters;
     Gauges gauges_;
-    Loading loading_;
+    std::unique_ptr<RunDriver> driver_;
     State state_;
     CrackCatalogue catalogue_;
     RunHeader header_;
@@ -282,6 +287,7 @@ private:
     History history_;
     Team team_;
     LoadingFeedback feedback_;
+    std::size_t rows_written_ = 0;
     double last_axial_stress_ = 0;  ///< tension positive, Pa
     double peak_ = 0;               ///< of the driven stress, Pa
     std::optional<RunWriter> writer_;

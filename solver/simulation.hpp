@@ -11,12 +11,14 @@
 #include "share/run_file.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/loading.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
 
 /// Everything a run is made of, besides the specimen.
 struct SimulationRequest {
-    LoadingRequest loading;
+    LoadingRequest loading;          ///< of a test; of a program only what platens are like
+    std::optional<Program> program;  ///< instead of one of the four tests
     Material material;          ///< with the contact parameters to use
     ContactParameters contact;  ///< derived from it, validated
     std::string fracture_energy_choice = "mode-i";

@@ -1,10 +1,22 @@
+#include "solver/program/program_driver.hpp"
 #include "solver/setup.hpp"
 
 namespace graincrack {
 
+namespace {
+
+LoadingLength longest_way(const Specimen& specimen, const SimulationRequest& request, double time_step) {
+    if (!request.program) {
+        return Loading(request.loading, specimen, request.material.rock, request.plane).longest(time_step);
+    }
+    const auto steps = static_cast<std::int64_t>(request.program->longest_time() / time_step);
+    return {steps, static_cast<std::size_t>(steps / program_batch_steps(*request.program, time_step) + 1)};
+}
+
+}  // namespace
+
 SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request) {
     const Setup setup = make_setup(specimen, request);
-    const Loading loading(request.loading, specimen, request.material.rock, request.plane);
     SimulationPlan plan;
     plan.grains = specimen.n_grains();
     plan.elements = specimen.n_elements();
@@ -12,7 +24,7 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.contacts = specimen.n_contacts();
     plan.stable_time_step = setup.stable_time_step;
     plan.time_step = setup.parameters.time_step;
-    const LoadingLength length = loading.longest(plan.time_step);
+    const LoadingLength length = longest_way(specimen, request, plan.time_step);
     plan.max_steps = length.steps;
     plan.memory = plan.nodes * (5 * sizeof(Vector2) + 2 * sizeof(double)) + plan.elements * (sizeof(TriangleGeometry) + 16) +
                   plan.contacts * (sizeof(ContactGeometry) + 4 * sizeof(Vector2) + 2 * sizeof(ContactHistory) +

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 
 #include "share/command_line.hpp"
 #include "share/error.hpp"
@@ -14,13 +15,16 @@ namespace {
 
 const char* const examples =
     "  graincrack-solve uniaxial specimen.h5 --material augig-granite -o uniaxial.h5\n"
-    "  graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 4MPa --rate 5mm/s -o triaxial.h5";
+    "  graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 4MPa --rate 5mm/s -o triaxial.h5\n"
+    "  graincrack-solve program specimen.h5 --material augig-granite --program share/programs/unload-reload.toml -o cycles.h5";
 
 /// Values of options that end in a request only together with the material.
 struct RawOptions {
     ContactOptions contact;
     std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
+    std::string program;   ///< its file
+    double damping = NAN;  ///< of a program; NaN if not given
 };
 
 /// --rate auto|blocks|SPEED
@@ -68,6 +72,18 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
     }
 }
 
+void add_method_options(CLI::App& command, SimulationRequest& request) {
+    add_choice<bool>(command, "--mass-scaling", request.mass_scaling, {{"none", false}, {"selective", true}},
+                     "selective: nodes that contacts hold together move against each other with a multiple of their mass");
+    add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
+                 "that multiple less one; as much as lets the grains alone limit the step unless given");
+    add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
+                 "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
+    add_integer(command, "--frames", request.frames,
+                "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
+    add_threads(command, request.threads);
+}
+
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
     LoadingRequest& loading = request.loading;
     if (confined) {
@@ -83,18 +99,10 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
-    add_choice<bool>(command, "--mass-scaling", request.mass_scaling, {{"none", false}, {"selective", true}},
-                     "selective: nodes that contacts hold together move against each other with a multiple of their mass");
-    add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
-                 "that multiple less one; as much as lets the grains alone limit the step unless given");
-    add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
-                 "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
     command.add_flag("--sensitivity", request.sensitivity,
                      "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
                      "elements along an edge; print what moves, and keep it in the run");
-    add_integer(command, "--frames", request.frames,
-                "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
-    add_threads(command, request.threads);
+    add_method_options(command, request);
 }
 
 CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common, TestKind test,
@@ -106,6 +114,39 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
+}
+
+CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common) {
+    CLI::App* command = app.add_subcommand("program", "what a program file says: stages, boundaries, gravity, probes");
+    command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
+    command->add_option("--program", raw.program, "the program, TOML; see share/doc/programs.md")->required()->type_name("FILE");
+    add_contact_options(*command, raw.contact);
+    add_quantity(*command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
+                 "friction angle between rock and platens instead of the material's");
+    add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
+                    "local damping instead of the program's own; it must have one of the two");
+    add_method_options(*command, options.request);
+    command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
+    add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
+    return command;
+}
+
+/// A program, its damping, and whether it can do with the masses it is asked to have.
+void complete_program(SimulationRequest& request, const RawOptions& raw) {
+    request.loading.test = TestKind::program;
+    request.program = read_program(raw.program);
+    const auto damping = std::isnan(raw.damping) ? request.program->damping : std::optional(raw.damping);
+    if (!damping) {
+        throw UsageError("--damping: missing, and " + raw.program +
+                         " has none; give --damping 0.8 for what is slow, --damping none for waves");
+    }
+    request.damping = *damping;
+    const std::string why = request.damping == 0 ? "it has no damping" : request.program->why_dynamic();
+    if (request.mass_scaling && !why.empty()) {
+        throw UsageError(fmt::format("--mass-scaling: {} is dynamic ({}), and scaled masses would move otherwise; "
+                                     "--mass-scaling none fits",
+                                     raw.program, why));
+    }
 }
 
 void complete_request(SimulationRequest& request, const RawOptions& raw) {
@@ -134,6 +175,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
         {add(TestKind::tension, "direct tension between glued caps"), TestKind::tension},
     };
+    CLI::App* program = add_program(app, options, raw, common);
     if (!parse_command_line(app, argc, argv)) {
         return std::nullopt;
     }
@@ -149,6 +191,9 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
     }
     complete_request(options.request, raw);
+    if (program->parsed()) {
+        complete_program(options.request, raw);
+    }
     return options;
 }
 

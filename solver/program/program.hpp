@@ -96,6 +96,7 @@ struct Program {
     std::vector<InitialVelocity> initial_velocities;
     std::vector<ProbeRequest> probes;
     Vector2 gravity;                     ///< m/s²
+    std::optional<double> damping;       ///< local; --damping wins
     std::optional<double> row_interval;  ///< between rows of the history, s
     std::string start_from;              ///< run file with a saved state, or ""
 

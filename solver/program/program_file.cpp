@@ -103,14 +103,7 @@ std::optional<TimeFunction> read_function(TomlTable& table, const std::string& k
         return function ? std::optional(read_function_table(*function, quantity)) : std::nullopt;
     }
     TimeFunction f;
-    const auto words = [&]() -> std::optional<std::string> {
-        try {
-            return table.text(key);
-        } catch (const InputError&) {
-            return std::nullopt;  // a bare number
-        }
-    }();
-    f.value = may_be_free && words == "free" ? std::nan("") : *table.quantity(key, quantity);
+    f.value = may_be_free ? *table.quantity_or(key, "free", std::nan(""), quantity) : *table.quantity(key, quantity);
     return f;
 }
 
@@ -321,6 +314,7 @@ Program parse_program(const std::string& text, const std::string& name) {
     program.text = text;
     program.name = file.needed_text("name", "a program has a name = \"...\"");
     program.gravity = read_vector(file, "gravity", any("gravity", Dimension::acceleration)).value_or(Vector2{});
+    program.damping = file.quantity_or("damping", "none", 0, quantity::damping);
     program.row_interval = file.quantity("row_every", duration);
     program.start_from = file.text("start_from").value_or("");
     read_platens(file, program);

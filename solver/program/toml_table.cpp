@@ -154,6 +154,16 @@ std::optional<double> TomlTable::quantity(const std::string& key, const Quantity
     }
 }
 
+std::optional<double> TomlTable::quantity_or(const std::string& key, const std::string& word, double word_value,
+                                             const Quantity& quantity_wanted) {
+    const TomlEntry* found = entry(key);
+    if (found != nullptr && !found->is_array && found->values.front().text == word) {
+        asked_.push_back(key);
+        return word_value;
+    }
+    return quantity(key, quantity_wanted);
+}
+
 std::optional<TomlTable> TomlTable::table(const std::string& key) {
     asked_.push_back(key);
     if (has_value(key)) {
