@@ -17,6 +17,7 @@
 #include "post/output_file.hpp"
 #include "post/picture/picture.hpp"
 #include "post/plots.hpp"
+#include "post/program_table.hpp"
 #include "post/report/report.hpp"
 #include "post/size_effect.hpp"
 #include "post/strength.hpp"
@@ -44,6 +45,11 @@ void info(const PostOptions& options, std::ostream& out) {
 }
 
 void history(const PostOptions& options, std::ostream& out) {
+    if (options.follow && (options.stages || !options.probe.empty())) {
+        throw UsageError("history --follow: follows the history alone; leave out --probe and --stages");
+    }
+    if (options.stages) return write_stages(out, RunReader(only_file(options)), options.format);
+    if (!options.probe.empty()) return write_probe(out, RunReader(only_file(options)), options.probe, options.format);
     if (!options.follow) return write_history(out, RunReader(only_file(options)), options.format);
     if (only_file(options) == "-") throw UsageError("history --follow: stdin cannot be followed; name a file");
     follow_history(out, only_file(options), options.format);

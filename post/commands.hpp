@@ -31,6 +31,8 @@ struct PostOptions {
     std::vector<std::string> laboratory;  ///< plot curve: tables of measured curves
     ccd::Options ccd;
     bool follow = false;
+    std::string probe;    ///< history: of a program
+    bool stages = false;  ///< history: of a program
     bool summary = false;
     CappedRuns capped_runs = CappedRuns::refuse;
     bool check = false;

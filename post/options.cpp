@@ -27,6 +27,10 @@ void add_tables(CLI::App& app, PostOptions& options) {
     CLI::App* history = add_command(app, "history", "the history of a run as a table, tension positive");
     add_files(history, options, "run", "run file");
     history->add_flag("--follow", options.follow, "write the rows of a run in work as they appear, until it ends");
+    auto* probe = history->add_option("--probe", options.probe, "of a program: this probe instead, or what this boundary did")
+                      ->type_name("NAME");
+    auto* stages = history->add_flag("--stages", options.stages, "of a program: its stages instead, and what ended them");
+    stages->excludes(probe);
     add_format(history, options);
     CLI::App* strength = table("strength", "strength, strain, cracks at the peak and checks of the run, a row a run");
     strength->add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");

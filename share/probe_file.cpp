@@ -27,6 +27,9 @@ Dimension dimension_of(const std::string& unit) {
 
 void append_probes(H5Output& file, const std::vector<ProbeHistory>& probes, std::size_t first) {
     for (const ProbeHistory& probe : probes) {
+        if (probe.values.front().size() == first && first > 0) {
+            continue;  // nothing new
+        }
         for (std::size_t c = 0; c < probe.columns.size(); ++c) {
             const ProbeColumn& column = probe.columns[c];
             const std::size_t n = probe.values[c].size() - first;

@@ -39,8 +39,9 @@ constexpr double trusted_residual = 0.005;
 
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
-    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; strength {:.2f} MPa; micro-cracks {} tensile, {} shear\n", h.test,
-               h.stop_reason, h.steps, h.time_step, strength_of(h) * 1e-6, s.tensile_cracks, s.shear_cracks);
+    const std::string strength = h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa; ", strength_of(h) * 1e-6) : "";
+    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason, h.steps,
+               h.time_step, strength, s.tensile_cracks, s.shear_cracks);
     fmt::print(
         stderr,
         "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work\n",

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] double progress(const RunView& view) const override {
         return std::abs(view.axial_strain) / request_.loading.max_strain;
     }
-    void complete(RunHeader& header, double time) const override {
+    void complete(RunHeader& header, double time) override {
         header.isotropic_end_time = loading_.isotropic_end_time();
         if (request_.loading.rate == RateKind::automatic) {
             header.platen_speed = loading_.mean_speed(time);

@@ -41,7 +41,8 @@ public:
     [[nodiscard]] virtual double platen_speed() const = 0;  ///< approach of each, m/s
     /// Share of the longest way that is done.
     [[nodiscard]] virtual double progress(const RunView& view) const = 0;
-    virtual void complete(RunHeader& header, double time) const = 0;
+    /// Fills in what it knows of a run that ended for `header.stop_reason`.
+    virtual void complete(RunHeader& header, double time) = 0;
     /// What the run file gets of its rows from `first` on, besides the history.
     virtual void append(H5Output& file, std::size_t first) const = 0;
     /// And at the end.

@@ -19,8 +19,8 @@ namespace graincrack {
 struct SimulationRequest {
     LoadingRequest loading;          ///< of a test; of a program only what platens are like
     std::optional<Program> program;  ///< instead of one of the four tests
-    Material material;          ///< with the contact parameters to use
-    ContactParameters contact;  ///< derived from it, validated
+    Material material;               ///< with the contact parameters to use
+    ContactParameters contact;       ///< derived from it, validated
     std::string fracture_energy_choice = "mode-i";
     PlaneCondition plane = PlaneCondition::strain;
     LawVariant law = LawVariant::consistent;

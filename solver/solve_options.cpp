@@ -15,8 +15,12 @@ namespace {
 
 const char* const examples =
     "  graincrack-solve uniaxial specimen.h5 --material augig-granite -o uniaxial.h5\n"
-    "  graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 4MPa --rate 5mm/s -o triaxial.h5\n"
-    "  graincrack-solve program specimen.h5 --material augig-granite --program share/programs/unload-reload.toml -o cycles.h5";
+    "  graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 4MPa --rate 5mm/s -o triaxial.h5";
+
+const char* const program_examples =
+    "Examples:\n"
+    "  graincrack-solve program specimen.h5 --material augig-granite --program share/programs/unload-reload.toml -o cycles.h5\n"
+    "  graincrack-solve program bar.h5 --material augig-granite --plane stress --program share/programs/pulse.toml -o pulse.h5";
 
 /// Values of options that end in a request only together with the material.
 struct RawOptions {
@@ -118,6 +122,7 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
 
 CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common) {
     CLI::App* command = app.add_subcommand("program", "what a program file says: stages, boundaries, gravity, probes");
+    command->footer(program_examples);
     command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
     command->add_option("--program", raw.program, "the program, TOML; see share/doc/programs.md")->required()->type_name("FILE");
     add_contact_options(*command, raw.contact);
@@ -143,9 +148,10 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
     request.damping = *damping;
     const std::string why = request.damping == 0 ? "it has no damping" : request.program->why_dynamic();
     if (request.mass_scaling && !why.empty()) {
-        throw UsageError(fmt::format("--mass-scaling: {} is dynamic ({}), and scaled masses would move otherwise; "
-                                     "--mass-scaling none fits",
-                                     raw.program, why));
+        throw UsageError(
+            fmt::format("--mass-scaling: {} is dynamic ({}), and scaled masses would move otherwise; "
+                        "--mass-scaling none fits",
+                        raw.program, why));
     }
 }
 

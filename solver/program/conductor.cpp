@@ -169,6 +169,12 @@ void Conductor::judge(const ConductorFeedback& f) {
     }
 }
 
+void Conductor::close(double time, const std::string& reason) {
+    if (!finished()) {
+        records_.push_back({now().name, stage_begin_, time, reason});
+    }
+}
+
 double Conductor::servo_speed(double time, double duration) const {
     const double rate = (platen_.at(time + duration) - platen_.at(time)) / duration;
     const double lag = platen_.at(time) - mean_compression_;

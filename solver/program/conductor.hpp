@@ -45,6 +45,8 @@ public:
     void begin(const ConductorFeedback& feedback);
     /// Ends the stage if it has reached an end, and starts the next one.
     void judge(const ConductorFeedback& feedback);
+    /// Ends the stage that is on, if there is one, for a reason of the run.
+    void close(double time, const std::string& reason);
     /// Loading of the next `duration` seconds. Its channels are those of this conductor.
     BatchLoading next(const ConductorFeedback& feedback, double duration);
 

@@ -53,7 +53,8 @@ BatchLoading ProgramDriver::next(const RunView& view, double duration) {
 
 void ProgramDriver::note(const RunView& view) {
     probes_.record(view.assemblage, view.boundary, view.state);
-    with_feedback(view, [&](const ConductorFeedback& feedback) { begun_ ? conductor_.judge(feedback) : conductor_.begin(feedback); });
+    with_feedback(view,
+                  [&](const ConductorFeedback& feedback) { begun_ ? conductor_.judge(feedback) : conductor_.begin(feedback); });
     begin_ = begun_ ? begin_ : view.state.time;
     begun_ = true;
 }
@@ -67,7 +68,10 @@ std::string ProgramDriver::stop_reason(const RunView& view) const {
 
 double ProgramDriver::progress(const RunView& view) const { return (view.state.time - begin_) / program_.longest_time(); }
 
-void ProgramDriver::complete(RunHeader& header, double /*time*/) const { header.platen_speed = conductor_.platen_speed(); }
+void ProgramDriver::complete(RunHeader& header, double time) {
+    header.platen_speed = conductor_.platen_speed();
+    conductor_.close(time, header.stop_reason);
+}
 
 void ProgramDriver::append(H5Output& file, std::size_t first) const { append_probes(file, probes_.histories(), first); }
 

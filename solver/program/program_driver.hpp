@@ -17,7 +17,7 @@ public:
     [[nodiscard]] bool counts() const override { return true; }
     [[nodiscard]] double platen_speed() const override { return conductor_.platen_speed(); }
     [[nodiscard]] double progress(const RunView& view) const override;
-    void complete(RunHeader& header, double time) const override;
+    void complete(RunHeader& header, double time) override;
     void append(H5Output& file, std::size_t first) const override;
     void write(H5Output& file) const override;
     [[nodiscard]] Conductor& conductor() { return conductor_; }

@@ -27,7 +27,8 @@ public:
     std::optional<bool> flag(const std::string& key);
     std::optional<double> quantity(const std::string& key, const Quantity& quantity);
     /// The same where a word stands for a value.
-    std::optional<double> quantity_or(const std::string& key, const std::string& word, double word_value, const Quantity& quantity);
+    std::optional<double> quantity_or(const std::string& key, const std::string& word, double word_value,
+                                      const Quantity& quantity);
     std::optional<std::vector<double>> quantities(const std::string& key, const Quantity& quantity);  ///< an array
     std::optional<TomlTable> table(const std::string& key);
     /// The tables in this one, by their names in the order of the file.

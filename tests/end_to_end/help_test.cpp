@@ -54,6 +54,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "solve triaxial",
                                 "solve brazilian",
                                 "solve tension",
+                                "solve program",
                                 "post info",
                                 "post history",
                                 "post strength",
