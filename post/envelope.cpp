@@ -97,7 +97,8 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRun
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "an envelope");
         if (run.header.test == "program") {
-            throw InputError(run.name + ": a program's peak is of no known pressure; an envelope needs uniaxial and triaxial tests");
+            throw InputError(run.name +
+                             ": a program's peak is of no known pressure; an envelope needs uniaxial and triaxial tests");
         }
         const Strength strength = measure_strength(run);
         if (is_compression(run.header)) {

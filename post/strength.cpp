@@ -88,7 +88,8 @@ std::vector<Cell> strength_row(const std::string& path) {
 Strength measure_strength(const RunData& run) {
     const LoadCurve curve = load_curve(run);
     Strength strength;
-    (is_compression(run.header) || run.header.test == "program" ? strength.peak_compressive_stress : strength.tensile_strength) = curve.peak_stress();
+    (is_compression(run.header) || run.header.test == "program" ? strength.peak_compressive_stress : strength.tensile_strength) =
+        curve.peak_stress();
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);
