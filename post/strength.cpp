@@ -38,7 +38,8 @@ const std::vector<std::string> columns{"file",
                                        "spanning_strength_MPa",
                                        "first_crack_radius_over_R",
                                        "loading_arc_deg",
-                                       "warning"};
+                                       "warning",
+                                       "achieved_confining_pressure_MPa"};
 
 Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
 
@@ -80,6 +81,7 @@ std::vector<Cell> strength_row(const std::string& path) {
                           megapascal(strength.stress_at_marks[2])};
     if (run.header.test == "brazilian") append_split(row, reader, run);
     row.resize(columns.size());
+    if (run.header.confining_pressure > 0) row.back() = run.header.confinement_mean * 1e-6;
     return row;
 }
 

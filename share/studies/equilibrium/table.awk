@@ -1,0 +1,59 @@
+# strength.tsv to a Markdown table: a test and seed a row, what each variant moves the peak by, and how good the runs were.
+# Set by -v: tests, seeds, variants (the first is the one that the others are held against; "slow" is held the other way round).
+BEGIN { FS = "\t" }
+FNR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+{
+    n = split($column["file"], parts, "/")
+    name = parts[n]
+    sub(/\.h5$/, "", name)
+    peak[name] = $column["peak_compressive_stress_MPa"] $column["tensile_strength_MPa"]
+    test = name
+    sub(/-.*/, "", test)
+    ledger[test] = max(ledger[test], $column["ledger_residual"])
+    if (name !~ /-slow$/) forces[test] = max(forces[test], $column["platen_force_difference"])
+    achieved = $column["achieved_confining_pressure_MPa"]
+    if (achieved != "") pressure[test] = max(pressure[test], abs(achieved / $column["confining_pressure_MPa"] - 1))
+    kind[test] = kind[test] == "" || kind[test] == $column["peak_kind"] ? $column["peak_kind"] : "mixed"
+}
+END {
+    n_tests = split(tests, test_of, " ")
+    n_seeds = split(seeds, seed_of, " ")
+    n_variants = split(variants, variant_of, " ")
+    first = variant_of[1]
+    line = "| test | seed | peak, MPa |"
+    rule = "|---|---|---|"
+    for (v = 2; v <= n_variants; ++v) {
+        line = line " " variant_of[v] ", % |"
+        rule = rule "---|"
+    }
+    print line
+    print rule
+    for (t = 1; t <= n_tests; ++t) {
+        for (v = 2; v <= n_variants; ++v) sum[v] = worst[v] = 0
+        mean = 0
+        for (s = 1; s <= n_seeds; ++s) {
+            own = peak[test_of[t] "-" seed_of[s] "-" first]
+            mean += own / n_seeds
+            line = sprintf("| %s | %s | %.2f |", test_of[t], seed_of[s], own)
+            for (v = 2; v <= n_variants; ++v) {
+                other = peak[test_of[t] "-" seed_of[s] "-" variant_of[v]]
+                sum[v] += other / n_seeds
+                line = line sprintf(" %+.2f |", 100 * (other / own - 1))
+            }
+            print line
+        }
+        line = sprintf("| **%s** | mean | %.2f |", test_of[t], mean)
+        for (v = 2; v <= n_variants; ++v) line = line sprintf(" %+.2f |", 100 * (sum[v] / mean - 1))
+        print line
+    }
+    print ""
+    print "| test | ended by | largest ledger residual | largest difference of the platen forces before the peak | largest error of the pressure |"
+    print "|---|---|---|---|---|"
+    for (t = 1; t <= n_tests; ++t) {
+        test = test_of[t]
+        printf "| %s | %s | %.1e | %.2f %% | %s |\n", test, kind[test], ledger[test], 100 * forces[test],
+            (test in pressure) ? sprintf("%.2f %%", 100 * pressure[test]) : "-"
+    }
+}
+function abs(x) { return x < 0 ? -x : x }
+function max(a, b) { return a + 0 > b + 0 ? a : b + 0 }
