@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "share/units.hpp"
 
@@ -46,6 +47,21 @@ std::vector<double> ticks_of(const Axis& axis, int wanted) {
         }
     }
     return ticks;
+}
+
+/// Words in lines that are no wider than `room`, broken at blanks; a single word may be wider.
+std::vector<std::string> broken_lines(const std::string& words, double size, double room) {
+    std::vector<std::string> lines(1);
+    std::istringstream in(words);
+    for (std::string word; in >> word;) {
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (!lines.back().empty() && text_width(longer, size) > room) {
+            lines.push_back(word);
+        } else {
+            lines.back() = longer;
+        }
+    }
+    return lines;
 }
 
 /// Part of a segment inside a box (Liang & Barsky); false if none.
@@ -285,7 +301,7 @@ void Chart::draw_labels() {
     }
 }
 
-void Chart::draw_entry(const Entry& entry, Pixel at) {
+void Chart::draw_entry(const Entry& entry, const std::vector<std::string>& lines, Pixel at) {
     const double y = at.y - 9;
     if (entry.stroke) {
         stroke_line({{at.x, y}, {at.x + legend_mark, y}}, *entry.stroke);
@@ -294,7 +310,9 @@ void Chart::draw_entry(const Entry& entry, Pixel at) {
     } else {
         drawing_.rectangle({at.x, y - 11}, {at.x + legend_mark, y + 11}, entry.area);
     }
-    drawing_.text({{at.x + legend_mark + 14, at.y}, entry.words, legend_size});
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        drawing_.text({{at.x + legend_mark + 14, at.y + static_cast<double>(i) * legend_line}, lines[i], legend_size});
+    }
 }
 
 void Chart::draw_legend() {
@@ -303,8 +321,10 @@ void Chart::draw_legend() {
     for (const Entry& entry : legend_) {
         const double width = legend_mark + 14 + text_width(entry.words, legend_size) + 34;
         if (at.x > left && at.x + width > page_width) at = {left, at.y + legend_line};
-        draw_entry(entry, at);
+        const auto lines = broken_lines(entry.words, legend_size, page_width - left - legend_mark - 14);
+        draw_entry(entry, lines, at);
         at.x += width;
+        at.y += static_cast<double>(lines.size() - 1) * legend_line;
     }
     drawing_.set_height(static_cast<int>(std::ceil(legend_.empty() ? y_.from + 110 : at.y + 24)));
 }

@@ -86,7 +86,7 @@ private:
     void draw_ticks();
     void draw_labels();
     void draw_legend();
-    void draw_entry(const Entry& entry, Pixel at);
+    void draw_entry(const Entry& entry, const std::vector<std::string>& lines, Pixel at);
 
     Drawing drawing_;
     Scale x_;

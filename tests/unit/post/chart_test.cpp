@@ -93,6 +93,28 @@ TEST(Chart, LogarithmicScaleSpacesDecadesEvenly) {
     EXPECT_NEAR(lines[0].points[1].x, (lines[0].points[0].x + lines[0].points[2].x) / 2, 1e-9);
 }
 
+TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
+    Chart chart = unit_chart();
+    std::string words;
+    for (int i = 0; i < 20; ++i) words += "several words ";
+    chart.legend(Stroke{pen, 2}, words);
+    chart.legend(Stroke{pen, 2}, "after");
+    const Drawing page = chart.finish();
+    double lowest = 0;
+    for (const Drawing::Shape& shape : page.shapes()) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (text == nullptr || text->words.find("several") == std::string::npos) continue;
+        EXPECT_LE(text->at.x + text_width(text->words, text->size), page.width());
+        lowest = std::max(lowest, text->at.y);
+    }
+    for (const Drawing::Shape& shape : page.shapes()) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (text != nullptr && text->words == "after") {
+            EXPECT_GT(text->at.y, lowest);
+        }
+    }
+}
+
 TEST(Chart, LegendWrapsAndThePageGrows) {
     Chart few = unit_chart();
     few.legend(Stroke{pen, 2}, "one");
