@@ -51,6 +51,14 @@ void CrackCatalogue::collect(const Assemblage& a, double time_step, State& state
     }
 }
 
+void CrackCatalogue::restore(const std::vector<Crack>& rows) {
+    cracks_ = rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        crack_of_point_[2 * static_cast<std::size_t>(rows[i].contact) + rows[i].point] = static_cast<std::int32_t>(i);
+        tensile_ += rows[i].mode == CrackMode::tensile ? 1 : 0;
+    }
+}
+
 std::vector<Crack> CrackCatalogue::rows(const State& state) const {
     std::vector<Crack> rows = cracks_;
     for (Crack& crack : rows) {

@@ -14,6 +14,8 @@ public:
     explicit CrackCatalogue(std::size_t n_points) : crack_of_point_(n_points, -1) {}
     /// Takes the events of all blocks, in the order of step, contact and point, and clears them.
     void collect(const Assemblage& assemblage, double time_step, State& state);
+    /// Goes on from the rows of an earlier run.
+    void restore(const std::vector<Crack>& rows);
     /// The rows, with the energy each point has released so far.
     [[nodiscard]] std::vector<Crack> rows(const State& state) const;
     [[nodiscard]] std::size_t tensile_points() const { return tensile_; }

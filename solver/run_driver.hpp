@@ -43,6 +43,9 @@ public:
     [[nodiscard]] virtual double progress(const RunView& view) const = 0;
     /// Fills in what it knows of a run that ended for `header.stop_reason`.
     virtual void complete(RunHeader& header, double time) = 0;
+    /// Where it is, and going on from where another one was, before the first row.
+    [[nodiscard]] virtual ConductorState saved(double time) const = 0;
+    virtual void resume(const ConductorState& state) = 0;
     /// What the run file gets of its rows from `first` on, besides the history.
     virtual void append(H5Output& file, std::size_t first) const = 0;
     /// And at the end.

@@ -15,6 +15,7 @@
 #include "solver/measure.hpp"
 #include "solver/program/program_boundary.hpp"
 #include "solver/run_driver.hpp"
+#include "solver/saved_state.hpp"
 #include "solver/sensitivity.hpp"
 #include "solver/setup.hpp"
 #include "solver/team.hpp"
@@ -75,6 +76,9 @@ public:
         if (request.program) {
             set_initial_velocities(*request.program, assemblage_, specimen, state_);
         }
+        if (!request.restart.empty()) {
+            take_over(read_saved_state(request.restart, specimen, request, setup_));
+        }
     }
 
     /// Writes the run to a file as it goes ("-": stdout); to be called before `run`.
@@ -86,7 +90,9 @@ public:
     }
 
     RunHeader run() {
-        start(assemblage_, parameters_, state_);
+        if (request_.restart.empty()) {
+            start(assemblage_, parameters_, state_);
+        }
         record();
         while (header_.stop_reason.empty()) {
             throw_if_interrupted();
@@ -107,6 +113,9 @@ public:
         frames_->last(assemblage_, parameters_.law, state_);
         append_rows();
         driver_->write(writer_->file());
+        if (request_.save_state) {
+            write_saved_state(writer_->file(), state_, driver_->saved(state_.time), largest_imbalance_);
+        }
         writer_->finish(header_, catalogue_.rows(state_), provenance, sensitivity);
     }
     [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
@@ -114,6 +123,14 @@ public:
     [[nodiscard]] int threads() const { return team_.size(); }
 
 private:
+    void take_over(const SavedState& saved) {
+        state_ = saved.state;
+        catalogue_.restore(saved.cracks);
+        driver_->resume(saved.leader);
+        header_.energy_scale = saved.energy_scale;
+        largest_imbalance_ = saved.energy_imbalance;
+    }
+
     void push(HistoryColumn column, double value) { history_[column].push_back(value); }
     /// The stress that the test drives up, positive.
     [[nodiscard]] double driven_stress() const {
@@ -180,7 +197,7 @@ private:
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
             throw_unstable(residual);
         }
-        header_.ledger_residual = std::max(header_.ledger_residual, std::abs(energies.imbalance()));
+        largest_imbalance_ = std::max(largest_imbalance_, std::abs(energies.imbalance()));
     }
 
     [[noreturn]] void throw_unstable(double residual) const {
@@ -250,7 +267,7 @@ private:
             std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
         header_.peak_axial_stress = sign * *peak;
         header_.platen_force_difference = platen_force_difference(static_cast<std::size_t>(peak - stress.begin()), sign);
-        header_.ledger_residual = header_.energy_scale > 0 ? header_.ledger_residual / header_.energy_scale : 0;
+        header_.ledger_residual = header_.energy_scale > 0 ? largest_imbalance_ / header_.energy_scale : 0;
         if (header_.ledger_residual > unstable_residual) {
             throw_unstable(header_.ledger_residual);
         }
@@ -288,6 +305,7 @@ private:
     Team team_;
     LoadingFeedback feedback_;
     std::size_t rows_written_ = 0;
+    double largest_imbalance_ = 0;  ///< of the energy ledger, J
     double last_axial_stress_ = 0;  ///< tension positive, Pa
     double peak_ = 0;               ///< of the driven stress, Pa
     std::optional<RunWriter> writer_;

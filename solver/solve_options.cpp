@@ -83,6 +83,7 @@ void add_method_options(CLI::App& command, SimulationRequest& request) {
                  "that multiple less one; as much as lets the grains alone limit the step unless given");
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
                  "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
+    command.add_flag("--save-state", request.save_state, "keep the state of the end in the run, for a program to go on from");
     add_integer(command, "--frames", request.frames,
                 "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
     add_threads(command, request.threads);
@@ -131,6 +132,10 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
                     "local damping instead of the program's own; it must have one of the two");
     add_method_options(*command, options.request);
+    command
+        ->add_option("--restart", options.request.restart,
+                     "run made with --save-state to go on from, before the program's start_from")
+        ->type_name("FILE");
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
@@ -146,6 +151,13 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
                          " has none; give --damping 0.8 for what is slow, --damping none for waves");
     }
     request.damping = *damping;
+    if (request.restart.empty()) {
+        request.restart = request.program->start_from;
+    }
+    if (!request.restart.empty() && !request.program->initial_velocities.empty()) {
+        throw UsageError(raw.program +
+                         ": [initial] and a run to start from contradict each other; leave out the one or the other");
+    }
     const std::string why = request.damping == 0 ? "it has no damping" : request.program->why_dynamic();
     if (request.mass_scaling && !why.empty()) {
         throw UsageError(

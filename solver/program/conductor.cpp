@@ -18,7 +18,8 @@ double offset(const Condition& c, const ConductorFeedback& f) {
 
 /// The function with its start at what is there now.
 TimeFunction from_present(TimeFunction function, double present) {
-    function.from = std::isnan(present) ? 0 : present;
+    const bool keeps_free = function.kind == TimeFunction::Kind::keep && std::isnan(present);
+    function.from = std::isnan(present) && !keeps_free ? 0 : present;
     return function;
 }
 

@@ -18,9 +18,10 @@ public:
     [[nodiscard]] double platen_speed() const override { return conductor_.platen_speed(); }
     [[nodiscard]] double progress(const RunView& view) const override;
     void complete(RunHeader& header, double time) override;
+    [[nodiscard]] ConductorState saved(double time) const override { return conductor_.state(time); }
+    void resume(const ConductorState& state) override { conductor_.resume(state); }
     void append(H5Output& file, std::size_t first) const override;
     void write(H5Output& file) const override;
-    [[nodiscard]] Conductor& conductor() { return conductor_; }
 
 private:
     template <class Act>

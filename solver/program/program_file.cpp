@@ -96,13 +96,17 @@ TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
     return f;
 }
 
-/// A value, "free" where that makes sense (NaN), or a table.
+/// A value, "keep", "free" where that makes sense (NaN), or a table.
 std::optional<TimeFunction> read_function(TomlTable& table, const std::string& key, const Quantity& quantity, bool may_be_free) {
     if (!table.has_value(key)) {
         auto function = table.table(key);
         return function ? std::optional(read_function_table(*function, quantity)) : std::nullopt;
     }
     TimeFunction f;
+    if (table.is_word(key, "keep")) {
+        f.kind = TimeFunction::Kind::keep;
+        return f;
+    }
     f.value = may_be_free ? *table.quantity_or(key, "free", std::nan(""), quantity) : *table.quantity(key, quantity);
     return f;
 }

@@ -30,6 +30,7 @@ double interpolated(const std::vector<double>& times, const std::vector<double>&
 double TimeFunction::operator()(double t) const {
     switch (kind) {
         case Kind::constant: return value;
+        case Kind::keep: return from;
         case Kind::ramp: {
             const double x = std::clamp(t / duration, 0.0, 1.0);
             return from + (value - from) * (x * x * (3 - 2 * x));
@@ -51,7 +52,8 @@ double TimeFunction::operator()(double t) const {
 
 double TimeFunction::end() const {
     switch (kind) {
-        case Kind::constant: return 0;
+        case Kind::constant:
+        case Kind::keep: return 0;
         case Kind::ramp:
         case Kind::pulse: return duration;
         case Kind::table: return times.back();

@@ -7,9 +7,10 @@
 namespace graincrack {
 
 /// A function of the time since a stage began. `from` is what was there when it began; sine, Ricker wavelet and pulse act on top
-/// of it and leave it behind, constant, ramp and table replace it.
+/// of it and leave it behind, constant, ramp and table replace it, keep
+/// keeps it.
 struct TimeFunction {
-    enum class Kind : std::uint8_t { constant, ramp, table, sine, ricker, pulse };
+    enum class Kind : std::uint8_t { constant, ramp, table, sine, ricker, pulse, keep };
     Kind kind = Kind::constant;
     double value = 0;                   ///< constant; end of the ramp; amplitude of sine, wavelet and pulse
     double from = 0;                    ///< value before

@@ -154,14 +154,15 @@ std::optional<double> TomlTable::quantity(const std::string& key, const Quantity
     }
 }
 
+bool TomlTable::is_word(const std::string& key, const std::string& word) {
+    asked_.push_back(key);
+    const TomlEntry* found = entry(key);
+    return found != nullptr && !found->is_array && found->values.front().text == word;
+}
+
 std::optional<double> TomlTable::quantity_or(const std::string& key, const std::string& word, double word_value,
                                              const Quantity& quantity_wanted) {
-    const TomlEntry* found = entry(key);
-    if (found != nullptr && !found->is_array && found->values.front().text == word) {
-        asked_.push_back(key);
-        return word_value;
-    }
-    return quantity(key, quantity_wanted);
+    return is_word(key, word) ? std::optional(word_value) : quantity(key, quantity_wanted);
 }
 
 std::optional<TomlTable> TomlTable::table(const std::string& key) {

@@ -26,6 +26,8 @@ public:
     std::optional<std::vector<std::string>> texts(const std::string& key);  ///< one text, or an array of them
     std::optional<bool> flag(const std::string& key);
     std::optional<double> quantity(const std::string& key, const Quantity& quantity);
+    /// Whether the value is this word.
+    bool is_word(const std::string& key, const std::string& word);
     /// The same where a word stands for a value.
     std::optional<double> quantity_or(const std::string& key, const std::string& word, double word_value,
                                       const Quantity& quantity);

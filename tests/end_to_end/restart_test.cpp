@@ -1,0 +1,120 @@
+// A run that goes on from the saved state of another.
+#include <cmath>
+#include <cstring>
+
+#include "share/h5_file.hpp"
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+/// Compression under pressure past the peak, in two stages, whole and in two runs.
+const std::string head = R"(
+name = "compress"
+damping = 0.8
+row_every = "2 us"
+[platens]
+[boundary.membrane]
+on = ["left", "right"]
+)";
+const std::string confine = R"(
+[stage.confine]
+membrane.pressure = { to = "2 MPa", over = "0.1 ms" }
+platen_pressure = { to = "2 MPa", over = "0.1 ms" }
+until.time = "0.15 ms"
+)";
+const std::string compress = R"(
+[stage.compress]
+platen_speed = { to = "1 m/s", over = "0.05 ms" }
+until.time = "0.3 ms"
+)";
+const std::string crush = R"(
+[stage.crush]
+membrane.pressure = "keep"
+platen_speed = { to = "1.2 m/s", over = "0.05 ms" }
+until.time = "0.2 ms"
+)";
+
+void lay_out(const Shell& shell) {
+    shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
+    const auto write = [&](const std::string& name, const std::string& stages, const std::string& tables) {
+        write_text(shell.file(name), "stages = " + stages + head + tables);
+    };
+    write("whole.toml", R"(["confine", "compress", "crush"])", confine + compress + crush);
+    write("first.toml", R"(["confine", "compress"])", confine + compress);
+    write("second.toml", R"(["crush"])", crush);
+}
+/// The same bytes in all arrays of a group.
+void expect_same_arrays(const H5Input& a, const H5Input& b, const std::string& group) {
+    ASSERT_EQ(a.children(group), b.children(group));
+    EXPECT_GT(a.children(group).size(), 10U);
+    for (const std::string& name : a.children(group)) {
+        const std::vector<double> left = a.read<double>(group + "/" + name);
+        const std::vector<double> right = b.read<double>(group + "/" + name);
+        ASSERT_EQ(left.size(), right.size()) << name;
+        EXPECT_EQ(std::memcmp(left.data(), right.data(), left.size() * sizeof(double)), 0) << group << "/" << name;
+    }
+}
+
+const std::string solve = "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";
+
+TEST(Restart, GoesOnToTheByte) {
+    for (const std::string options : {"", "--mass-scaling selective "}) {
+        const Shell shell;
+        lay_out(shell);
+        shell.must(solve + options + "--program whole.toml -o whole.h5\n" + solve + options +
+                   "--program first.toml -o first.h5\n" + solve + options +
+                   "--threads 2 --program second.toml --restart first.h5 -o second.h5");
+        const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run + " | tail -n +2"); };
+        const std::string first = rows("first.h5");
+        const std::string second = rows("second.h5");
+        // The second begins with the state the first ended with.
+        EXPECT_EQ(first + second.substr(second.find('\n') + 1), rows("whole.h5"));
+        EXPECT_GT(n_lines(second), 50);
+        const auto row_of = [&](const std::string& run) { return shell.must("graincrack-post strength " + run); };
+        EXPECT_GT(std::atof(cell(row_of("second.h5"), "shear_cracks").c_str()), 0);
+        expect_same_arrays(H5Input(shell.file("second.h5")), H5Input(shell.file("whole.h5")), "/state");
+        expect_same_arrays(H5Input(shell.file("second.h5")), H5Input(shell.file("whole.h5")), "/cracks");
+    }
+}
+
+TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
+    const Shell shell;
+    lay_out(shell);
+    shell.must(solve + "--program first.toml -o first.h5");
+    shell.must(solve + "--program second.toml --restart first.h5 -o same.h5\n" + solve +
+               "--program second.toml --restart first.h5 --contact-friction-angle 5deg --contact-cohesion 40MPa -o weak.h5");
+    // Relative to the largest stored energy of both runs; each row of the history has it.
+    const auto residual = [&](const std::string& run) {
+        return std::atof(
+            shell
+                .must("graincrack-post history " + run +
+                      " | awk -F'\\t' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == \"ledger_residual\") k = i; next } "
+                      "{ r = $k < 0 ? -$k : $k; if (r > most) most = r } END { print k > 0 ? most : 9 }'")
+                .c_str());
+    };
+    const auto last_stress = [&](const std::string& run) {
+        return std::atof(shell.must("graincrack-post history " + run + " | tail -1 | cut -f7").c_str());
+    };
+    EXPECT_GT(last_stress("weak.h5"), 0.95 * last_stress("same.h5"));  // compression is negative
+    EXPECT_NE(last_stress("weak.h5"), last_stress("same.h5"));
+    EXPECT_LT(residual("weak.h5"), 5e-3);
+    const auto refused = [&](const std::string& options, const std::string& named) {
+        const Outcome outcome = shell.run(solve + options + " -o run.h5");
+        EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
+    };
+    refused("--program second.toml --restart first.h5 --plane stress", "plane condition");
+    refused("--program second.toml --restart first.h5 --mass-scaling selective", "mass-scaling factor");
+    refused("--program second.toml --restart specimen.h5", "specimen.h5");
+    shell.must("graincrack-solve program specimen.h5 --material augig-granite --quiet --program first.toml -o stateless.h5");
+    refused("--program second.toml --restart stateless.h5", "--save-state");
+    shell.must("sed '/platens/d' second.toml | sed '/platen_speed/d' >free.toml");
+    refused("--program free.toml --restart first.h5", "has platens that this program lacks");
+    shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --seed 2 --quiet -o specimen.h5");
+    refused("--program second.toml --restart first.h5", "another specimen");
+}
+
+}  // namespace
+}  // namespace graincrack::test
