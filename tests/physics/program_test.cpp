@@ -72,6 +72,24 @@ TEST(Program, FallsAndFliesFreely) {
     EXPECT_GT(fall.energies.back().kinetic, 0.0);
 }
 
+TEST(Program, DrivenNodesTakeTheirKineticEnergyFromOutside) {
+    ProgramRun pushed(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), R"(
+        name = "push"
+        stages = ["push"]
+        boundary.all = { box = ["-1 m", "1 m", "-1 m", "1 m"], velocity_x = { to = "2 m/s", over = "10 us" }, velocity_y = 0.0 }
+        stage.push.until.time = "20 us"
+    )",
+                      augig_law(), PlaneCondition::strain, 0.8);
+    pushed.go(20);
+    const double energy = 0.5 * pushed.run.mass() * 4;
+    verify("dynamics: work on a mass that is driven over its kinetic energy", pushed.energies.back().external / energy, 1, 1e-12,
+           "m v^2/2");
+    expect_close(pushed.energies.back().kinetic, energy, 1e-12, energy);
+    // Way: v over the time after the ramp and half of it before, by the midpoint rule.
+    expect_close(pushed.run.mean(pushed.run.state.displacement).x, 2 * (pushed.run.state.time - 5e-6), 1e-3, 2e-5);
+    EXPECT_EQ(pushed.energies.back().damping, 0);
+}
+
 TEST(Program, AColumnCarriesItsWeight) {
     const double height = 0.1;
     ProgramRun column(test::crossed_blocks(4, 16, 0.025, height, [](int, int) { return 0; }), R"(
