@@ -53,7 +53,7 @@ std::vector<Range> ranges_of_groups(std::int32_t count, std::int32_t n_groups, G
 }
 
 bool holds(const MassScaling::Tie& tie, const State& s) {
-    return s.touches.released[tie.point / 2] == 0 && (!s.points[tie.point].separated || s.opening[tie.point] < tie.reach);
+    return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
 }
 
 /// Finds the components of a group by its ties, and whether a platen holds them.
@@ -247,6 +247,15 @@ void update_groups(const Assemblage& a, const StepParameters& parameters, std::i
         const double before = kinetic_energy(a, scaling, group, s, 1) + half_impulse_work(parameters, members, s);
         regroup(a, scaling, group, s);
         g.sums[block].shed += before - (kinetic_energy(a, scaling, group, s, 1) + half_impulse_work(parameters, members, s));
+    }
+}
+
+void shed_added_mass(const Assemblage& a, const StepParameters& parameters, double time_step, State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    const double shorter = 1 - time_step / parameters.time_step;
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        s.groups.sums[block].shed +=
+            added_kinetic_energy(a, scaling, block, s) + shorter * half_impulse_work(parameters, scaling.members_of(block), s);
     }
 }
 

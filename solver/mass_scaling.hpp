@@ -10,9 +10,9 @@
 // of the relative motion does not.
 //
 // A contact point holds its two nodes together while it carries something or soon may: until it has separated and opened by
-// `group_reach`, and again when it comes as close, but never once it is released to touches, which are softer. Groups are what is
-// connected by such points, so fragments fly free of each other. A group that touches a platen, or comes as close to one, is held
-// by it as by a mass without limit: ā = 0.
+// `group_reach`, and again when it comes as close. Groups are what is connected by such points, so fragments fly free of each
+// other. Where they are to meet others than their first partners (`StepParameters::parts`) mass scaling is over. A group that
+// touches a platen, or comes as close to one, is held by it as by a mass without limit: ā = 0.
 //
 // When groups change, nodes that part keep their velocities, and nodes that meet their momentum M' v (kept velocities would make
 // energy there). Both lose kinetic energy, never gain any; what is lost is booked.
@@ -84,6 +84,10 @@ void update_groups(const Assemblage& assemblage, const StepParameters& parameter
 /// them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it: the forces
 /// in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
 void damp_groups(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+
+/// Takes the added mass away for good, at the present velocities and `state.force`, and books what it sheds.
+/// \param time_step of the steps to come, s
+void shed_added_mass(const Assemblage& assemblage, const StepParameters& parameters, double time_step, State& state);
 
 /// Damps and integrates the nodes of a block of groups: v += Δt M'⁻¹ (F + Fd), u += Δt v.
 void integrate_groups(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);

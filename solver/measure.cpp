@@ -99,8 +99,7 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
     return energy;
 }
 
-void add_contact_energies(const Assemblage& a, const StepParameters& parameters, const State& s, Energies& energies) {
-    const ContactLaw& law = parameters.law;
+void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.touches.released[c] != 0) {
             continue;
@@ -108,7 +107,7 @@ void add_contact_energies(const Assemblage& a, const StepParameters& parameters,
         energies.contact +=
             a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
     }
-    energies.contact += stored_in_touches(parameters, s.touches);
+    energies.contact += stored_in_touches(law, s.touches);
     energies.friction += std::accumulate(s.touches.friction.begin(), s.touches.friction.end(), s.touches.friction_before);
     for (const ContactSums& sums : s.contact_sums) {
         energies.fracture_tension += sums.fracture_tension;
@@ -169,7 +168,9 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
     return gauges;
 }
 
-Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
+Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& whole, State& s) {
+    const StepParameters of_parts = parameters_of_parts(whole);
+    const StepParameters& parameters = s.in_parts ? of_parts : whole;
     Measurement m;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
         sum_nodal_forces(a, boundary, s.loading, block, false, s);
@@ -182,10 +183,12 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     m.energies.damping = damping_half_work(a, parameters, s);
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
         m.energies.kinetic += added_kinetic_energy(a, parameters.mass_scaling, block, s);
-        m.energies.damping += s.groups.sums[block].damping + s.groups.sums[block].shed;
+    }
+    for (const GroupSums& sums : s.groups.sums) {
+        m.energies.damping += sums.damping + sums.shed;
     }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
-    add_contact_energies(a, parameters, s, m.energies);
+    add_contact_energies(a, parameters.law, s, m.energies);
     add_platen_energies(boundary, s, m);
     for (std::size_t e = 0; e < boundary.membrane_edges.size(); ++e) {
         const auto [first, second] = boundary.membrane_edges[e];

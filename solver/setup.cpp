@@ -20,7 +20,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
     }
     s.stable_time_step = stable_time_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
     s.parameters.mass_scaling = make_mass_scaling(s.assemblage, s.mass_scaling_factor);
-    s.parameters.touch_share = bearable_touch_share(s.assemblage, s.boundary, law, s.mass_scaling_factor);
+    s.parameters.parts = parts_of_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
     s.parameters.time_step = r.time_step_fraction * s.stable_time_step;
     return s;
 }

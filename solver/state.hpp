@@ -68,6 +68,7 @@ struct State {
     StepLoading loading;                            ///< at `time`
     GroupState groups;                              ///< with mass scaling
     DriveState drives;
+    bool in_parts = false;                          ///< mass scaling is over, see `StepParameters::parts`
 };
 
 /// Time of a step, s.

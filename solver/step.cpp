@@ -55,6 +55,14 @@ public:
         prepare();
     }
     [[nodiscard]] const StepLoading& now() const { return now_; }
+    /// From here on every step is `parts` steps.
+    void part(std::int64_t parts) {
+        n_steps_ *= parts;
+        k_ *= parts;
+        steps_since_origin_ *= parts;
+        time_step_ /= static_cast<double>(parts);
+        prepare();
+    }
     void tick() {
         ++k_;
         for (std::size_t p = 0; p < 2; ++p) {
@@ -88,9 +96,9 @@ private:
     StepLoading now_;
 };
 
-/// Steps between two looks after the touches, with a team of threads.
+/// Steps between two looks after the touches, each of so many parts, with a team of threads.
 void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   Team& team, LoadingClock& clock_at_start, State& s) {
+                   std::int64_t parts, Team& team, LoadingClock& clock_at_start, State& s) {
     const std::int64_t first_step = s.step;
     const bool scaled = parameters.mass_scaling.is_on();
     LoadingClock clock_at_end = clock_at_start;
@@ -100,7 +108,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
         const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, team.size());
         const Range touch_blocks = share_of(s.touches.blocks.size(), thread, team.size());
         LoadingClock clock = clock_at_start;
-        for (std::int64_t k = 0; k < n_steps; ++k) {
+        for (std::int64_t k = 0; k < n_steps * parts; ++k) {
             for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
                 sum_nodal_forces(a, boundary, clock.now(), block, true, s);
                 if (scaled) {
@@ -122,7 +130,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             }
             clock.tick();
             for (std::int32_t block = contact_blocks.begin; block < contact_blocks.end; ++block) {
-                advance_contacts(a, parameters.law, block, first_step + k + 1, s);
+                advance_contacts(a, parameters.law, block, first_step + k / parts + 1, s);
             }
             for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
                 advance_touches(a, parameters, block, s);
@@ -135,7 +143,20 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
     });
     clock_at_start = clock_at_end;
     s.step += n_steps;
-    s.time = time_of(s, s.step, parameters.time_step);
+    s.time = time_of(s, s.step, static_cast<double>(parts) * parameters.time_step);
+}
+
+/// Ends mass scaling: velocities stay, the added mass and what it carried are gone, and from the next step on steps are in parts.
+/// Books what half a step of the ledger's terms is shorter by.
+void go_on_in_parts(const Assemblage& a, const Boundary& boundary, const StepParameters& whole, const StepParameters& of_parts,
+                    const StepLoading& loading, State& s) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
+        sum_nodal_forces(a, boundary, loading, block, false, s);
+        book_half_work(a, boundary, block, whole.time_step - of_parts.time_step, s);
+    }
+    shed_added_mass(a, whole, of_parts.time_step, s);
+    s.in_parts = true;
+    s.touches.next_check = s.step;
 }
 
 }  // namespace
@@ -143,12 +164,23 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
 void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
              std::int64_t n_steps, Team& team, State& s) {
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
+    const StepParameters of_parts = parameters_of_parts(parameters);
+    if (s.in_parts) {
+        clock.part(parameters.parts);
+    }
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
+        const StepParameters& now = s.in_parts ? of_parts : parameters;
+        const std::int64_t parts = s.in_parts ? parameters.parts : 1;
         if (s.step >= s.touches.next_check) {
-            look_after_touches(a, parameters, s);
+            if (look_after_touches(a, now, s)) {
+                go_on_in_parts(a, boundary, parameters, of_parts, clock.now(), s);
+                clock.part(parameters.parts);
+                continue;
+            }
+            s.touches.next_check = s.step + std::max<std::int64_t>(1, (s.touches.next_check - s.step) / parts);
         }
-        advance_steps(a, boundary, parameters, std::min(end, s.touches.next_check) - s.step, team, clock, s);
+        advance_steps(a, boundary, now, std::min(end, s.touches.next_check) - s.step, parts, team, clock, s);
     }
     s.loading = clock.now();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "solver/assemblage.hpp"
 #include "solver/boundary.hpp"
@@ -19,10 +20,15 @@ struct StepParameters {
     double time_step = 0;  ///< s
     double damping = 0;    ///< α of local damping, Fd = −α |F| sign(v) per component
     MassScaling mass_scaling = {};
-    /// Stiffness of touches over that of contacts. Below 1 with mass scaling: free faces have their own mass, and the step is too
-    /// long for contacts as stiff as bonded ones.
-    double touch_share = 1;
+    /// With mass scaling, steps of masses as they are that go into one: grains that touch move freely, with their own mass, and
+    /// the long step is not stable for contacts as stiff as bonded ones. From the first touch on each step is made of so many.
+    std::int64_t parts = 1;
 };
+
+/// The parameters of the parts of a step, without mass scaling.
+inline StepParameters parameters_of_parts(const StepParameters& p) {
+    return {p.law, p.time_step / static_cast<double>(p.parts), p.damping, {}, 1};
+}
 
 /// Local damping, per component: a share α of the unbalanced force against the motion.
 inline Vector2 damping_force(double alpha, const Vector2& force, const Vector2& velocity) {

@@ -209,12 +209,12 @@ double stable_time_step(const Assemblage& a, const Boundary& boundary, const Con
     return 2 / std::sqrt((1 + epsilon) * grain);
 }
 
-double bearable_touch_share(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, double mass_scaling_factor) {
-    // With the step of the grains free masses bear springs as stiff as theirs. A tenth of that keeps a step of 0.7 with local
-    // damping of 0.8 stable, (1 + 0.1) 0.7² (1 + 0.8) < 1; half of it made energy in loose grains.
-    constexpr double tenth = 0.1;
-    const double shorter = stable_time_step(a, boundary, law) / stable_time_step(a, boundary, law, mass_scaling_factor);
-    return mass_scaling_factor > 0 ? tenth * shorter * shorter : 1.0;
+std::int64_t parts_of_step(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, double mass_scaling_factor) {
+    if (mass_scaling_factor == 0) {
+        return 1;
+    }
+    const double ratio = stable_time_step(a, boundary, law, mass_scaling_factor) / stable_time_step(a, boundary, law);
+    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ratio)));
 }
 
 double sufficient_mass_scaling(const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {

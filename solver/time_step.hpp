@@ -1,6 +1,8 @@
 // The stable time step of the assembled system.
 #pragma once
 
+#include <cstdint>
+
 #include "solver/assemblage.hpp"
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
@@ -27,10 +29,9 @@ double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, 
 /// of those without (contact law `consistent`, three seeds, 3 mm/s).
 double sufficient_mass_scaling(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law);
 
-/// Stiffness of touches over that of contacts that a step with mass scaling bears: where nodes touch that no group holds, they
-/// have their own mass. 1 without mass scaling.
-double bearable_touch_share(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
-                            double mass_scaling_factor);
+/// Steps that are stable without mass scaling in one that is with it; 1 without mass scaling.
+std::int64_t parts_of_step(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
+                           double mass_scaling_factor);
 
 /// y = K x of that stiffest state, linear about the reference (for `stable_time_step` and its tests).
 void apply_stiffness(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,

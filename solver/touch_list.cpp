@@ -44,8 +44,8 @@ bool find_loose(const Assemblage& a, const ContactLaw& law, State& s) {
     return found;
 }
 
-/// Contacts without cohesion that have moved far. Where touches are softer than contacts only those that carry nothing.
-std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law, bool only_open, const State& s) {
+/// Contacts without cohesion that have moved far.
+std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law, const State& s) {
     std::vector<std::int32_t> movers;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.touches.released[c] != 0 || s.touches.loose[2 * c] == 0 || s.touches.loose[2 * c + 1] == 0) {
@@ -53,9 +53,7 @@ std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law
         }
         const double far = hand_over * 2 * a.contacts[c].point_area;
         const double moved =
-            only_open
-                ? std::min(s.opening[2 * c], s.opening[2 * c + 1])
-                : std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
+            std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
         if (moved > far && is_lost(law, s, 2 * c) && is_lost(law, s, 2 * c + 1)) {
             movers.push_back(static_cast<std::int32_t>(c));
         }
@@ -274,11 +272,15 @@ TouchList make_touch_list(const Assemblage& a) {
     return list;
 }
 
-void look_after_touches(const Assemblage& a, const StepParameters& parameters, State& s) {
+bool look_after_touches(const Assemblage& a, const StepParameters& parameters, State& s) {
     TouchList& list = s.touches;
-    const ContactLaw law = touch_law(parameters);
-    bool must_search = find_loose(a, parameters.law, s);
-    const std::vector<std::int32_t> movers = find_movers(a, parameters.law, parameters.touch_share < 1, s);
+    const ContactLaw& law = parameters.law;
+    const bool scaled = parameters.mass_scaling.is_on();
+    bool must_search = find_loose(a, law, s);
+    const std::vector<std::int32_t> movers = find_movers(a, law, s);
+    if (scaled && !movers.empty()) {
+        return true;
+    }
     must_search = must_search || !movers.empty() || list.displacement_at_search.empty();
     // How far nodes have gone since the last search, and how fast they go now.
     double gone = 0;
@@ -294,7 +296,7 @@ void look_after_touches(const Assemblage& a, const StepParameters& parameters, S
     const double allowed = 0.5 * buffer * a.outline.mean_length;  // two nodes may go towards each other
     must_search = must_search || std::sqrt(gone) + static_cast<double>(most_steps) * step_way > allowed;
     if (must_search) {
-        const std::vector<HandOver> carried = take_over(parameters.law, movers, s);
+        const std::vector<HandOver> carried = take_over(law, movers, s);
         search(a, law, s);
         hand_on(a, carried, s);
         refresh_forces(a, law, s);
@@ -302,8 +304,15 @@ void look_after_touches(const Assemblage& a, const StepParameters& parameters, S
     }
     wake(a, wary * static_cast<double>(most_steps) * step_way, s);
     find_room(a, list);
+    if (scaled) {
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
+            advance_touches(a, parameters, block, s);
+        }
+        list.blocks.clear();
+    }
     const double steps = step_way > 0 ? 0.5 * (allowed - std::sqrt(gone)) / step_way : static_cast<double>(most_steps);
     list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), least_steps, most_steps);
+    return scaled && std::any_of(list.touches.begin(), list.touches.end(), [](const Touch& touch) { return touch.active; });
 }
 
 }  // namespace graincrack

@@ -60,16 +60,14 @@ TouchList make_touch_list(const Assemblage& assemblage);
 
 /// Looks after the list between two steps: finds contacts that lost their cohesion, releases those that moved far, searches
 /// anew where that or the way the nodes have gone since the last search asks for it, and says when to look again
-/// (`next_check`). Serial; what it does depends on the state only.
-void look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, State& state);
+/// (`next_check`). With mass scaling there are no touches: it changes nothing but the list and returns true when one begins, or a
+/// contact is to be released, and is to be called again with masses as they are. Serial; what it does depends on the state only.
+bool look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
 /// Moves the touches of a block to the present displacements: forces into the slots, friction into the sums.
 void advance_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
 
 /// Stored in all touches, J.
-double stored_in_touches(const StepParameters& parameters, const TouchList& list);
-
-/// The law of touches: stiffness and friction of a failed contact, of the share that the step allows.
-ContactLaw touch_law(const StepParameters& parameters);
+double stored_in_touches(const ContactLaw& law, const TouchList& list);
 
 }  // namespace graincrack

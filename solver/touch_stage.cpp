@@ -227,26 +227,17 @@ void advance_group(Group& group) {
 
 }  // namespace
 
-ContactLaw touch_law(const StepParameters& parameters) {
-    ContactLaw law = parameters.law;
-    law.kt *= parameters.touch_share;
-    law.ks *= parameters.touch_share;
-    return law;
-}
-
 void advance_touches(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
-    const ContactLaw law = touch_law(parameters);
     const Range groups = s.touches.blocks[block];
     std::vector<TouchGeometry> geometry;
     for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-        Group group{a, law, parameters.time_step, s, s.touches.groups[s.touches.awake[i]], geometry};
+        Group group{a, parameters.law, parameters.time_step, s, s.touches.groups[s.touches.awake[i]], geometry};
         advance_group(group);
         s.touches.friction[block] += group.friction;
     }
 }
 
-double stored_in_touches(const StepParameters& parameters, const TouchList& list) {
-    const ContactLaw law = touch_law(parameters);
+double stored_in_touches(const ContactLaw& law, const TouchList& list) {
     double energy = 0;
     for (const Touch& touch : list.touches) {
         energy += touch.active ? touch_energy(law, touch) : 0;

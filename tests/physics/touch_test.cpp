@@ -273,17 +273,22 @@ struct Crushed {
     std::vector<Vector2> displacement;
     double residual = 0, deepest = 0;
     std::size_t released = 0, touches = 0;
+    bool in_parts = false;
     double mean_edge = 0;
 };
-Crushed crush(int threads, double shortening) {
+Crushed crush(int threads, double shortening, bool scaled = false) {
     SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.25), test::augig_law(LawVariant::consistent));
     LoadingRequest request;
     request.platen_speed = 0.4;
     request.platen_friction = 5 * test::degree;
     request.max_strain = shortening;
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request,
-                                        test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i)),
-                     0.7);
+    const Boundary platens = make_test_boundary(run.assemblage, run.specimen, request,
+                                                test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i));
+    if (scaled) {
+        run.parameters.mass_scaling =
+            make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, platens, run.parameters.law));
+    }
+    run.set_boundary(platens, 0.7);
     run.parameters.damping = 0.8;
     run.begin();
     Loading loading(request, run.specimen, test::augig_granite().rock, PlaneCondition::strain);
@@ -292,7 +297,8 @@ Crushed crush(int threads, double shortening) {
     double scale = 0;
     double worst = 0;
     while (run.state.loading.platen_displacement[bottom_platen] < 0.5 * shortening * 0.03) {
-        run.steps(2000, loading.next({run.state.time, 0, 0}, 2000 * run.parameters.time_step), threads);
+        const std::int64_t steps = 2000 / run.parameters.parts;
+        run.steps(steps, loading.next({run.state.time, 0, 0}, static_cast<double>(steps) * run.parameters.time_step), threads);
         const Energies e = run.measured().energies;
         scale = std::max(scale, e.stored());
         worst = std::max(worst, std::abs(e.imbalance()));
@@ -301,6 +307,7 @@ Crushed crush(int threads, double shortening) {
     }
     c.residual = worst / scale;
     c.released = released_contacts(run);
+    c.in_parts = run.state.in_parts;
     c.displacement = run.state.displacement;
     return c;
 }
@@ -312,6 +319,23 @@ TEST(Touch, CrushedToFivePerCentKeepsEnergyAndShape) {
     EXPECT_LT(c.residual, 5e-3);
     EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
     EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);  // the measure sees what presses
+}
+
+TEST(Touch, CrushedWithMassScalingToo) {
+    const Crushed c = crush(1, 0.05, true);
+    EXPECT_TRUE(c.in_parts);
+    EXPECT_GT(c.released, 5U);
+    EXPECT_GT(c.touches, 10U);
+    EXPECT_LT(c.residual, 5e-3);
+    EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
+    EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);
+    const Crushed other = crush(2, 0.01, true);
+    const Crushed one = crush(1, 0.01, true);
+    EXPECT_TRUE(one.in_parts);
+    for (std::size_t i = 0; i < one.displacement.size(); ++i) {
+        ASSERT_EQ(other.displacement[i].x, one.displacement[i].x) << "node " << i;
+        ASSERT_EQ(other.displacement[i].y, one.displacement[i].y) << "node " << i;
+    }
 }
 
 TEST(Touch, TheSameBytesForAnyNumberOfThreads) {

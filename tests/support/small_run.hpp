@@ -42,7 +42,7 @@ struct SmallRun {
     /// Other supports, and the state at rest.
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
-        parameters.touch_share = bearable_touch_share(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
+        parameters.parts = parts_of_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
         parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
         state = make_state(assemblage, boundary, specimen);
     }
