@@ -114,6 +114,7 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("origin_time", s.origin_time);
     visit("touch_friction_before", s.touches.friction_before);
     visit("touch_next_check", s.touches.next_check);
+    visit("in_parts", s.in_parts);
     visit("platen_displacement_bottom", s.loading.platen_displacement[bottom_platen]);
     visit("platen_displacement_top", s.loading.platen_displacement[top_platen]);
     visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
@@ -188,7 +189,7 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
 }
 
 double stored_in_contacts(const Assemblage& a, const StepParameters& parameters, const State& s) {
-    double energy = stored_in_touches(parameters, s.touches);
+    double energy = stored_in_touches(parameters.law, s.touches);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.touches.released[c] == 0) {
             energy += a.contacts[c].point_area * (stored_energy(parameters.law, history_of(s, 2 * c)) +
