@@ -185,8 +185,10 @@ TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
             EXPECT_GE(e.damping, last_shed - 1e-9 * start.kinetic);  // no local damping here: what groups shed, never given back
             last_shed = e.damping;
-            // undamped, a law that jumps at zero opening (literal, coupling none) loses 3 % of it to the step; the others 0.1 %
-            expect_close(e.imbalance(), start.imbalance(), 0.05, start.kinetic);
+            // Undamped, laws lose up to 1.6 % of it to the step where they jump at zero opening; `consistent`, which has no
+            // jump of stiffness, 0.07 %.
+            const double tolerance = law.variant == LawVariant::consistent ? 3e-3 : 0.05;
+            expect_close(e.imbalance(), start.imbalance(), tolerance, start.kinetic);
         }
         EXPECT_GT(run.failed_points(), 10U);
         EXPECT_GT(last_shed, 1e-6 * start.kinetic);
