@@ -120,7 +120,6 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
     visit("platen_increment_top", s.loading.increment_before[top_platen]);
     visit("membrane_pressure", s.loading.pressure);
-    visit("in_parts", s.in_parts);
 }
 
 std::string path_of(const std::string& name) { return std::string(schema::state_group) + "/" + name; }
