@@ -36,14 +36,15 @@ END {
             mean += own / n_seeds
             line = sprintf("| %s | %s | %.2f |", test_of[t], seed_of[s], own)
             for (v = 2; v <= n_variants; ++v) {
-                other = peak[test_of[t] "-" seed_of[s] "-" variant_of[v]]
-                sum[v] += other / n_seeds
-                line = line sprintf(" %+.2f |", 100 * (other / own - 1))
+                run = test_of[t] "-" seed_of[s] "-" variant_of[v]
+                if (!(run in peak)) { sum[v] = "none"; line = line " - |"; continue }
+                if (sum[v] != "none") sum[v] += peak[run] / n_seeds
+                line = line sprintf(" %+.2f |", 100 * (peak[run] / own - 1))
             }
             print line
         }
         line = sprintf("| **%s** | mean | %.2f |", test_of[t], mean)
-        for (v = 2; v <= n_variants; ++v) line = line sprintf(" %+.2f |", 100 * (sum[v] / mean - 1))
+        for (v = 2; v <= n_variants; ++v) line = line (sum[v] == "none" ? " - |" : sprintf(" %+.2f |", 100 * (sum[v] / mean - 1)))
         print line
     }
     print ""
