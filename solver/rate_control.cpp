@@ -30,7 +30,9 @@ double RateControl::least_speed(double strain, double allowed) const {
 
 double RateControl::next(const RateMeasures& now, double duration) {
     const double share = std::min(1.0, duration / (smoothing_transits * scales_.transit_time));
-    const double inertia = std::sqrt(12 * now.kinetic_energy / std::max(now.stored_energy, scales_.least_energy));
+    // ½ m v(n−½)·v(n+½) of nodes that turn back within the step is below zero.
+    const double kinetic = std::max(now.kinetic_energy, 0.0);
+    const double inertia = std::sqrt(12 * kinetic / std::max(now.stored_energy, scales_.least_energy));
     inertia_ += share * (inertia - inertia_);
     unbalanced_ratio_ += share * (now.unbalanced_ratio - unbalanced_ratio_);
     force_difference_ += share * (now.force_difference - force_difference_);

@@ -90,6 +90,14 @@ TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
     }
 }
 
+TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
+    RateControl turning(tolerance, scales);
+    RateControl resting(tolerance, scales);
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_EQ(turning.next({1e-4, -1e-3, 1, 0, 0, 1}, duration), resting.next({1e-4, 0, 1, 0, 0, 1}, duration));
+    }
+}
+
 TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     RateControl control(tolerance, scales);
     double speed = 0;
