@@ -26,10 +26,10 @@ END {
     print "|---|---|---|---|---|---|---|"
     for (r = 1; r <= n_readings; ++r) {
         reading = reading_of[r]
-        printf "| %s | %s | %s | %s | %s | %s | %.0e, %.0e, %.0e |\n", reading, range("brazilian", reading), range("uniaxial", reading),
+        printf "| %s | %s | %s | %s | %s | %s | %s, %s, %s |\n", reading, range("brazilian", reading), range("uniaxial", reading),
             range("triaxial8", reading), count[ "tensile", reading] ? sprintf("%.0f : %.0f", mean("tensile", reading), mean("shear", reading)) : "-",
             count["sliding", reading] ? sprintf("%.0f %%", 100 * (1 - mean("sliding", reading))) : "-",
-            ledger["brazilian", reading], ledger["uniaxial", reading], ledger["triaxial8", reading]
+            residual("brazilian", reading), residual("uniaxial", reading), residual("triaxial8", reading)
     }
     print ""
     line = "| σt, MPa, at tc = |"
@@ -53,6 +53,7 @@ END {
         print line (n > 1 ? sprintf(" %.2f |", (n * sxy - sx * sy) / (n * sxx - sx * sx)) : " - |")
     }
 }
+function residual(test, reading) { return count[test, reading] ? sprintf("%.0e", ledger[test, reading]) : "-" }
 function stem(file,    parts, n) { n = split(file, parts, "/"); sub(/\.h5$/, "", parts[n]); return parts[n] }
 function add(what, run, value) {
     ++count[what, run]
