@@ -6,9 +6,9 @@
 //                      2 v/(c ε), what the load rises by, relative to itself, while a wave runs through (K = m v²/6,
 //                      U = ½ E ε² V, c = √(E/ρ))
 //   unbalanced ratio   Σ|unbalanced force| / Σ|element force|
-//   force difference   of the platens over their mean; a quarter of it
+//   force difference   of the platens over their mean
 //
-// Where no damage is near, a load that rises fast does no harm, and a multiple of T counts. What is near is seen before it
+// Where no damage is near, a load that rises fast does no harm, and for the first two a multiple of T counts. What is near is seen before it
 // cracks, from the share of contact points that would fail if their jumps doubled. Damage under way shows in the measures.
 //
 // Pure: measures in, speed out. The logarithm of the speed follows what the measures allow within some wave transits, at a rate

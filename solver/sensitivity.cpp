@@ -1,7 +1,5 @@
 #include "solver/sensitivity.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "share/error.hpp"
@@ -46,9 +44,7 @@ SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& head
     const double sign = header.test == name_of(TestKind::tension) ? 1 : -1;
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
-    const auto peak = static_cast<std::size_t>(
-        std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; }) -
-        stress.begin());
+    const std::size_t peak = peak_row(header, history);
     SensitivityRow row{changed,
                        header.peak_axial_stress,
                        sign * strain[peak],

@@ -262,11 +262,9 @@ private:
         header_.steps = state_.step;
         driver_->complete(header_, state_.time);
         const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
-        const std::vector<double>& stress = history_[HistoryColumn::axial_stress];
-        const auto peak =
-            std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
-        header_.peak_axial_stress = sign * *peak;
-        header_.platen_force_difference = platen_force_difference(static_cast<std::size_t>(peak - stress.begin()), sign);
+        const std::size_t peak = peak_row(header_, history_);
+        header_.peak_axial_stress = sign * history_[HistoryColumn::axial_stress][peak];
+        header_.platen_force_difference = platen_force_difference(peak, sign);
         header_.ledger_residual = header_.energy_scale > 0 ? largest_imbalance_ / header_.energy_scale : 0;
         if (header_.ledger_residual > unstable_residual) {
             throw_unstable(header_.ledger_residual);
@@ -313,6 +311,13 @@ private:
 };
 
 }  // namespace
+
+std::size_t peak_row(const RunHeader& header, const History& history) {
+    const double sign = header.test == name_of(TestKind::tension) ? 1 : -1;
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
+    return static_cast<std::size_t>(peak - stress.begin());
+}
 
 TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity) {
     Simulation simulation(specimen, request, label, verbosity);

@@ -65,6 +65,9 @@ struct TestOutcome {
     RunHeader header;
     History history;
 };
+/// Row of the largest axial stress in the sense of the test: tension pulls, all others press. \pre the history has rows
+std::size_t peak_row(const RunHeader& header, const History& history);
+
 /// Runs the test and writes nothing. \param label what the progress says
 /// \throws NumericalError, Interrupted
 TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity);

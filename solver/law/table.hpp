@@ -1,15 +1,17 @@
 // The table of contact laws: options, files, dispatch and tests take what laws there are from here.
 //
-// A law is a type with static pure functions; share/doc/laws.md tells how to add one:
+// A law is a type with static pure functions; share/doc/adding-a-law.md tells how to add one:
 //
-//   description                     its row of the table
-//   least_energies(law)             the least Gf (G_I) and G_II with which the law works; 0 where it has none
-//   complete(law)                   sets the constants that are its own; `stiffest_shear` in any case
-//   advance_open(law, to, r)        an open point moves to an open motion: r.history changes, r.traction is set, r.dissipation
-//   grows advance_closed(law, to, r)      the same for closed motions close(law, history)             an open point arrives at δn
-//   = 0 and will be closed; history.motion is there already stored_energy(law, history)     recoverable energy per area, a
-//   function of state damage(law, history)            0 to 1 intact(law, point)              what vector units work on: the same
-//   for intact points, without a branch damages_intact                  true if that changes `cohesion_left` or books fracture
+// - `description`: its row of the table
+// - `least_energies(law)`: the least Gf (G_I) and G_II with which the law works; 0 where it has none
+// - `complete(law)`: sets the constants that are its own; `stiffest_shear` in any case
+// - `advance_open(law, to, r)`: an open point moves to an open motion: r.history changes, r.traction is set, r.dissipation grows
+// - `advance_closed(law, to, r)`: the same for closed motions
+// - `close(law, history)`: an open point arrives at δn = 0 and will be closed; history.motion is there already
+// - `stored_energy(law, history)`: recoverable energy per area, a function of state
+// - `damage(law, history)`: 0 to 1
+// - `intact(law, point)`: what vector units work on: the same for intact points, without a branch
+// - `damages_intact`: true if that changes `cohesion_left` or books fracture
 #pragma once
 
 #include <array>
