@@ -95,6 +95,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, std::cerr); }},
         {"size-effect", [&] { write_size_effect_table(out, read_runs(options.files), options.format, options.capped_runs); }},
+        {"trend", [&] { write_trend_table(out, options.files, options.trend, options.format, std::cerr); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
         {"cracks", [&] { cracks(options); }},
         {"ccd", [&] { ccd_command(options, out); }},

@@ -13,13 +13,14 @@
 #include "post/picture/plot_law.hpp"
 #include "post/picture/plot_table.hpp"
 #include "post/table.hpp"
+#include "post/trend.hpp"
 #include "share/progress.hpp"
 
 namespace graincrack {
 
 /// What a call of graincrack-post asks for; each command uses its part.
 struct PostOptions {
-    std::string command;             ///< "info", "history", "strength", "moduli", "envelope", "fpz", "cracks", "plot"
+    std::string command;             ///< "info", "history", "strength", "moduli", "envelope", "trend", "fpz", "cracks", "plot"
     std::string picture;             ///< the second word of `plot` or `ccd`
     std::vector<std::string> files;  ///< "-" is stdin
     std::string files_from;          ///< list of more of them
@@ -41,6 +42,7 @@ struct PostOptions {
     CrackExportOptions crack_export;
     LawPlotOptions law;
     TablePlotOptions table_plot;
+    TrendOptions trend;
     Verbosity verbosity = Verbosity::normal;
 };
 

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <iostream>
 
+#include "post/command_examples.hpp"
+
 namespace graincrack {
 
 namespace {
@@ -33,6 +35,13 @@ std::vector<std::string> read_list(const std::string& path) {
 }
 
 }  // namespace
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& help) {
+    CLI::App* command = app.add_subcommand(name, help);
+    const std::string whole = (app.get_parent() == nullptr ? "" : app.get_name() + " ") + name;
+    command->footer("Examples:\n" + command_examples(whole));
+    return command;
+}
 
 void add_files(CLI::App* command, PostOptions& options, const std::string& name, const std::string& help) {
     command->add_option(name, options.files, help + " (- is stdin)")->type_name("FILE")->configurable(false);
@@ -92,6 +101,15 @@ void add_goals(CLI::App* command, PostOptions& options) {
               "wanted value of a response; limits are the measured extremes unless given");
     add_names(command, "--maximise", options.ccd.maxima, "NAME=LOW:GOOD", "response as large as can be, useless at LOW");
     add_names(command, "--minimise", options.ccd.minima, "NAME=GOOD:HIGH", "response as small as can be, useless at HIGH");
+}
+
+void add_trend(CLI::App* command, PostOptions& options) {
+    add_files(command, options, "tables", "tables: tab-separated with one header line; their rows are taken together");
+    command->add_option("--x", options.trend.x, "column along x: a number a row")->required();
+    command->add_option("--y", options.trend.y, "column along y: a number a row")->required();
+    command->add_flag("--power", options.trend.power, "y = a x^b through logarithms in place of y = a + b x");
+    add_names(command, "--group", options.trend.groups, "COLUMN",
+              "a fit for each different entry of this column; may be given again");
 }
 
 void add_events(CLI::App* command, PostOptions& options) {

@@ -40,13 +40,16 @@ void add_tables(CLI::App& app, PostOptions& options) {
     add_capped(table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals"), options);
     add_capped(table("size-effect", "power law of strength against mean edge, a fit for each test and confining pressure"),
                options);
+    CLI::App* trend = add_command(app, "trend", "line or power law of a column against another, intervals, elasticity");
+    add_trend(trend, options);
+    add_format(trend, options);
     CLI::App* fpz = add_command(app, "fpz", "the fracture process zone of a rock, every number with its equation");
     fpz->add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
     add_format(fpz, options);
 }
 
 void add_ccd(CLI::App& app, PostOptions& options) {
-    CLI::App* ccd = add_command(app, "ccd", "central composite designs: runs to make, response surfaces, the factors wanted");
+    CLI::App* ccd = app.add_subcommand("ccd", "central composite designs: runs to make, response surfaces, the factors wanted");
     ccd->require_subcommand(1);
     CLI::App* design = add_command(*ccd, "design", "the runs of a central composite design");
     add_names(design, "--factor", options.ccd.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, unit in its name");

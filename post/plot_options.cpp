@@ -54,7 +54,7 @@ void add_law(CLI::App& plot, PostOptions& options) {
 }  // namespace
 
 void add_plots(CLI::App& app, PostOptions& options) {
-    CLI::App* plot = add_command(app, "plot", "pictures, without a display");
+    CLI::App* plot = app.add_subcommand("plot", "pictures, without a display");
     plot->require_subcommand(1);
     add_picture(*plot, options, "specimen", "the grains of a specimen", "file");
     CLI::App* curve =
@@ -73,6 +73,9 @@ void add_plots(CLI::App& app, PostOptions& options) {
     add_goals(surface, options);
     add_output(surface, options, "picture: .png or .svg");
     add_law(*plot, options);
+    CLI::App* trend = add_command(*plot, "trend", "columns of tables with the line or power law through them");
+    add_trend(trend, options);
+    add_output(trend, options, "picture: .png or .svg");
     CLI::App* table = add_command(*plot, "table", "columns of tables against each other");
     add_files(table, options, "tables", "tables");
     table->add_option("--x", options.table_plot.x, "column along x")->required();

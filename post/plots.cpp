@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <iostream>
 #include <map>
 
 #include "post/cracks/crack_counts.hpp"
@@ -22,6 +23,7 @@
 #include "post/picture/plot_strength.hpp"
 #include "post/picture/plot_surface.hpp"
 #include "post/picture/plot_thresholds.hpp"
+#include "post/picture/plot_trend.hpp"
 #include "post/test_words.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
@@ -100,6 +102,7 @@ Drawing picture_of(const PostOptions& options) {
         {"surface", [&] { return draw_surface(ccd::solve_problem(only_file(options), options.ccd)); }},
         {"law", [&] { return law(options); }},
         {"lennard-jones", [&] { return draw_lennard_jones(); }},
+        {"trend", [&] { return draw_trend(collect_trends(options.files, options.trend, std::cerr), options.trend); }},
         {"table", [&] { return draw_tables(options.files, options.table_plot); }},
     };
     const auto picture = pictures.find(options.picture);

@@ -4,6 +4,7 @@
 #include <gsl/gsl_multifit.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numeric>
 
@@ -77,6 +78,24 @@ std::optional<Regression> regress(const DesignMatrix& design, const std::vector<
         fit.press += left_out * left_out;
     }
     return fit;
+}
+
+std::optional<LackOfFit> lack_of_fit(const std::vector<std::vector<double>>& places, const std::vector<double>& values,
+                                     double residual_sum, int freedom) {
+    std::map<std::vector<double>, std::vector<double>> repeats;
+    for (std::size_t i = 0; i < places.size(); ++i) repeats[places[i]].push_back(values[i]);
+    LackOfFit test;
+    for (const auto& [place, own] : repeats) {
+        const double mean = std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(own.size());
+        for (const double value : own) test.pure_error_sum += (value - mean) * (value - mean);
+        test.pure_error_freedom += static_cast<int>(own.size()) - 1;
+    }
+    test.freedom = freedom - test.pure_error_freedom;
+    if (test.pure_error_freedom < 1 || test.freedom < 1 || !(test.pure_error_sum > 0)) return std::nullopt;
+    test.sum = residual_sum - test.pure_error_sum;
+    test.f = test.sum / test.freedom / (test.pure_error_sum / test.pure_error_freedom);
+    test.p = f_tail(test.f, test.freedom, test.pure_error_freedom);
+    return test;
 }
 
 double f_tail(double f, int numerator_freedom, int denominator_freedom) {

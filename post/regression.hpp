@@ -32,6 +32,19 @@ struct Regression {
 /// Empty if there are fewer runs than terms, or the terms depend on each other.
 std::optional<Regression> regress(const DesignMatrix& design, const std::vector<double>& y);
 
+/// Lack of fit against pure error from runs at one place.
+struct LackOfFit {
+    double sum = 0;
+    int freedom = 0;
+    double pure_error_sum = 0;
+    int pure_error_freedom = 0;
+    double f = 0;
+    double p = 0;
+};
+/// Of a model fitted to values at places. Empty without repeated places that scatter, or without degrees of freedom beyond them.
+std::optional<LackOfFit> lack_of_fit(const std::vector<std::vector<double>>& places, const std::vector<double>& values,
+                                     double residual_sum, int freedom);
+
 /// P(F > f) of Fisher's distribution.
 double f_tail(double f, int numerator_freedom, int denominator_freedom);
 /// P(|t| > …) of Student's distribution.

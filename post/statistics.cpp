@@ -31,17 +31,16 @@ std::optional<Line> fit_line(std::span<const double> x, std::span<const double> 
     const std::size_t n = x.size();
     if (n < 2 || std::all_of(x.begin(), x.end(), [&](double value) { return value == x[0]; })) return std::nullopt;
     Line line;
-    double scatter = 0;
     gsl_fit_wlinear(x.data(), 1, weights.data(), 1, y.data(), 1, n, &line.intercept, &line.slope, &line.intercept_variance,
-                    &line.covariance, &line.slope_variance, &scatter);
+                    &line.covariance, &line.slope_variance, &line.residual_sum);
     line.freedom = static_cast<int>(n) - 2;
     // GSL takes the weights for true variances; only their ratios are meant here.
-    const double unit = line.freedom > 0 ? scatter / line.freedom : 0;
+    const double unit = line.freedom > 0 ? line.residual_sum / line.freedom : 0;
     line.intercept_variance *= unit;
     line.slope_variance *= unit;
     line.covariance *= unit;
     const double total = gsl_stats_wtss(weights.data(), 1, y.data(), 1, n);
-    line.r_squared = total > 0 ? 1 - scatter / total : 1;
+    line.r_squared = total > 0 ? 1 - line.residual_sum / total : 1;
     return line;
 }
 

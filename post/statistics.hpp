@@ -35,8 +35,9 @@ struct Line {
     double intercept_variance = 0;
     double slope_variance = 0;
     double covariance = 0;
-    double r_squared = 0;  ///< 1 if all y are equal
-    int freedom = 0;       ///< points − 2
+    double residual_sum = 0;  ///< Σ of weighted squared distances from the line
+    double r_squared = 0;     ///< 1 if all y are equal
+    int freedom = 0;          ///< points − 2
 };
 /// Empty unless there are two different x.
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);

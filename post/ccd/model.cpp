@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "share/error.hpp"
@@ -108,20 +107,7 @@ std::optional<Model::Test> Model::significance() const {
 }
 
 std::optional<LackOfFit> Model::lack_of_fit() const {
-    std::map<std::vector<double>, std::vector<double>> repeats;
-    for (std::size_t i = 0; i < coded_.size(); ++i) repeats[coded_[i]].push_back(response_[i]);
-    LackOfFit test;
-    for (const auto& [place, values] : repeats) {
-        const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-        for (const double value : values) test.pure_error_sum += (value - mean) * (value - mean);
-        test.pure_error_freedom += static_cast<int>(values.size()) - 1;
-    }
-    test.freedom = regression_.freedom - test.pure_error_freedom;
-    if (test.pure_error_freedom < 1 || test.freedom < 1) return std::nullopt;
-    test.sum = regression_.residual_sum - test.pure_error_sum;
-    test.f = test.sum / test.freedom / (test.pure_error_sum / test.pure_error_freedom);
-    test.p = f_tail(test.f, test.freedom, test.pure_error_freedom);
-    return test;
+    return graincrack::lack_of_fit(coded_, response_, regression_.residual_sum, regression_.freedom);
 }
 
 Model eliminate_backward(Model model, double alpha) {

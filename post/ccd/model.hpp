@@ -25,16 +25,6 @@ struct Term {
 /// Constant, linear terms, products of two, squares: in this order, as in Eq 19.
 std::vector<Term> quadratic_terms(std::size_t n_factors);
 
-/// Lack of fit against pure error from runs at equal factors.
-struct LackOfFit {
-    double sum = 0;
-    int freedom = 0;
-    double pure_error_sum = 0;
-    int pure_error_freedom = 0;
-    double f = 0;
-    double p = 0;
-};
-
 class Model {
 public:
     /// \param coded runs × factors \throws InputError if there are too few runs for the terms

@@ -60,6 +60,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post strength",
                                 "post moduli",
                                 "post envelope",
+                                "post trend",
                                 "post fpz",
                                 "post cracks",
                                 "post size-effect",
@@ -69,6 +70,8 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post report",
                                 "post plot specimen",
                                 "post plot curve",
+                                "post plot strength",
+                                "post plot trend",
                                 "post plot cracks",
                                 "post plot fragments",
                                 "post plot rosette",
@@ -87,6 +90,49 @@ TEST(Help, EverySubcommandExplainsItself) {
         EXPECT_EQ(outcome.err, "") << command;
         EXPECT_NE(outcome.out.find("Usage: graincrack-"), std::string::npos) << command;
         EXPECT_EQ(examples_of(outcome.out).size(), 2u) << command;
+    }
+}
+
+/// The lines `name   what it is` under "Subcommands:".
+std::vector<std::string> subcommands_of(const std::string& help) {
+    std::vector<std::string> names;
+    std::istringstream lines(help.substr(std::min(help.size(), help.find("\nSubcommands:\n"))));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        if (line.empty() && !names.empty()) break;
+    }
+    return names;
+}
+
+TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
+    const Shell shell;
+    // A fall of 1 % behind the largest stress is a peak here: tests so small and fast have no other.
+    const std::string test = " --material augig-granite --rate 400mm/s --max-strain 0.03 --peak-drop 0.01 --quiet ";
+    shell.must(make_disc + "disc.h5\ngraincrack-mesh disc --diameter 20mm --grains 24 --quiet -o coarse.h5\n" +
+               "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n" +
+               "graincrack-solve brazilian disc.h5 -o brazilian.h5" + test +
+               "\ngraincrack-solve brazilian coarse.h5 -o brazilian-coarse.h5" + test +
+               "\ngraincrack-solve uniaxial rectangle.h5 -o uniaxial.h5" + test +
+               "\ngraincrack-solve uniaxial rectangle.h5 -o weak.h5 --contact-cohesion 60MPa" + test +
+               "\ngraincrack-solve triaxial rectangle.h5 -o triaxial.h5 --confining-pressure 1MPa" + test +
+               "\ngraincrack-post strength brazilian.h5 brazilian-coarse.h5 uniaxial.h5 weak.h5 >strength.tsv\n"
+               "cp " GRAINCRACK_TEST_DATA
+               "/table7.csv .\n"
+               "printf 'axial_strain\\tstress_MPa\\n0\\t0\\n0.002\\t60\\n' >measured.tsv");
+    std::vector<std::string> commands;
+    for (const std::string& name : subcommands_of(shell.must("graincrack-post --help"))) {
+        const auto nested = subcommands_of(shell.must("graincrack-post " + name + " --help"));
+        for (const std::string& own : nested) commands.push_back(name + " " + own);
+        if (nested.empty()) commands.push_back(name);
+    }
+    EXPECT_GE(commands.size(), 30u);
+    for (const std::string& command : commands) {
+        const auto examples = examples_of(shell.must("graincrack-post " + command + " --help"));
+        EXPECT_EQ(examples.size(), 2u) << command;
+        for (const std::string& example : examples) {
+            EXPECT_TRUE(example.starts_with("graincrack-post " + command + " ")) << example;
+            shell.must(example);
+        }
     }
 }
 
