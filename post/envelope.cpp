@@ -44,6 +44,21 @@ void require_comparable(const RunData& run, const RunData& first, CappedRuns cap
     if (capped_runs == CappedRuns::accept && run.header.max_strain != first.header.max_strain) refuse("the strain cap");
 }
 
+template <class Stress>
+EnvelopeAt fit_reached(const EnvelopeTests& tests, const Stress& stress_of) {
+    std::vector<double> confining;
+    std::vector<double> stress;
+    for (const EnvelopeTests::Test& test : tests.compression) {
+        const std::optional<double> reached = stress_of(test);
+        if (!reached) continue;
+        confining.push_back(test.confining);
+        stress.push_back(*reached);
+    }
+    EnvelopeAt result{stress.size(), std::nullopt};
+    if (std::set<double>(confining.begin(), confining.end()).size() > 1) result.envelope = fit_envelope(confining, stress);
+    return result;
+}
+
 /// All of one seed's tests; only seeds with all of the pressures.
 std::vector<std::vector<EnvelopeTests::Test>> whole_seeds(const EnvelopeTests& tests) {
     std::map<std::int64_t, std::vector<EnvelopeTests::Test>> by_seed;
@@ -104,7 +119,8 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRun
         if (is_compression(run.header)) {
             if (first_compression != nullptr) require_comparable(run, *first_compression, capped_runs);
             if (first_compression == nullptr) first_compression = &run;
-            tests.compression.push_back({run.header.confining_pressure, strength.value(), run.specimen.seed});
+            tests.compression.push_back({run.header.confining_pressure, strength.value(), run.specimen.seed, strength.first_yield,
+                                         strength.stress_at_marks});
         } else {
             (run.header.test == "brazilian" ? tests.brazilian : tests.direct_tension).push_back(strength.value());
         }
@@ -115,6 +131,14 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRun
                          ": no compression test among the runs; an envelope needs uniaxial and triaxial ones");
     }
     return tests;
+}
+
+EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {
+    return fit_reached(tests, [](const EnvelopeTests::Test& test) { return test.first_yield; });
+}
+
+EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark) {
+    return fit_reached(tests, [mark](const EnvelopeTests::Test& test) { return test.stress_at_marks.at(mark); });
 }
 
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {

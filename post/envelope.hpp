@@ -1,6 +1,7 @@
 // Failure envelopes of a set of tests: Mohr–Coulomb and Hoek–Brown with 95 % intervals, beside the tensile strengths.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,6 +39,8 @@ struct EnvelopeTests {
         double confining = 0;
         double strength = 0;
         std::int64_t seed = 0;
+        std::optional<double> first_yield = std::nullopt;           ///< see `first_yield`
+        std::array<std::optional<double>, 3> stress_at_marks = {};  ///< at `strain_marks`
     };
     std::vector<Test> compression;
     std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
@@ -54,6 +57,15 @@ struct EnvelopeTests {
 ///         that differs from the first in law, rock or contact parameters, or in the plane condition from the other
 ///         compression tests: one envelope is the envelope of one material
 EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRuns capped_runs);
+
+/// The envelope of another stress than the peak, through the tests that reached it.
+struct EnvelopeAt {
+    std::size_t runs = 0;              ///< tests that reached it
+    std::optional<Envelope> envelope;  ///< empty unless they have two or more confining pressures
+};
+EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests);
+/// At an axial strain, whatever came before: hardening tests without a peak compare there. \param mark of `strain_marks`
+EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark);
 
 /// Each seed with tests at all pressures of the set gives C, φ, σci and mi of its own; samples over these seeds. Empty with
 /// fewer than two such seeds; σci and mi are empty where a seed gives none.

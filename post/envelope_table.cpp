@@ -68,6 +68,22 @@ void add_seeds(RowBuilder& row, const std::optional<SeedEnvelopes>& seeds) {
     row.add_sample("seed_hoek_brown_mi", "", seeds ? seeds->mi : std::nullopt, 1);
 }
 
+void add_at(RowBuilder& row, const std::string& place, const EnvelopeAt& at) {
+    row.add("runs_at_" + place, static_cast<std::int64_t>(at.runs));
+    const auto& envelope = at.envelope;
+    row.add_interval("cohesion_at_" + place, "MPa", envelope ? std::optional(envelope->cohesion) : std::nullopt, mega);
+    row.add_interval("friction_angle_at_" + place, "deg", envelope ? std::optional(envelope->friction_angle) : std::nullopt,
+                     degrees);
+}
+
+/// Envelopes of the stresses that strength tells beside the peak.
+void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
+    add_at(row, "first_yield", fit_envelope_at_first_yield(tests));
+    for (std::size_t mark = 0; mark < strain_marks.size(); ++mark) {
+        add_at(row, fmt::format("{:.0f}_percent", 100 * strain_marks[mark]), fit_envelope_at_strain(tests, mark));
+    }
+}
+
 }  // namespace
 
 void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format, CappedRuns capped_runs,
@@ -88,6 +104,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
             envelope.curvature ? Cell(std::string(envelope.curvature->value < 0 ? "concave" : "convex")) : Cell());
     add_tension(row, envelope, tests);
     add_seeds(row, fit_seed_envelopes(tests));
+    add_other_stresses(row, tests);
     if (tests.capped > 0) {
         fmt::print(
             notes,

@@ -49,6 +49,15 @@ void write_row(TableWriter& table, const SizeSeries& s, const std::string& name,
                s.contact_zone_length / *small, s.contact_zone_length / *large});
 }
 
+void require_sizes(const SizeSeries& s) {
+    const auto [small, large] = std::minmax_element(s.edge.begin(), s.edge.end());
+    if (*large >= least_edge_ratio * *small) return;
+    throw InputError(
+        fmt::format("size-effect: {} {} of the {} test at one mean edge ({:.4g} mm); two or more edges are needed, a "
+                    "factor of {} apart at least",
+                    s.edge.size(), s.edge.size() == 1 ? "run" : "runs", s.test, *large / millimetre, least_edge_ratio));
+}
+
 }  // namespace
 
 std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength) {
@@ -90,19 +99,15 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRu
         s.strength.push_back(strength.value());
     }
     std::vector<SizeSeries> out;
-    for (auto& [key, s] : series) out.push_back(std::move(s));
+    for (auto& [key, s] : series) {
+        require_sizes(s);
+        out.push_back(std::move(s));
+    }
     return out;
 }
 
 void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format, CappedRuns capped_runs) {
     const std::vector<SizeSeries> all = collect_sizes(runs, capped_runs);
-    for (const SizeSeries& s : all) {
-        if (!fit_power_law_log(s.edge, s.strength)) {
-            throw InputError(
-                fmt::format("size-effect: {} {} of the {} test at one mean edge ({:.4g} mm); two or more edges are needed",
-                            s.edge.size(), s.edge.size() == 1 ? "run" : "runs", s.test, s.edge[0] / millimetre));
-        }
-    }
     TableWriter table(out, columns, format);
     for (const SizeSeries& s : all) {
         write_row(table, s, "log-log", fit_power_law_log(s.edge, s.strength));

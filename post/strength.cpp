@@ -39,7 +39,13 @@ const std::vector<std::string> columns{"file",
                                        "first_crack_radius_over_R",
                                        "loading_arc_deg",
                                        "warning",
-                                       "achieved_confining_pressure_MPa"};
+                                       "achieved_confining_pressure_MPa",
+                                       "contact_law",
+                                       "contact_tensile_strength_MPa",
+                                       "contact_cohesion_MPa",
+                                       "contact_friction_angle_deg"};
+
+constexpr double degree = std::numbers::pi / 180;
 
 Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
 
@@ -48,7 +54,7 @@ void append_split(std::vector<Cell>& row, const RunReader& reader, const RunData
     const BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
     row.push_back(megapascal(split.spanning_stress));
     row.push_back(cell(split.first_crack_radius));
-    row.emplace_back(specimen.loading_arc * 180 / std::numbers::pi);
+    row.emplace_back(specimen.loading_arc / degree);
     row.emplace_back(split.warning);
 }
 
@@ -79,9 +85,17 @@ std::vector<Cell> strength_row(const std::string& path) {
                           megapascal(strength.stress_at_marks[0]),
                           megapascal(strength.stress_at_marks[1]),
                           megapascal(strength.stress_at_marks[2])};
-    if (run.header.test == "brazilian") append_split(row, reader, run);
-    row.resize(columns.size());
-    if (run.header.confining_pressure > 0) row.back() = run.header.confinement_mean * 1e-6;
+    if (run.header.test == "brazilian") {
+        append_split(row, reader, run);
+    } else {
+        row.insert(row.end(), 4, Cell());
+    }
+    row.push_back(run.header.confining_pressure > 0 ? Cell(run.header.confinement_mean * 1e-6) : Cell());
+    const ContactParameters& contact = run.header.contact;
+    row.emplace_back(run.header.contact_law);
+    for (const double value : {contact.tensile_strength * 1e-6, contact.cohesion * 1e-6, contact.friction_angle / degree}) {
+        row.emplace_back(value);
+    }
     return row;
 }
 

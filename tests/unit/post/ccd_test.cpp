@@ -194,53 +194,6 @@ TEST(CcdFit, TooFewRunsAreOneLine) {
                                       {"5 runs", "6 terms"});
 }
 
-TEST(CcdFit, IntervalsCoverPlantedResponses) {
-    const auto runs = coded_runs(2, Star::rotatable, 5);
-    const auto truth = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1] + 7 * x[1] * x[1]; };
-    const std::vector<double> place{0.44, -0.53};
-    Normal normal(20140435);
-    constexpr int sets = 2000;
-    int mean = 0;
-    int single = 0;
-    for (int s = 0; s < sets; ++s) {
-        std::vector<double> response;
-        for (const auto& x : runs) response.push_back(truth(x) + 2 * normal());
-        const Model model(quadratic_terms(2), runs, response);
-        const Estimate confidence = model.confidence(place);
-        const Estimate prediction = model.prediction(place);
-        const double next = truth(place) + 2 * normal();
-        mean += *confidence.low <= truth(place) && truth(place) <= *confidence.high ? 1 : 0;
-        single += *prediction.low <= next && next <= *prediction.high ? 1 : 0;
-    }
-    for (int covered : {mean, single}) {  // 95 % with a standard error of 0.5 %
-        EXPECT_GT(covered, 0.935 * sets);
-        EXPECT_LT(covered, 0.965 * sets);
-    }
-}
-
-TEST(CcdSolve, JointRegionCoversPlantedFactors) {
-    const auto runs = coded_runs(2, Star::rotatable, 5);
-    const std::vector<double> place{0.4, -0.5};
-    const auto first = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1]; };
-    const auto second = [](const std::vector<double>& x) { return 67 - 5 * x[0] + 16 * x[1] - 8 * x[1] * x[1]; };
-    Normal normal(20140435);
-    constexpr int sets = 2000;
-    int covered = 0;
-    for (int s = 0; s < sets; ++s) {
-        std::vector<double> a;
-        std::vector<double> b;
-        for (const auto& x : runs) {
-            const double common = normal();  // residuals of the two are correlated, as those of C and φ are
-            a.push_back(first(x) + 2 * common);
-            b.push_back(second(x) - 3 * common + 1.5 * normal());
-        }
-        const std::vector<Model> models{{quadratic_terms(2), runs, a}, {quadratic_terms(2), runs, b}};
-        covered += ConfidenceRegion(models, {first(place), second(place)}).holds(place) ? 1 : 0;
-    }
-    EXPECT_GT(covered, 0.935 * sets);
-    EXPECT_LT(covered, 0.965 * sets);
-}
-
 TEST(Desirability, IsThatOfDerringerAndSuich) {
     const Goal target = parse_goal("y=10:20:40", Goal::Kind::target, "--target");
     EXPECT_DOUBLE_EQ(target(20), 1);

@@ -10,7 +10,6 @@
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"
-#include "tests/support/normal.hpp"
 
 namespace graincrack {
 namespace {
@@ -49,35 +48,6 @@ TEST(SizeEffect, ASizeWeighsAsItsSeeds) {
     EXPECT_TRUE(law->exponent.low.has_value());
 }
 
-TEST(SizeEffect, IntervalsCoverThePlantedExponent) {
-    test::Normal normal(20140439);
-    constexpr int sets = 2000;
-    int by_log = 0;
-    int by_value = 0;
-    for (int s = 0; s < sets; ++s) {
-        std::vector<double> edge;
-        std::vector<double> relative;
-        std::vector<double> absolute;
-        for (double e : edges) {
-            for (int seed = 0; seed < 3; ++seed) {
-                const double strength = 5e6 * std::pow(e * 1e3, 0.39);
-                edge.push_back(e);
-                relative.push_back(strength * std::exp(0.06 * normal()));
-                absolute.push_back(strength + 0.5e6 * normal());
-            }
-        }
-        const auto log_law = fit_power_law_log(edge, relative);
-        const auto law = fit_power_law(edge, absolute);
-        ASSERT_TRUE(law.has_value());
-        by_log += *log_law->exponent.low <= 0.39 && 0.39 <= *log_law->exponent.high ? 1 : 0;
-        by_value += *law->exponent.low <= 0.39 && 0.39 <= *law->exponent.high ? 1 : 0;
-    }
-    for (int covered : {by_log, by_value}) {  // 95 % with a standard error of 0.5 %
-        EXPECT_GT(covered, 0.935 * sets);
-        EXPECT_LT(covered, 0.965 * sets);
-    }
-}
-
 TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
     std::vector<RunData> runs;
     for (double edge : edges) {
@@ -105,7 +75,8 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
 
 TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
     std::ostringstream out;
-    const std::vector<RunData> one{run_of(2e-3, 8e6), run_of(2e-3, 9e6)};
+    // Seeds of one size differ by half a percent in their mean edge: no line goes through them.
+    const std::vector<RunData> one{run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)};
     test::expect_one_line<InputError>([&] { write_size_effect_table(out, one, TableFormat::tsv, CappedRuns::refuse); },
                                       {"one mean edge (2 mm)"});
     std::vector<RunData> capped{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};

@@ -32,7 +32,8 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
               "ledger_residual\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
               "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
-              "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa");
+              "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
+              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
@@ -48,6 +49,11 @@ TEST_F(StrengthTable, UniaxialRow) {
     EXPECT_EQ(field(table, "tensile_cracks"), "20");  // at the peak (t = 1 s), not at the end
     EXPECT_EQ(field(table, "shear_cracks"), "5");
     EXPECT_EQ(field(table, "steps"), "200000");
+    EXPECT_EQ(field(table, "warning"), "");
+    EXPECT_EQ(field(table, "achieved_confining_pressure_MPa"), "");
+    EXPECT_EQ(field(table, "contact_law"), "scaled");
+    EXPECT_EQ(field(table, "contact_cohesion_MPa"), "74.57");
+    EXPECT_NEAR(std::stod(field(table, "contact_friction_angle_deg")), 0.851 * 180 / std::numbers::pi, 1e-5);
     EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
 }
 
