@@ -317,7 +317,7 @@ void Chart::draw_entry(const Entry& entry, const std::vector<std::string>& lines
 
 void Chart::draw_legend() {
     const double left = left_margin - 105;
-    Pixel at{left, y_.from + 140};
+    Pixel at{left, y_.from + (x_.axis.label.empty() ? 96 : 140)};
     for (const Entry& entry : legend_) {
         const double width = legend_mark + 14 + text_width(entry.words, legend_size) + 34;
         if (at.x > left && at.x + width > page_width) at = {left, at.y + legend_line};

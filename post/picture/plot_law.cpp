@@ -110,15 +110,32 @@ bool agree(const std::vector<Path>& paths) {
     return apart < 0.005 * highest;
 }
 
-/// One curve a law, or one for all of them.
-void draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
-    if (paths.size() > 1 && agree(paths)) {
-        chart.line(paths[0].displacement, paths[0].traction, Stroke{palette::ink, 4.5, dashed});
-        return;
-    }
+/// Sets of curves that are one to the eye, each by the index of its first.
+std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths) {
+    std::vector<std::vector<std::size_t>> sets;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        chart.line(paths[i].displacement, paths[i].traction, Stroke{palette::series(i), 4, dashed});
+        const auto same = std::find_if(sets.begin(), sets.end(), [&](const auto& s) { return agree({paths[s[0]], paths[i]}); });
+        if (same != sets.end()) same->push_back(i);
+        if (same == sets.end()) sets.push_back({i});
     }
+    return sets;
+}
+
+/// One curve a law, but the largest set of like ones as a single black one. Returns whether there is such a set.
+bool draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
+    const auto sets = like_curves(paths);
+    const auto most =
+        std::max_element(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (auto set = sets.begin(); set != sets.end(); ++set) {
+        const bool joint = set == most && set->size() > 1;
+        for (std::size_t k = 0; k < (joint ? 1 : set->size()); ++k) {
+            const Path& path = paths[(*set)[k]];
+            const double width = 4 + 3 * static_cast<double>(joint ? 0 : set->size() - 1 - k);  // earlier ones show at the sides
+            chart.line(path.displacement, path.traction,
+                       Stroke{joint ? palette::ink : palette::series((*set)[k]), width, dashed});
+        }
+    }
+    return most->size() > 1;
 }
 
 Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const ChartText& text, double reach) {
@@ -143,12 +160,12 @@ Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters&
                  {fmt::format("sliding: open at δn = 0 (dashed) and under {:.3g} MPa (solid);", compression * mega),
                   fmt::format("δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}},
                 up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest));
-    draw_paths(chart, closed, false);
-    draw_paths(chart, open, true);
+    const bool all_closed = draw_paths(chart, closed, false);
+    const bool all_open = draw_paths(chart, open, true);
     for (std::size_t i = 0; i < laws.size(); ++i) {
         chart.legend(Stroke{palette::series(i), 4}, std::string(name_of(laws[i].variant)));
     }
-    if (laws.size() > 1) chart.legend(Stroke{palette::ink, 4.5}, "where all agree");
+    if (all_closed || all_open) chart.legend(Stroke{palette::ink, 4.5}, "one curve for all laws without a coloured one");
     return chart.finish();
 }
 

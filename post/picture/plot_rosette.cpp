@@ -36,10 +36,20 @@ public:
             std::vector<Pixel> circle;
             for (int i = 0; i <= 72; ++i) circle.push_back(at(std::numbers::pi * i / 36, ring));
             drawing_.polyline(circle, 1, palette::faint);
-            const Pixel label = at(0.42 * std::numbers::pi, ring);
-            drawing_.text({{label.x + 4, label.y - 4}, fmt::format("{:.0f} %", 100 * ring), 21, palette::rim});
         }
         for (int i = 0; i < 12; ++i) drawing_.line(centre_, at(std::numbers::pi * i / 6, scale_), 1, palette::faint);
+    }
+    /// What the rings mean, over everything: across the load, where the fewest cracks go.
+    void scale_words() {
+        constexpr double size = 21;
+        for (const double ring : round_ticks(0, scale_, 3)) {
+            if (ring == 0) continue;
+            const std::string words = fmt::format("{:.0f} %", 100 * ring);
+            const Pixel label = at(0, ring);
+            const double half = text_width(words, size) / 2;
+            drawing_.rectangle({label.x - half, label.y - 0.6 * size}, {label.x + half, label.y + 0.6 * size}, palette::white);
+            drawing_.text({{label.x, label.y + 0.35 * size}, words, size, palette::rim, Anchor::middle});
+        }
     }
     void petals(const Bins& share, Colour colour) {
         for (std::size_t i = 0; i < 2 * share.size(); ++i) {
@@ -94,6 +104,7 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
         rose.rings();
         rose.petals(shares(lengths), tensile ? palette::tensile : palette::shear);
         rose.outline(facet);
+        rose.scale_words();
         rose.words(fmt::format("{}: {:.4g} mm", tensile ? "tensile" : "shear", 1e3 * total(lengths)));
         x += 480;
     }

@@ -120,8 +120,7 @@ std::string common_words(const std::vector<TestReport>& tests) {
         std::count_if(tests.begin(), tests.end(), [](const TestReport& t) { return t.strength.peak_kind != "drop"; });
     std::string words = html::paragraph(
         fmt::format("Density {} kg/m³ is an input of the material file; plane models 1 m thick; grains are elastic and do not "
-                    "crush; platens are "
-                    "rigid. No sensitivity to rate, step, damping, mass scaling or elements is stored in these runs.",
+                    "crush; platens are rigid.",
                     number(rock.density)));
     if (without_peak > 0) {
         words += html::paragraph(
