@@ -1,68 +1,154 @@
-# What the studies have in common: specimens and runs by rules, tables by the postprocessor. A study includes this file after it
-# has set what it wants otherwise, and names its runs $(OUT)/TEST-SEED-VARIANT.h5.
+# What the studies have in common: specimens and runs by rules, tables and pages by the postprocessor and awk.
 #
-#     TESTS      names of tests; test_NAME holds the subcommand and its options, shape_NAME the specimen
-#     SEEDS      seeds of the specimens; every variant runs on the same ones
-#     VARIANTS   names of variants; options_NAME holds their options
+# A run is named by what it is, so that two studies which want the same run share it and it is never made twice:
 #
-# Users set:
+#     $(OUT)/runs/ROCK/uniaxial_rectangle80x160g1122-s2_tc18_cc122_phic53.h5
 #
-#     make SEEDS="1 2"         other seeds             make EDGE=4mm        another grain size
-#     make THREADS=2           threads of a run        make LAUNCH="srun"   what to start runs with
-#     make OUT=/scratch/here   where results go        make -j 2            runs side by side
+#     uniaxial, brazilian, tension, triaxial8          the test; with the pressure in MPa
+#     rectangle80x160g1122-s2, disc80e4-s2             the specimen: mm; number of grains or mean edge in mm; seed
+#     tc18 cc122 phic53 gf90 os7.7                     contact options in MPa, degrees and J/m²; gfmixed, gfmode-i
+#     law-NAME cap0.05 drop0.5 maps                    the law; --max-strain; --peak-drop; with frames for crack maps
+#     NAME                                             options_NAME of the study
 #
-# A run appears whole or not at all, and is never repeated while it is newer than its specimen. A failing run stops the study with
-# the run's own message.
+# and ROCK is the material with four digits that change with its values. A study sets `runs`, the runs that it wants, by
+# $(call run,TEST,SIZE,SEED,TOKENS), and includes this file. Users set:
+#
+#     make SEEDS="1 2"         other seeds               make EDGE=4mm        another grain size
+#     make MATERIAL=my.toml    another rock              make OUT=/scratch    where results go
+#     make -j 2                runs side by side         make THREADS=2       threads of a run
+#     make LAUNCH="srun …"     what to start runs with   make MAX_STRAIN=0.01 where runs without a peak end
+#     make GF=90               fracture energy, J/m²     make LAW=scaled      another contact law
+#     make -n                  what would be done        make clean           away with tables and pages; distclean: runs too
+#
+# A run or table appears whole or not at all. A failing run stops the study with the run's own message.
 SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c
+export LC_ALL := C
 .DELETE_ON_ERROR:
 .SECONDARY:
+.SECONDEXPANSION:
+.DEFAULT_GOAL = all
 
-BIN ?= $(abspath $(dir $(lastword $(MAKEFILE_LIST)))../../build/bin)
-OUT ?= results
-SEEDS ?= 1 2 3
-THREADS ?= 1
+STUDIES := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
+STUDY ?= $(notdir $(CURDIR))
+BIN ?= $(if $(wildcard $(STUDIES)/../../build/bin/graincrack-solve),$(abspath $(STUDIES)/../../build/bin),$(patsubst %/,%,$(dir $(shell command -v graincrack-solve))))
+OUT ?= $(STUDIES)/results
+# A relative path is relative to where make was called.
+override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(PWD)/)$(OUT))
+HERE := $(OUT)/$(STUDY)
+SPECIMENS := $(OUT)/specimens
+
+# --- the rock --------------------------------------------------------------------------------------------------------
+
 MATERIAL ?= augig-granite
-LAUNCH ?=
-# Defaults of the runs, which options of a variant win over.
-export GRAINCRACK_MASS_SCALING ?= selective
-OPTIONS ?=
+MATERIAL_FILE := $(abspath $(firstword $(wildcard $(MATERIAL) $(PWD)/$(MATERIAL) $(STUDIES)/../materials/$(MATERIAL).toml)))
+$(if $(MATERIAL_FILE),,$(error MATERIAL=$(MATERIAL): no such file, nor a name in share/materials))
+MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' -e 's/[[:space:]]*$$//' $(MATERIAL_FILE) | \
+                 awk '/^\[/ { on = $$0 != "[laboratory]" } on && NF' | cksum | awk '{ printf "%04x", $$1 % 65536 }')
+RUNS := $(OUT)/runs/$(MATERIAL_ID)
+# $(call of_material,contact.cohesion): a value as a bare number, in MPa, degrees, mm
+of_material = $(shell awk -v key=$(1) -f $(STUDIES)/lib/material-value.awk $(MATERIAL_FILE))
 
-RECTANGLE ?= --width 80mm --height 160mm $(if $(EDGE),--edge $(EDGE),--grains 1122)
-DISC ?= --diameter 80mm $(if $(EDGE),--edge $(EDGE),--grains 452)
-test_brazilian ?= brazilian
-shape_brazilian ?= disc
-test_uniaxial ?= uniaxial
-shape_uniaxial ?= rectangle
-test_tension ?= tension
-shape_tension ?= rectangle
-test_triaxial4 ?= triaxial --confining-pressure 4MPa
-shape_triaxial4 ?= rectangle
-test_triaxial8 ?= triaxial --confining-pressure 8MPa
-shape_triaxial8 ?= rectangle
+# --- the size of things ----------------------------------------------------------------------------------------------
+
+SEEDS ?= 1 2 3 4 5
+# The paper's: 80 mm x 160 mm, 1,122 grains; disc of 80 mm, 452 grains.
+WIDTH ?= 80
+HEIGHT ?= 160
+DIAMETER ?= 80
+SIZE_rectangle ?= $(if $(EDGE),e$(EDGE:mm=),g1122)
+SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
+# Threads of a run: what the allocation gives.
+THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
+LAUNCH ?=
+OPTIONS ?=
+GF ?=
+LAW ?=
+MAX_STRAIN ?=
+export GRAINCRACK_MASS_SCALING ?= selective
+export GRAINCRACK_FRAMES ?= 0
+
+# --- names of runs ---------------------------------------------------------------------------------------------------
+
+comma := ,
+empty :=
+space := $(empty) $(empty)
+# $(call unique,LIST): without repetitions, in its order
+unique = $(if $(1),$(firstword $(1)) $(call unique,$(filter-out $(firstword $(1)),$(1))))
+# $(call lines,LIST): a line each, for the shell
+lines = printf '%s\n' $(1)
+shape_of = $(if $(filter brazilian,$(1)),disc,rectangle)
+extent_rectangle = $(WIDTH)x$(HEIGHT)
+extent_disc = $(DIAMETER)
+# What a run has besides what its study asks for.
+user_tokens = $(if $(findstring _law-,$(1)),,$(if $(LAW),_law-$(LAW)))$(if $(findstring _gf,$(1)),,$(if $(GF),_gf$(GF)))$(if $(findstring _cap,$(1)),,$(if $(MAX_STRAIN),_cap$(MAX_STRAIN)))
+# $(call run,TEST,SIZE,SEED,TOKENS); no SIZE: the usual one. TOKENS are joined by _, as in tc18_cc122
+run = $(call run_name,$(1),$(call shape_of,$(1)),$(2),$(3),$(if $(4),_$(4)))
+run_name = $(RUNS)/$(1)_$(2)$(extent_$(2))$(or $(3),$(SIZE_$(2)))-s$(4)$(5)$(call user_tokens,$(5)).h5
+
+words_of = $(subst _, ,$(notdir $(1)))
+tokens_of = $(wordlist 3,99,$(call words_of,$(1)))
+test_command = $(if $(filter triaxial%,$(1)),triaxial,$(1))
+test_options = $(patsubst triaxial%,--confining-pressure %MPa,$(filter triaxial%,$(1)))
+energy_unit = $(if $(filter gfmixed gfmode-i,$(1)),,J/m2)
+option_of = $(or $(options_$(1)),$(strip \
+    $(patsubst tc%,--contact-tensile-strength %MPa,$(filter tc%,$(1))) \
+    $(patsubst cc%,--contact-cohesion %MPa,$(filter cc%,$(1))) \
+    $(patsubst phic%,--contact-friction-angle %deg,$(filter phic%,$(1))) \
+    $(patsubst gf%,--fracture-energy %$(call energy_unit,$(1)),$(filter gf%,$(1))) \
+    $(patsubst os%,--contact-open-shear-strength %MPa,$(filter os%,$(1))) \
+    $(patsubst law-%,--contact-law %,$(filter law-%,$(1))) \
+    $(patsubst cap%,--max-strain %,$(filter cap%,$(1))) \
+    $(patsubst drop%,--peak-drop %,$(filter drop%,$(1))) \
+    $(patsubst maps,--frames 20,$(filter maps,$(1)))))
+# "uniaxial, seed 2, tc=18MPa": what a line of progress says
+describe_token = $(or $(patsubst tc%,tc=%MPa,$(filter tc%,$(1))),$(patsubst cc%,cc=%MPa,$(filter cc%,$(1))),$(patsubst phic%,phic=%deg,$(filter phic%,$(1))),$(patsubst cap%,to a strain of %,$(filter cap%,$(1))),$(1))
+describe = $(call describe_test,$(word 1,$(1))), $(word 1,$(subst -s, ,$(word 2,$(1)))), seed $(lastword $(subst -s, ,$(word 2,$(1))))$(subst $(space)|,$(comma) , $(foreach t,$(wordlist 3,99,$(1)),|$(call describe_token,$(t))))
+describe_test = $(if $(filter triaxial%,$(1)),triaxial at $(patsubst triaxial%,%MPa,$(1)),$(1))
+# Which of `runs` a run is: the number of those before it, and one.
+position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))
+
+# --- rules -----------------------------------------------------------------------------------------------------------
 
 MESH = $(BIN)/graincrack-mesh
-SOLVE = $(LAUNCH) $(BIN)/graincrack-solve
 POST = $(BIN)/graincrack-post
-
-$(OUT):
-	@mkdir -p $@
-$(OUT)/disc-%.h5: | $(OUT)
-	@$(MESH) disc $(DISC) --seed $* --quiet -o $@
-$(OUT)/rectangle-%.h5: | $(OUT)
-	@$(MESH) rectangle $(RECTANGLE) --seed $* --quiet -o $@
-
-# $(call run_rule,test,seed,variant)
-define run_rule
-$(OUT)/$(1)-$(2)-$(3).h5: $(OUT)/$(shape_$(1))-$(2).h5
-	@echo "$(1), seed $(2), $(3)"
-	@$$(SOLVE) $(word 1,$(test_$(1))) $$< $(wordlist 2,99,$(test_$(1))) --material $$(MATERIAL) --threads $$(THREADS) --quiet $$(OPTIONS) $$(options_$(3)) -o $$@
+# $(call sizes,80x160g1122-s2): 80 160 1122 2
+sizes = $(subst x, ,$(subst g, ,$(subst e, ,$(subst -s, ,$(1)))))
+size_option = $(if $(findstring g,$(1)),--grains $(2),--edge $(2)mm)
+# Several makes (a job array) may want the same specimen at the same time: one makes it.
+define mesh
+@mkdir -p $(@D)
+@flock $(@D)/.lock bash -c 'test -e $@ || $(MESH) $(1) --seed $(lastword $(call sizes,$*)) --quiet -o $@'
 endef
-# $(call runs,tests,seeds,variants): their files
-runs = $(foreach t,$(1),$(foreach v,$(3),$(foreach s,$(2),$(OUT)/$(t)-$(s)-$(v).h5)))
-# To be evaluated once tests and variants are known: $(eval $(run_rules))
-run_rules = $(foreach t,$(TESTS),$(foreach s,$(SEEDS),$(foreach v,$(VARIANTS),$(eval $(call run_rule,$(t),$(s),$(v))))))
+$(SPECIMENS)/rectangle%.h5:
+	$(call mesh,rectangle --width $(word 1,$(call sizes,$*))mm --height $(word 2,$(call sizes,$*))mm $(call size_option,$*,$(word 3,$(call sizes,$*))))
+$(SPECIMENS)/disc%.h5:
+	$(call mesh,disc --diameter $(word 1,$(call sizes,$*))mm $(call size_option,$*,$(word 2,$(call sizes,$*))))
 
-.PHONY: clean
+# A specimen and a rock are named by what they are: a run that is there need never be made again.
+$(RUNS)/%.h5: | $(SPECIMENS)/$$(word 2,$$(call words_of,$$*)).h5
+	@echo "[$(call position,$@)/$(words $(runs))] $(call describe,$(call words_of,$*))"
+	@mkdir -p $(@D)
+	@$(LAUNCH) $(BIN)/graincrack-solve $(call test_command,$(word 1,$(call words_of,$*))) $| $(call test_options,$(word 1,$(call words_of,$*))) --material $(MATERIAL_FILE) --threads $(THREADS) --quiet $(OPTIONS) $(foreach t,$(call tokens_of,$*),$(call option_of,$(t))) -o $@
+
+# Recipes for tables: $(call table,COMMAND) writes $@ whole or not at all.
+define table
+@mkdir -p $(@D)
+@$(1) >$@.part && mv $@.part $@
+endef
+# The runs among the prerequisites, named from $(RUNS): tables stay narrow and command lines short.
+run_files = $(patsubst $(RUNS)/%,%,$(filter $(RUNS)/%,$^))
+# $(call of_runs,SUBCOMMAND): the postprocessor on these
+of_runs = cd $(RUNS) && $(POST) --quiet $(1) $(run_files)
+lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
+# A page: a text of the study, its claims, its tables and pictures, as they stand among the prerequisites.
+page = $(call table,awk $(call lib,page) $(filter-out $(RUNS)/%,$^))
+
+.PHONY: all clean distclean print-runs
+# Names of the runs, a line each: what a job array goes through.
+print-runs:
+	@$(call lines,$(sort $(runs)))
 clean:
-	rm -rf -- $(OUT)
+	rm -rf -- $(HERE)
+distclean: clean
+	@cd $(OUT) 2>/dev/null && rm -f -- $(patsubst $(OUT)/%,%,$(runs)) || true
