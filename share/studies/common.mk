@@ -48,6 +48,8 @@ MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' 
 RUNS := $(OUT)/runs/$(MATERIAL_ID)
 # $(call of_material,contact.cohesion): a value as a bare number, in MPa, degrees, mm
 of_material = $(shell awk -v key=$(1) -f $(STUDIES)/lib/material-value.awk $(MATERIAL_FILE))
+# The material's own contact strengths, as tokens of a run
+point_of_material = tc$(call of_material,contact.tensile_strength)_cc$(call of_material,contact.cohesion)_phic$(call of_material,contact.friction_angle)
 
 # --- the size of things ----------------------------------------------------------------------------------------------
 
