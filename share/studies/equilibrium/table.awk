@@ -1,23 +1,20 @@
 # strength.tsv to a Markdown table: a test and seed a row, what each variant moves the peak by, and how good the runs were.
 # Set by -v: tests, seeds, variants (the first is the one that the others are held against; "slow" is held the other way round).
 BEGIN { FS = "\t" }
-FNR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+FNR == 1 { head(); next }
 {
-    n = split($column["file"], parts, "/")
-    name = parts[n]
-    sub(/\.h5$/, "", name)
-    peak[name] = $column["peak_compressive_stress_MPa"] $column["tensile_strength_MPa"]
-    test = name
-    sub(/-.*/, "", test)
-    ledger[test] = max(ledger[test], $column["ledger_residual"])
-    if (name !~ /-slow$/) forces[test] = max(forces[test], $column["platen_force_difference"])
-    achieved = $column["achieved_confining_pressure_MPa"]
-    if (achieved != "") pressure[test] = max(pressure[test], abs(achieved / $column["confining_pressure_MPa"] - 1))
-    kind[test] = kind[test] == "" || kind[test] == $column["peak_kind"] ? $column["peak_kind"] : "mixed"
+    test = test_of(value("file"))
+    name = test "-" seed_of(value("file")) "-" tokens(value("file"))
+    peak[name] = value("peak_compressive_stress_MPa") value("tensile_strength_MPa")
+    ledger[test] = max(ledger[test], value("ledger_residual"))
+    if (name !~ /-slow$/) forces[test] = max(forces[test], value("platen_force_difference"))
+    achieved = value("achieved_confining_pressure_MPa")
+    if (achieved != "") pressure[test] = max(pressure[test], abs(achieved / value("confining_pressure_MPa") - 1))
+    kind[test] = kind[test] == "" || kind[test] == value("peak_kind") ? value("peak_kind") : "mixed"
 }
 END {
-    n_tests = split(tests, test_of, " ")
-    n_seeds = split(seeds, seed_of, " ")
+    n_tests = split(tests, test_names, " ")
+    n_seeds = split(seeds, seed_names, " ")
     n_variants = split(variants, variant_of, " ")
     first = variant_of[1]
     line = "| test | seed | peak, MPa |"
@@ -32,18 +29,18 @@ END {
         for (v = 2; v <= n_variants; ++v) sum[v] = worst[v] = 0
         mean = 0
         for (s = 1; s <= n_seeds; ++s) {
-            own = peak[test_of[t] "-" seed_of[s] "-" first]
+            own = peak[test_names[t] "-" seed_names[s] "-" first]
             mean += own / n_seeds
-            line = sprintf("| %s | %s | %.2f |", test_of[t], seed_of[s], own)
+            line = sprintf("| %s | %s | %.2f |", test_names[t], seed_names[s], own)
             for (v = 2; v <= n_variants; ++v) {
-                run = test_of[t] "-" seed_of[s] "-" variant_of[v]
+                run = test_names[t] "-" seed_names[s] "-" variant_of[v]
                 if (!(run in peak)) { sum[v] = "none"; line = line " - |"; continue }
                 if (sum[v] != "none") sum[v] += peak[run] / n_seeds
                 line = line sprintf(" %+.2f |", 100 * (peak[run] / own - 1))
             }
             print line
         }
-        line = sprintf("| **%s** | mean | %.2f |", test_of[t], mean)
+        line = sprintf("| **%s** | mean | %.2f |", test_names[t], mean)
         for (v = 2; v <= n_variants; ++v) line = line (sum[v] == "none" ? " - |" : sprintf(" %+.2f |", 100 * (sum[v] / mean - 1)))
         print line
     }
@@ -51,7 +48,7 @@ END {
     print "| test | ended by | largest ledger residual | largest difference of the platen forces before the peak | largest error of the pressure |"
     print "|---|---|---|---|---|"
     for (t = 1; t <= n_tests; ++t) {
-        test = test_of[t]
+        test = test_names[t]
         printf "| %s | %s | %.1e | %.2f %% | %s |\n", test, kind[test], ledger[test], 100 * forces[test],
             (test in pressure) ? sprintf("%.2f %%", 100 * pressure[test]) : "-"
     }

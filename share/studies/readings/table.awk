@@ -1,23 +1,20 @@
 # strength.tsv, levels.tsv and the crack summaries to a Markdown table: a reading a row, means over seeds and their range.
-# Set by -v: readings, seeds, levels (MPa).
+# Set by -v: readings, levels (MPa).
 BEGIN { FS = "\t" }
-FNR == 1 { delete column; for (i = 1; i <= NF; ++i) column[$i] = i; next }
-"share_with_more_sliding" in column {
-    if ($column["at"] != "peak") next
-    run = stem($column["file"])
-    sub(/^uniaxial-[0-9]+-/, "", run)
-    add("tensile", run, $column["tensile_cracks"])
-    add("shear", run, $column["shear_cracks"])
-    if ($column["share_with_more_sliding"] != "") add("sliding", run, $column["share_with_more_sliding"])
+FNR == 1 { head(); next }
+has("share_with_more_sliding") {
+    if (value("at") != "peak") next
+    run = tokens(value("file"))
+    add("tensile", run, value("tensile_cracks"))
+    add("shear", run, value("shear_cracks"))
+    if (value("share_with_more_sliding") != "") add("sliding", run, value("share_with_more_sliding"))
     next
 }
 {
-    run = stem($column["file"])
-    test = run
-    sub(/-.*/, "", test)
-    sub(/^[a-z0-9]+-[0-9]+-/, "", run)
-    add(test, run, $column["peak_compressive_stress_MPa"] $column["tensile_strength_MPa"])
-    ledger[test, run] = ledger[test, run] + 0 > $column["ledger_residual"] ? ledger[test, run] : $column["ledger_residual"]
+    run = tokens(value("file"))
+    test = test_of(value("file"))
+    add(test, run, value("peak_compressive_stress_MPa") value("tensile_strength_MPa"))
+    ledger[test, run] = ledger[test, run] + 0 > value("ledger_residual") ? ledger[test, run] : value("ledger_residual")
 }
 END {
     n_readings = split(readings, reading_of, " ")
@@ -54,12 +51,11 @@ END {
     }
 }
 function residual(test, reading) { return count[test, reading] ? sprintf("%.0e", ledger[test, reading]) : "-" }
-function stem(file,    parts, n) { n = split(file, parts, "/"); sub(/\.h5$/, "", parts[n]); return parts[n] }
-function add(what, run, value) {
+function add(what, run, x) {
     ++count[what, run]
-    sum[what, run] += value
-    if (count[what, run] == 1 || value + 0 < low[what, run]) low[what, run] = value + 0
-    if (count[what, run] == 1 || value + 0 > high[what, run]) high[what, run] = value + 0
+    sum[what, run] += x
+    if (count[what, run] == 1 || x + 0 < low[what, run]) low[what, run] = x + 0
+    if (count[what, run] == 1 || x + 0 > high[what, run]) high[what, run] = x + 0
 }
 function mean(what, run) { return sum[what, run] / count[what, run] }
 function range(what, run) {
