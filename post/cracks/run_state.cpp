@@ -85,7 +85,10 @@ std::size_t choose_frame(const RunReader& run, const std::string& word, const st
 std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& words, const std::optional<double>& time) {
     std::vector<std::size_t> frames;
     std::istringstream stream(words);
-    for (std::string word; std::getline(stream, word, ',');) frames.push_back(choose_frame(run, word, time));
+    for (std::string word; std::getline(stream, word, ',');) {
+        const std::size_t frame = choose_frame(run, word, time);
+        if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
+    }
     if (frames.empty()) throw UsageError("--frame: empty; first, before, peak, after, last or a number from 0");
     return frames;
 }

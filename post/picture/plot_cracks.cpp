@@ -21,8 +21,10 @@ struct Standing {
     double share = 0;         ///< of the peak
     bool before = false;      ///< the peak
     double axial_strain = 0;  ///< elongation positive
+    std::string peak;         ///< what the largest stress is called
+    [[nodiscard]] bool at_peak() const { return share > 0.9995; }
     [[nodiscard]] std::string share_words() const {
-        if (share > 0.9995) return "peak";
+        if (at_peak()) return peak;
         return fmt::format("{}, {:.0f} %", before ? "before" : "after", 100 * share);
     }
 };
@@ -31,13 +33,17 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
     const auto& times = run.history[HistoryColumn::time];
     const auto after = std::lower_bound(times.begin(), times.end(), time);
     const auto row = static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
-    return {curve.axial_strain[row], curve.stress[row], curve.stress[row] / curve.peak_stress(), row < curve.peak,
-            run.history[HistoryColumn::axial_strain][row]};
+    return {curve.axial_strain[row],
+            curve.stress[row],
+            curve.stress[row] / curve.peak_stress(),
+            row < curve.peak,
+            run.history[HistoryColumn::axial_strain][row],
+            peak_words(run)};
 }
 
 std::string standing_words(const Standing& now, bool disc, double magnification) {
     std::string words = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, disc ? "2F/(πtD)" : "stress",
-                                    now.stress * 1e-6, now.share > 0.9995 ? "peak" : now.share_words() + " of the peak");
+                                    now.stress * 1e-6, now.at_peak() ? now.peak : now.share_words() + " of the " + now.peak);
     if (magnification != 1) words += fmt::format("; displacements × {:.3g}", magnification);
     return words;
 }

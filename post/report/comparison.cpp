@@ -29,19 +29,19 @@ std::vector<double> collect(const std::vector<TestReport>& tests, const Value& v
 class Column {
 public:
     explicit Column(const std::optional<Material>& material)
-        : material_(material), table_({"quantity", "model, mean (s.d.)", "95 % interval", "n", "laboratory", "difference"}) {}
+        : material_(material), table_({"quantity", "model (s.d.; n)\n95 % interval", "laboratory", "difference"}) {}
 
     /// A sample over runs. \param key of [laboratory], "" for none \param factor from SI to the unit of the row
     void add(const std::string& words, const std::vector<double>& values, const std::string& key, double factor) {
         if (values.empty()) return;
         const Sample s = sample(values);
         std::string mean = number(s.mean.value * factor);
-        if (s.deviation) mean += " (" + number(*s.deviation * factor, 2) + ")";
-        row(words, mean, s.mean, std::to_string(s.n), key, factor);
+        mean += s.deviation ? fmt::format(" ({}; {})", number(*s.deviation * factor, 2), s.n) : " (1 run)";
+        row(words, mean, s.mean, key, factor);
     }
     /// A fit over the set.
     void add(const std::string& words, const Estimate& value, const std::string& key, double factor) {
-        row(words, number(value.value * factor), value, "", key, factor);
+        row(words, number(value.value * factor), value, key, factor);
     }
     [[nodiscard]] std::string str(const std::string& heading) const {
         return "<div><h3>" + html::escaped(heading) + "</h3>" +
@@ -49,10 +49,8 @@ public:
     }
 
 private:
-    void row(const std::string& words, const std::string& mean, const Estimate& value, const std::string& n,
-             const std::string& key, double factor) {
-        std::string interval;
-        if (value.low) interval = number(*value.low * factor, 4) + " to " + number(*value.high * factor, 4);
+    void row(const std::string& words, std::string mean, const Estimate& value, const std::string& key, double factor) {
+        if (value.low) mean += "\n" + number(*value.low * factor, 4) + " to " + number(*value.high * factor, 4);
         std::string laboratory;
         std::string difference;
         if (material_ && material_->laboratory.count(key) > 0) {
@@ -60,7 +58,7 @@ private:
             laboratory = number(measured * factor);
             difference = fmt::format("{:+.1f} %", 100 * (value.value / measured - 1));
         }
-        table_.row({words, mean, interval, n, laboratory, difference});
+        table_.row({words, mean, laboratory, difference});
     }
     const std::optional<Material>& material_;
     html::Table table_;

@@ -26,15 +26,18 @@ nav a { margin-right: 14px; color: #0072b2; }
 table { border-collapse: collapse; margin: 10px 0 18px; font-size: 14px; font-variant-numeric: tabular-nums; }
 th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; }
 td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; white-space: nowrap; }
-.long td { white-space: normal; overflow-wrap: anywhere; }
+.long td:last-child { white-space: normal; overflow-wrap: anywhere; }
+.trust td, .columns td, .columns th { white-space: pre-line; }
+.columns > div { flex: 1 1 0; min-width: 430px; }
 .wide { overflow-x: auto; }
 .trust { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
 .figures { display: flex; flex-wrap: wrap; gap: 20px; align-items: flex-start; }
 figure { margin: 10px 0; width: 500px; max-width: 100%; }
 figure.wide { width: 760px; }
-figure svg, figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; }
+figure svg, figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
-.columns { display: flex; flex-wrap: wrap; gap: 40px; }
+.columns { display: flex; flex-wrap: wrap; gap: 0 40px; }
+.columns th, .columns td, .trust th, .trust td { padding-right: 10px; }
 @media print { h2 { break-after: avoid; } figure, table { break-inside: avoid; } body { max-width: none; } nav { display: none; } }
 )css";
 

@@ -1,6 +1,7 @@
 #include "post/report/trust.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace {
 
 using html::number;
 
-std::string percent(double share) { return number(100 * share, 3) + " %"; }
+std::string percent(double share) { return number(100 * share, 3) + "\u00a0%"; }
 
 /// Names of the tests for the heads of columns: files of a set differ in what matters.
 std::string short_name(const TestReport& t) { return std::filesystem::path(t.data.name).stem().string(); }
@@ -32,9 +33,9 @@ std::string law_words(const RunHeader& header) {
     return header.contact_law + ", " + potential;
 }
 
-std::string mismatch_words(const TestReport& t) {
-    const double lost = t.data.history[HistoryColumn::law_mismatch].back();
-    return t.data.header.energy_scale > 0 ? percent(lost / t.data.header.energy_scale) : "";
+double mismatch_percent(const TestReport& t) {
+    const double scale = t.data.header.energy_scale;
+    return scale > 0 ? 100 * t.data.history[HistoryColumn::law_mismatch].back() / scale : std::nan("");
 }
 
 std::string confinement_words(const TestReport& t) {
@@ -76,25 +77,56 @@ std::string sensitivity_words(const TestReport& t) {
     return words.empty() ? "not asked for (--sensitivity)" : words;
 }
 
+/// A line of the block: words, or a number with its unit, of each run. NaN: does not apply.
 struct Check {
-    const char* words;
-    std::function<std::string(const TestReport&)> value;
+    const char* name;
+    std::function<std::string(const TestReport&)> words;
+    std::function<double(const TestReport&)> value = nullptr;
+    const char* unit = "";
 };
 
+std::string numbers_words(double low, double high, const std::string& unit) {
+    const std::string least = number(low, 3);
+    const std::string most = number(high, 3);
+    if (most.empty()) return "";
+    return (least == most ? most : least + " to " + most) + unit;
+}
+
+/// What a check says of some runs: the range of a number, or the different words, a line each.
+std::string cell_of(const Check& check, const std::vector<const TestReport*>& runs) {
+    if (check.value) {
+        double low = std::nan("");
+        double high = std::nan("");
+        for (const TestReport* run : runs) {  // fmin and fmax pass over NaN
+            low = std::fmin(low, check.value(*run));
+            high = std::fmax(high, check.value(*run));
+        }
+        return numbers_words(low, high, check.unit);
+    }
+    std::vector<std::string> lines;
+    for (const TestReport* run : runs) {
+        const std::string words = check.words(*run);
+        if (!words.empty() && std::find(lines.begin(), lines.end(), words) == lines.end()) lines.push_back(words);
+    }
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 const std::vector<Check>& checks() {
+    const auto percent_of = [](double RunHeader::*share) {
+        return [share](const TestReport& t) { return 100 * t.data.header.*share; };
+    };
     static const std::vector<Check> all{
         {"test", [](const TestReport& t) { return series_words(t.data.header.test, t.data.header.confining_pressure); }},
         {"the curve ended by", ending_words},
         {"contact law", [](const TestReport& t) { return law_words(t.data.header); }},
         {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
-        {"ledger residual, of peak stored energy", [](const TestReport& t) { return percent(t.data.header.ledger_residual); }},
-        {"law mismatch, of peak stored energy", mismatch_words},
-        {"share of the work that damping took", [](const TestReport& t) { return percent(t.data.header.damping_share); }},
-        {"platen forces differ by, ½ peak to peak",
-         [](const TestReport& t) { return percent(t.data.header.platen_force_difference); }},
+        {"ledger residual, of peak stored energy", nullptr, percent_of(&RunHeader::ledger_residual), "\u00a0%"},
+        {"law mismatch, of peak stored energy", nullptr, mismatch_percent, "\u00a0%"},
+        {"share of the work that damping took", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
+        {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
         {"confinement achieved, mean ± s.d.", confinement_words},
-        {"contact zone over mean edge",
-         [](const TestReport& t) { return number(t.contact_zone_length / t.data.specimen.mean_edge, 3); }},
+        {"contact zone over mean edge", nullptr,
+         [](const TestReport& t) { return t.contact_zone_length / t.data.specimen.mean_edge; }},
         {"tensile : shear cracks at the peak",
          [](const TestReport& t) { return fmt::format("{} : {}", t.at_peak.tensile, t.at_peak.shear); }},
         {"tensile cracks with more sliding than opening, at the peak",
@@ -105,13 +137,35 @@ const std::vector<Check>& checks() {
          [](const TestReport& t) {
              return fmt::format("{} : {} : {}", t.branches.by_tension, t.branches.by_shear, t.branches.compressed);
          }},
-        {"separated by the end", [](const TestReport& t) { return fmt::format("{}", t.branches.separated); }},
+        {"separated by the end", nullptr, [](const TestReport& t) { return t.branches.separated; }},
         {"platen speed", [](const TestReport& t) { return rate_words(t.data.header); }},
-        {"damping", [](const TestReport& t) { return number(t.data.header.damping); }},
+        {"damping", nullptr, [](const TestReport& t) { return t.data.header.damping; }},
         {"mass scaling", [](const TestReport& t) { return scaling_words(t.data.header); }},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_words(t); }},
-        {"warning", [](const TestReport& t) { return t.split ? t.split->warning : std::string(); }}};
+        {"warning", [](const TestReport& t) {
+             return t.split && !t.split->warning.empty() ? short_name(t) + ": " + t.split->warning : std::string();
+         }}};
     return all;
+}
+
+/// Columns of the block: runs, or, where these are many, runs of one test and confining pressure.
+std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns_of(const std::vector<TestReport>& tests) {
+    constexpr std::size_t most_runs = 4;  // beside the names of the checks within the width of the page
+    std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns;
+    for (const TestReport& t : tests) {
+        const RunHeader& h = t.data.header;
+        const std::string head = tests.size() <= most_runs ? short_name(t) : series_words(h.test, h.confining_pressure);
+        auto column = columns.end();
+        if (tests.size() > most_runs) {
+            column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == head; });
+        }
+        if (column == columns.end()) column = columns.insert(column, {head, {}});
+        column->second.push_back(&t);
+    }
+    for (auto& [head, runs] : columns) {
+        if (runs.size() > 1) head += fmt::format(" ({} runs)", runs.size());
+    }
+    return columns;
 }
 
 std::string common_words(const std::vector<TestReport>& tests) {
@@ -132,12 +186,13 @@ std::string common_words(const std::vector<TestReport>& tests) {
 }  // namespace
 
 std::string trust_block(const std::vector<TestReport>& tests) {
+    const auto columns = columns_of(tests);
     std::vector<std::string> head{"check"};
-    for (const TestReport& t : tests) head.push_back(short_name(t));
+    for (const auto& [name, runs] : columns) head.push_back(name);
     html::Table table(head);
     for (const Check& check : checks()) {
-        std::vector<std::string> row{check.words};
-        for (const TestReport& t : tests) row.push_back(check.value(t));
+        std::vector<std::string> row{check.name};
+        for (const auto& [name, runs] : columns) row.push_back(cell_of(check, runs));
         const bool any = std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) { return !cell.empty(); });
         if (any) table.row(std::move(row));
     }

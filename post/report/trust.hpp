@@ -8,7 +8,7 @@
 
 namespace graincrack {
 
-/// Checks of each run side by side, and in words what holds for all.
+/// Checks of each run side by side, of many runs by test with the range over its seeds, and in words what holds for all.
 std::string trust_block(const std::vector<TestReport>& tests);
 
 }  // namespace graincrack

@@ -56,9 +56,24 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     EXPECT_EQ(html.find("@import"), std::string::npos);
     // Laboratory: σt 8.8, UCS 122 MPa.
     expect_words(html, {"<td>8.8</td><td>+2.3 %</td>", "<td>122</td><td>-1.6 %</td>", "Mohr–Coulomb", "13.3", "no potential",
-                        "0.2 %", "Density 2650 kg/m³"});
+                        "0.2\u00a0%", "Density 2650 kg/m³"});
     EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
     EXPECT_EQ(html.find(">nan"), std::string::npos);
+}
+
+TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
+    std::vector<std::string> runs;
+    for (int i = 0; i < 5; ++i) runs.push_back(run("b" + std::to_string(i) + ".h5", recipe("brazilian", (9 + i) * 1e6)));
+    std::vector<Crack> few = test::synthetic_cracks(test::Recipe{}.specimen);
+    few.resize(8);
+    test::write_run(runs.back(), recipe("brazilian", 13e6), few);
+    const std::string html = page(runs);
+    // The ledger residual is the same in all, separated contacts are half of the cracks; a warning names its run.
+    expect_words(html,
+                 {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ", "b4: tensile cracks never span"});
+    EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
+    runs.resize(2);
+    expect_words(page(runs), {"<th>b0</th><th>b1</th>"});
 }
 
 TEST_F(Report, OneTestHasNoEnvelopeAndSaysWhy) {
