@@ -3,6 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -13,8 +14,11 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "post/cracks/run_state.hpp"
 #include "post/output_file.hpp"
@@ -36,10 +40,12 @@ vtkSmartPointer<Array> make_array(const char* name, int components, std::size_t 
 }
 
 /// A 3-vector for every node from a plane one.
-vtkSmartPointer<vtkDoubleArray> vectors(const char* name, const std::vector<std::array<double, 2>>& plane) {
-    return make_array<vtkDoubleArray>(name, 3, plane.size(), [&](std::size_t i, double* v) {
-        v[0] = plane[i][0];
-        v[1] = plane[i][1];
+template <class Array = vtkDoubleArray>
+vtkSmartPointer<Array> vectors(const char* name, const std::vector<std::array<double, 2>>& plane) {
+    return make_array<Array>(name, 3, plane.size(), [&](std::size_t i, auto* v) {
+        using Value = std::remove_pointer_t<decltype(v)>;
+        v[0] = static_cast<Value>(plane[i][0]);
+        v[1] = static_cast<Value>(plane[i][1]);
         v[2] = 0;
     });
 }
@@ -65,18 +71,18 @@ void write_xml(const std::string& path, Data* data) {
 
 void add_stress(vtkCellData* cells, const std::vector<std::array<double, 4>>& stress) {
     const std::size_t n = stress.size();
-    const auto tensor = make_array<vtkDoubleArray>("stress", 6, n, [&](std::size_t i, double* v) {
+    const auto tensor = make_array<vtkFloatArray>("stress", 6, n, [&](std::size_t i, float* v) {
         const auto& [xx, yy, xy, zz] = stress[i];
         const std::array<double, 6> all{xx, yy, zz, xy, 0, 0};
-        std::copy(all.begin(), all.end(), v);
+        std::transform(all.begin(), all.end(), v, [](double value) { return static_cast<float>(value); });
     });
     constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
     for (std::size_t k = 0; k < names.size(); ++k) tensor->SetComponentName(static_cast<vtkIdType>(k), names[k]);
     cells->AddArray(tensor);
     const auto principal = [&](const char* name, double sign) {
-        cells->AddArray(make_array<vtkDoubleArray>(name, 1, n, [&](std::size_t i, double* v) {
+        cells->AddArray(make_array<vtkFloatArray>(name, 1, n, [&](std::size_t i, float* v) {
             const auto& [xx, yy, xy, zz] = stress[i];
-            *v = (xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy);
+            *v = static_cast<float>((xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy));
         }));
     };
     principal("principal_stress_1", 1);
@@ -135,8 +141,13 @@ void add_crack_data(vtkCellData* cells, const std::vector<Crack>& cracks, double
 
 }  // namespace
 
-void write_grains(const std::string& path, const Specimen& specimen, const Frame& frame, const Fragments& fragments) {
+void write_grains(const std::string& path, const Specimen& specimen, Frame frame, const Fragments& fragments) {
     vtkNew<vtkUnstructuredGrid> grid;
+    grid->GetPointData()->AddArray(vectors("displacement", std::exchange(frame.displacement, {})));
+    grid->GetPointData()->AddArray(vectors<vtkFloatArray>("velocity", std::exchange(frame.velocity, {})));
+    vtkCellData* cells = grid->GetCellData();
+    add_stress(cells, std::exchange(frame.element_stress, {}));
+    frame = {};
     vtkNew<vtkPoints> points;
     points->SetData(vectors("position", specimen.node_position));
     grid->SetPoints(points);
@@ -144,8 +155,6 @@ void write_grains(const std::string& path, const Specimen& specimen, const Frame
     triangles->AllocateExact(static_cast<vtkIdType>(specimen.n_elements()), 3 * static_cast<vtkIdType>(specimen.n_elements()));
     for (const auto& nodes : specimen.element_nodes) triangles->InsertNextCell({nodes[0], nodes[1], nodes[2]});
     grid->SetCells(VTK_TRIANGLE, triangles);
-
-    vtkCellData* cells = grid->GetCellData();
     cells->AddArray(scalars<vtkIntArray>("grain", specimen.element_grain));
     cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, specimen.n_elements(), [&](std::size_t i, unsigned char* v) {
         *v = specimen.grain_phase[static_cast<std::size_t>(specimen.element_grain[i])];
@@ -153,9 +162,6 @@ void write_grains(const std::string& path, const Specimen& specimen, const Frame
     cells->AddArray(make_array<vtkIntArray>("fragment", 1, specimen.n_elements(), [&](std::size_t i, int* v) {
         *v = static_cast<int>(fragments.of_grain[static_cast<std::size_t>(specimen.element_grain[i])]);
     }));
-    add_stress(cells, frame.element_stress);
-    grid->GetPointData()->AddArray(vectors("displacement", frame.displacement));
-    grid->GetPointData()->AddArray(vectors("velocity", frame.velocity));
     write_xml<vtkXMLUnstructuredGridWriter>(path, grid.Get());
 }
 

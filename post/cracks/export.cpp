@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <sstream>
+#include <utility>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_map.hpp"
@@ -55,11 +56,11 @@ Breakup write_frames(const RunReader& run, const std::vector<std::size_t>& frame
     const std::size_t n = frames.size();
     for (std::size_t i = 0; i < n; ++i) {
         throw_if_interrupted();
-        const Frame frame = read_frame(run, specimen, frames[i]);
+        Frame frame = read_frame(run, specimen, frames[i]);
         breakup.last = find_fragments(specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
-        write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, frame, breakup.last);
         write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame);
+        write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, std::move(frame), breakup.last);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(n), fmt::format("frame {}", i + 1));
     }
     progress.finish();

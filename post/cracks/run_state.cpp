@@ -48,6 +48,8 @@ Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t ind
         throw InputError(fmt::format("{}: frame {} does not fit the specimen of {} nodes, {} elements and {} contacts",
                                      run.name(), index, specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts()));
     }
+    for (auto* values : {&frame.opening, &frame.sliding}) *values = {};
+    frame.traction = {};
     return frame;
 }
 

@@ -19,22 +19,60 @@ Colour palette::phase(std::size_t i) {
     return colours[i % colours.size()];
 }
 
+void Drawing::polygon(std::span<const Pixel> corners, Colour fill) {
+    auto* last = shapes_.empty() ? nullptr : std::get_if<Polygons>(&shapes_.back());
+    if (last == nullptr || last->sides != corners.size() || !(last->fill == fill)) {
+        shapes_.emplace_back(Polygons{{}, corners.size(), fill});
+        last = &std::get<Polygons>(shapes_.back());
+    }
+    last->corners.insert(last->corners.end(), corners.begin(), corners.end());
+}
+
+void Drawing::line(Pixel from, Pixel to, double width, Colour colour) {
+    auto* last = shapes_.empty() ? nullptr : std::get_if<Strokes>(&shapes_.back());
+    if (last == nullptr || last->width != width || !(last->colour == colour)) {
+        shapes_.emplace_back(Strokes{{}, width, colour});
+        last = &std::get<Strokes>(shapes_.back());
+    }
+    last->ends.insert(last->ends.end(), {from, to});
+}
+
 void Drawing::rectangle(Pixel top_left, Pixel bottom_right, Colour fill) {
     polygon({top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}}, fill);
 }
 
+namespace {
+
+void move(Polygons& polygons, const auto& moved) {
+    for (Pixel& p : polygons.corners) p = moved(p);
+}
+void move(Strokes& strokes, const auto& moved) {
+    for (Pixel& p : strokes.ends) p = moved(p);
+}
+void move(Polyline& line, const auto& moved) {
+    for (Pixel& p : line.points) p = moved(p);
+}
+void move(Text& text, const auto& moved) { text.at = moved(text.at); }
+
+std::size_t marks_of(const Polygons& polygons) { return polygons.size(); }
+std::size_t marks_of(const Strokes& strokes) { return strokes.size(); }
+std::size_t marks_of(const Polyline& /*line*/) { return 1; }
+std::size_t marks_of(const Text& /*text*/) { return 1; }
+
+}  // namespace
+
 void Drawing::add(const Drawing& other, Pixel offset) {
     const auto moved = [&](Pixel p) { return Pixel{p.x + offset.x, p.y + offset.y}; };
-    for (Shape shape : other.shapes_) {
-        if (auto* polygon = std::get_if<Polygon>(&shape)) {
-            for (Pixel& p : polygon->corners) p = moved(p);
-        } else if (auto* line = std::get_if<Polyline>(&shape)) {
-            for (Pixel& p : line->points) p = moved(p);
-        } else if (auto* text = std::get_if<Text>(&shape)) {
-            text->at = moved(text->at);
-        }
-        shapes_.push_back(std::move(shape));
+    for (const Shape& shape : other.shapes_) {
+        shapes_.push_back(shape);
+        std::visit([&](auto& own) { move(own, moved); }, shapes_.back());
     }
+}
+
+std::size_t Drawing::n_marks() const {
+    std::size_t n = 0;
+    for (const Shape& shape : shapes_) n += std::visit([](const auto& own) { return marks_of(own); }, shape);
+    return n;
 }
 
 double text_width(const std::string& words, double size) {
@@ -61,7 +99,7 @@ namespace {
 
 std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
 
-void append_path(std::string& path, const std::vector<Pixel>& points) {
+void append_path(std::string& path, std::span<const Pixel> points) {
     char command = 'M';
     for (const Pixel& p : points) {
         fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", command, p.x, p.y);
@@ -72,15 +110,19 @@ void append_path(std::string& path, const std::vector<Pixel>& points) {
 /// Collects shapes into SVG elements; shapes of one style become one path.
 class SvgWriter {
 public:
-    void operator()(const Polygon& polygon) {
-        begin(fmt::format("fill=\"{}\"", hex(polygon.fill)));
-        append_path(path_, polygon.corners);
-        path_ += 'Z';
+    void operator()(const Polygons& polygons) {
+        begin(fmt::format("fill=\"{}\"", hex(polygons.fill)));
+        for (std::size_t i = 0; i < polygons.size(); ++i) {
+            append_path(path_, polygons[i]);
+            path_ += 'Z';
+        }
+    }
+    void operator()(const Strokes& strokes) {
+        begin_stroke(strokes.width, strokes.colour);
+        for (std::size_t i = 0; i < strokes.ends.size(); i += 2) append_path(path_, std::span(strokes.ends).subspan(i, 2));
     }
     void operator()(const Polyline& line) {
-        begin(
-            fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-                        hex(line.colour), line.width));
+        begin_stroke(line.width, line.colour);
         append_path(path_, line.points);
     }
     void operator()(const Text& text) {
@@ -102,6 +144,11 @@ public:
     [[nodiscard]] const std::string& body() const { return body_; }
 
 private:
+    void begin_stroke(double width, Colour colour) {
+        begin(
+            fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                        hex(colour), width));
+    }
     void begin(const std::string& style) {
         if (style != style_) {
             end();

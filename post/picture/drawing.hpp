@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <variant>
@@ -41,10 +42,20 @@ struct Pixel {
     double y = 0;
 };
 
-/// A filled convex polygon.
-struct Polygon {
+/// Filled convex polygons of equally many corners, one after the other.
+struct Polygons {
     std::vector<Pixel> corners;
+    std::size_t sides = 3;
     Colour fill;
+    [[nodiscard]] std::size_t size() const { return corners.size() / sides; }
+    [[nodiscard]] std::span<const Pixel> operator[](std::size_t i) const { return std::span(corners).subspan(i * sides, sides); }
+};
+/// Straight strokes with round ends: two points each.
+struct Strokes {
+    std::vector<Pixel> ends;
+    double width = 1;
+    Colour colour;
+    [[nodiscard]] std::size_t size() const { return ends.size() / 2; }
 };
 /// A line through points; ends and corners are round.
 struct Polyline {
@@ -66,13 +77,15 @@ struct Text {
 
 class Drawing {
 public:
-    using Shape = std::variant<Polygon, Polyline, Text>;
+    using Shape = std::variant<Polygons, Strokes, Polyline, Text>;
 
     Drawing(int width, int height) : width_(width), height_(height) {}
 
-    void polygon(std::vector<Pixel> corners, Colour fill) { shapes_.emplace_back(Polygon{std::move(corners), fill}); }
+    /// Polygons and lines of one kind that follow each other are one shape: maps have millions.
+    void polygon(std::span<const Pixel> corners, Colour fill);
+    void polygon(std::initializer_list<Pixel> corners, Colour fill) { polygon(std::span(corners.begin(), corners.size()), fill); }
     void rectangle(Pixel top_left, Pixel bottom_right, Colour fill);
-    void line(Pixel from, Pixel to, double width, Colour colour) { polyline({from, to}, width, colour); }
+    void line(Pixel from, Pixel to, double width, Colour colour);
     void polyline(std::vector<Pixel> points, double width, Colour colour) {
         shapes_.emplace_back(Polyline{std::move(points), width, colour});
     }
@@ -85,6 +98,8 @@ public:
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
+    /// Number of polygons, lines and words.
+    [[nodiscard]] std::size_t n_marks() const;
 
 private:
     int width_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/picture/pixel_fill.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -12,6 +13,8 @@ namespace graincrack {
 namespace {
 
 constexpr double platen_height = 16;
+/// Grains of shorter edges, in pixels, have no outlines: they would be a grey haze.
+constexpr double least_edge = 4;
 
 struct Box {
     std::array<double, 2> low;
@@ -81,13 +84,13 @@ struct MapView::Layout {
     }
 };
 
-MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const MapPage& page)
-    : MapView(specimen, positions, title, page, Layout(specimen, positions, title.size(), page)) {}
+MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const MapPage& page)
+    : MapView(specimen, std::move(positions), title, page, Layout(specimen, positions, title.size(), page)) {}
 
-MapView::MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const MapPage& page,
+MapView::MapView(const Specimen& specimen, Positions&& positions, const std::vector<std::string>& title, const MapPage& page,
                  const Layout& layout)
     : specimen_(specimen),
-      positions_(positions),
+      positions_(std::move(positions)),
       page_(page),
       low_(layout.box.low),
       high_(layout.box.high),
@@ -122,22 +125,41 @@ void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Col
     stroke(positions_[static_cast<std::size_t>(from)], positions_[static_cast<std::size_t>(to)], width, colour);
 }
 
-void MapView::draw_grains(const GrainColour& colour) {
+template <class Draw>
+void MapView::each_grain(const GrainColour& colour, const Draw& draw) const {
     for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
         const auto& nodes = specimen_.element_nodes[e];
         const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
         const auto [a, b, c] = std::array{place(0), place(1), place(2)};
         if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
         const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
-        drawing_.polygon({pixel(a), pixel(b), pixel(c)}, colour ? colour(grain) : palette::phase(specimen_.grain_phase[grain]));
+        draw(pixel(a), pixel(b), pixel(c), colour ? colour(grain) : palette::phase(specimen_.grain_phase[grain]));
     }
-    const double mean_edge = specimen_.statistics.mean_edge;
-    const double thin = mean_edge > 0 ? std::clamp(0.03 * mean_edge * scale_, 0.3, 1.2) : 1.0;
+}
+
+void MapView::draw_grains(const GrainColour& colour) {
+    const double edge = specimen_.statistics.mean_edge > 0 ? specimen_.statistics.mean_edge * scale_ : 1e3;
+    if (edge < least_edge) return draw_small_grains(colour);
+    each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
+    const double thin = std::clamp(0.03 * edge, 0.3, 1.2);
+    const auto apart = [&](std::int32_t a, std::int32_t b) {
+        const auto& p = positions_[static_cast<std::size_t>(a)];
+        const auto& q = positions_[static_cast<std::size_t>(b)];
+        return std::hypot(p[0] - q[0], p[1] - q[1]) * scale_ > 0.2 * thin;
+    };
     for (const auto& nodes : specimen_.contact_nodes) {
         draw_outline(nodes[0], nodes[1], thin, palette::outline);
-        draw_outline(nodes[2], nodes[3], thin, palette::outline);
+        const bool gapes = apart(nodes[0], nodes[2]) || apart(nodes[1], nodes[3]);
+        if (gapes) draw_outline(nodes[2], nodes[3], thin, palette::outline);
     }
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.6 * thin, palette::rim);
+}
+
+void MapView::draw_small_grains(const GrainColour& colour) {
+    PixelFill fill(pixel({low_[0], high_[1]}), pixel({high_[0], low_[1]}));
+    each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
+    fill.draw(drawing_);
+    for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.5, palette::rim);
 }
 
 void MapView::draw_platen(double y, bool above, double half_width) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "post/picture/drawing.hpp"
@@ -41,10 +42,9 @@ public:
     /// Lays the page out so that the specimen, and what moved out of it by up to a tenth of its size, fits tightly.
     ///
     /// \param positions place of each node, m \param title first line bold
-    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title,
-            const MapPage& page = {});
+    MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const MapPage& page = {});
 
-    /// Fills the grains and draws their outlines and the rim.
+    /// Fills the grains and draws their outlines, unless they are too small for that, and the rim.
     void draw_grains(const GrainColour& colour = {});
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
@@ -55,12 +55,17 @@ public:
 
     [[nodiscard]] const Positions& positions() const { return positions_; }
     [[nodiscard]] double pixels_per_metre() const { return scale_; }
-    [[nodiscard]] const Drawing& drawing() const { return drawing_; }
+    /// The finished page, out of the map.
+    [[nodiscard]] Drawing drawing() && { return std::move(drawing_); }
 
 private:
     struct Layout;
-    MapView(const Specimen& specimen, const Positions& positions, const std::vector<std::string>& title, const MapPage& page,
+    MapView(const Specimen& specimen, Positions&& positions, const std::vector<std::string>& title, const MapPage& page,
             const Layout& layout);
+    /// Calls `draw` with the corners of each triangle on the map and its colour.
+    template <class Draw>
+    void each_grain(const GrainColour& colour, const Draw& draw) const;
+    void draw_small_grains(const GrainColour& colour);
     [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
     [[nodiscard]] bool visible(std::array<double, 2> place) const;
     void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);

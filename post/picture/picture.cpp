@@ -27,6 +27,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <span>
 
 #include "post/output_file.hpp"
 #include "post/picture/offscreen_window.hpp"
@@ -67,18 +68,15 @@ public:
         colours_->SetNumberOfComponents(3);
     }
 
-    void operator()(const Polygon& polygon) {
-        const vtkIdType first = points_->GetNumberOfPoints();
-        for (const Pixel& p : polygon.corners) add_point(p);
-        for (vtkIdType i = 2; i < static_cast<vtkIdType>(polygon.corners.size()); ++i) {
-            add_triangle(first, first + i - 1, first + i, polygon.fill);
+    void operator()(const Polygons& polygons) {
+        for (std::size_t i = 0; i < polygons.size(); ++i) add_polygon(polygons[i], polygons.fill);
+    }
+    void operator()(const Strokes& strokes) {
+        for (std::size_t i = 0; i < strokes.ends.size(); i += 2) {
+            add_line(std::span(strokes.ends).subspan(i, 2), strokes.width, strokes.colour);
         }
     }
-    void operator()(const Polyline& line) {
-        for (std::size_t i = 1; i < line.points.size(); ++i) add_bar(line.points[i - 1], line.points[i], line.width, line.colour);
-        if (line.width < 1.5) return;
-        for (const Pixel& p : line.points) add_disc(p, line.width / 2, line.colour);
-    }
+    void operator()(const Polyline& line) { add_line(line.points, line.width, line.colour); }
     void operator()(const Text& text) {
         vtkNew<vtkTextActor> actor;
         actor->SetInput(text.words.c_str());
@@ -116,6 +114,18 @@ public:
     }
 
 private:
+    void add_polygon(std::span<const Pixel> corners, Colour fill) {
+        const vtkIdType first = points_->GetNumberOfPoints();
+        for (const Pixel& p : corners) add_point(p);
+        for (vtkIdType i = 2; i < static_cast<vtkIdType>(corners.size()); ++i)
+            add_triangle(first, first + i - 1, first + i, fill);
+    }
+    /// Bars with discs at ends and corners where these are wide enough to be seen.
+    void add_line(std::span<const Pixel> points, double width, Colour colour) {
+        for (std::size_t i = 1; i < points.size(); ++i) add_bar(points[i - 1], points[i], width, colour);
+        if (width < 1.5) return;
+        for (const Pixel& p : points) add_disc(p, width / 2, colour);
+    }
     void add_point(Pixel p) { points_->InsertNextPoint(p.x * oversampling, (height_ - p.y) * oversampling, 0); }
     void add_triangle(vtkIdType a, vtkIdType b, vtkIdType c, Colour colour) {
         triangles_->InsertNextCell({a, b, c});
@@ -126,17 +136,17 @@ private:
         if (length == 0) return;
         const double dx = -(b.y - a.y) / length * width / 2;
         const double dy = (b.x - a.x) / length * width / 2;
-        (*this)(Polygon{{{a.x + dx, a.y + dy}, {b.x + dx, b.y + dy}, {b.x - dx, b.y - dy}, {a.x - dx, a.y - dy}}, colour});
+        const std::array<Pixel, 4> bar{{{a.x + dx, a.y + dy}, {b.x + dx, b.y + dy}, {b.x - dx, b.y - dy}, {a.x - dx, a.y - dy}}};
+        add_polygon(bar, colour);
     }
     void add_disc(Pixel centre, double radius, Colour colour) {
-        constexpr int corners = 12;
-        std::vector<Pixel> rim;
-        rim.reserve(corners);
-        for (int i = 0; i < corners; ++i) {
-            const double angle = 2 * std::numbers::pi * i / corners;
-            rim.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+        constexpr std::size_t corners = 12;
+        std::array<Pixel, corners> rim;
+        for (std::size_t i = 0; i < corners; ++i) {
+            const double angle = 2 * std::numbers::pi * static_cast<double>(i) / corners;
+            rim[i] = {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
         }
-        (*this)(Polygon{std::move(rim), colour});
+        add_polygon(rim, colour);
     }
 
     vtkRenderer* renderer_;

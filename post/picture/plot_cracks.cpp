@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "post/cracks/run_state.hpp"
 #include "post/load_curve.hpp"
@@ -108,12 +109,23 @@ void draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     }
 }
 
-Drawing single_map(const Scene& scene, const Frame& frame) {
+/// What a map shows of a frame; the frame itself is let go.
+struct Snapshot {
+    double time;
+    Positions places;
+};
+
+Snapshot snapshot(const Scene& scene, std::size_t index) {
+    const Frame frame = read_frame(scene.run, scene.specimen, index);
+    return {frame.time, moved_nodes(scene.specimen, frame, scene.options.magnification)};
+}
+
+Drawing single_map(const Scene& scene, Snapshot shot) {
     const RunHeader& header = scene.data.header;
-    const std::vector<Crack> present = cracks_until(scene.cracks, frame.time);
-    const Standing now = standing(scene.data, load_curve(scene.data), frame.time);
+    const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
+    const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const Specimen& specimen = scene.specimen;
-    MapView map(specimen, moved_nodes(specimen, frame, scene.options.magnification),
+    MapView map(specimen, std::move(shot.places),
                 {test_title(header),
                  fmt::format("seed {}, {} grains, mean edge {:.3g} mm; law {}, {}", specimen.seed, specimen.n_grains(),
                              specimen.statistics.mean_edge * 1e3, header.contact_law, header.fracture_energy_choice),
@@ -121,21 +133,21 @@ Drawing single_map(const Scene& scene, const Frame& frame) {
     draw_state(map, scene, now, present);
     map.draw_legend({{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
                      {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}});
-    return map.drawing();
+    return std::move(map).drawing();
 }
 
-Drawing panel(const Scene& scene, const Frame& frame, double width, char letter) {
-    const std::vector<Crack> present = cracks_until(scene.cracks, frame.time);
-    const Standing now = standing(scene.data, load_curve(scene.data), frame.time);
+Drawing panel(const Scene& scene, Snapshot shot, double width, char letter) {
+    const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
+    const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     MapPage page{width, 1000, 14, 27, 23, 0};
-    MapView map(scene.specimen, moved_nodes(scene.specimen, frame, scene.options.magnification),
+    MapView map(scene.specimen, std::move(shot.places),
                 {fmt::format("({}) {}", letter, now.share_words()),
                  fmt::format("{:.3f} %, {:.1f} MPa", 100 * now.strain, now.stress * 1e-6),
                  fmt::format("tensile {}, shear {}", contacts_of(count(present, CrackMode::tensile)),
                              contacts_of(count(present, CrackMode::shear)))},
                 page);
     draw_state(map, scene, now, present);
-    return map.drawing();
+    return std::move(map).drawing();
 }
 
 /// Maps side by side under one title.
@@ -148,8 +160,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     page.text({{26, 44}, test_title(scene.data.header), 31, palette::ink, Anchor::start, true});
     int height = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        const Frame frame = read_frame(scene.run, scene.specimen, frames[i]);
-        const Drawing map = panel(scene, frame, width, static_cast<char>('a' + i));
+        const Drawing map = panel(scene, snapshot(scene, frames[i]), width, static_cast<char>('a' + i));
         page.add(map, {width * static_cast<double>(i), head});
         height = std::max(height, map.height());
     }
@@ -168,7 +179,7 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
     const Specimen specimen = run.specimen();
     const Scene scene{run, specimen, read_cracks(run, specimen), run_data(run), options};
-    if (frames.size() == 1) return single_map(scene, read_frame(run, specimen, frames[0]));
+    if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
 }
 

@@ -25,7 +25,7 @@ Colour fragment_colour(std::size_t fragment) {
 
 Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
     const Specimen specimen = run.specimen();
-    const Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
+    Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
     const Fragments fragments = find_fragments(specimen, frame.state);
     const FragmentCount count = count_fragments(fragments, frame.time);
     MapView map(
@@ -35,7 +35,7 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
                      1e3 * fragments.all.front().diameter())});
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
     map.draw_legend({{palette::grain, 22, "largest fragment"}, {fragment_colour(1), 22, "others"}});
-    return map.drawing();
+    return std::move(map).drawing();
 }
 
 }  // namespace graincrack

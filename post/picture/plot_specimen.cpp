@@ -45,7 +45,7 @@ Drawing draw_specimen(const Specimen& specimen) {
     }
     if (cracked) legend.push_back({palette::pre_existing, 4, "pre-existing crack"});
     map.draw_legend(legend);
-    return map.drawing();
+    return std::move(map).drawing();
 }
 
 }  // namespace graincrack

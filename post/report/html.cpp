@@ -61,8 +61,8 @@ std::string inline_svg(const Drawing& drawing) {
 }
 
 std::string image(const Drawing& drawing, const std::string& caption) {
-    constexpr std::size_t many_shapes = 2500;
-    if (drawing.shapes().size() < many_shapes) return inline_svg(drawing);
+    constexpr std::size_t many_marks = 2500;
+    if (drawing.n_marks() < many_marks) return inline_svg(drawing);
     try {
         return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(caption), base64(png_bytes(drawing)));
     } catch (const OutputError&) {  // no OpenGL on this machine: longer, but the same picture
