@@ -24,7 +24,7 @@ void add_maps(CLI::App& plot, PostOptions& options) {
                           add_picture(plot, options, "fragments", "what still hangs together", "run")}) {
         map->add_option("--frame", options.crack_map.frame,
                         "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
-                        "several with commas stand side by side")
+                        "several with commas stand side by side, once where they mean the same")
             ->capture_default_str();
         add_quantity(*map, "--time", options.crack_map.time, frame_time, "frame nearest to a simulated time");
         add_quantity(*map, "--magnify", options.crack_map.magnification, magnification,

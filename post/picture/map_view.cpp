@@ -170,7 +170,7 @@ void MapView::draw_platen(double y, bool above, double half_width) {
 }
 
 void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
-    const double y = drawing_.height() - page_.legend_height / 2 + 8;
+    double y = drawing_.height() - page_.legend_height / 2 + 8;
     const double size = page_.text_size;
     double x = page_.margin;
     for (const LegendEntry& entry : entries) {
@@ -183,11 +183,17 @@ void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
         x += 52 + text_width(entry.words, size) + 26;
     }
     const double length = round_length(0.2 * (high_[0] - low_[0]));
+    const std::string words = format_quantity(length, Dimension::length);
     const double right = drawing_.width() - page_.margin;
     const double left = right - length * scale_;
+    if (left - 14 - text_width(words, size) < x) {  // no room beside the entries
+        const double line = 1.6 * size;
+        y += line;
+        drawing_.set_height(drawing_.height() + static_cast<int>(line));
+    }
     drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
     for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);
-    drawing_.text({{left - 14, y}, format_quantity(length, Dimension::length), size, palette::ink, Anchor::end});
+    drawing_.text({{left - 14, y}, words, size, palette::ink, Anchor::end});
 }
 
 }  // namespace graincrack
