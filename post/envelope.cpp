@@ -109,6 +109,7 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
 EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRuns capped_runs) {
     EnvelopeTests tests;
     const RunData* first_compression = nullptr;
+    require_same_settings(runs, "an envelope");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "an envelope");
         if (run.header.test == "program") {

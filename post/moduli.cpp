@@ -1,5 +1,7 @@
 #include "post/moduli.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numeric>
 
@@ -40,7 +42,8 @@ const std::vector<std::string> columns{"file",
                                        "crack_initiation_lateral_response_pseudo_3d_MPa",
                                        "crack_damage_pseudo_3d_MPa",
                                        "crack_initiation_count_MPa",
-                                       "threshold_note"};
+                                       "threshold_note",
+                                       "warning"};
 
 void append(std::vector<Cell>& row, const ElasticPair& pair) {
     for (const Cell& cell : {Cell(pair.young_modulus * 1e-9), Cell(pair.poisson_ratio), Cell(pair.plane_young_modulus * 1e-9),
@@ -64,6 +67,19 @@ void append_thresholds(std::vector<Cell>& row, const RunData& run, const LoadCur
                      ": thresholds by 2D strains do not compare with laboratory ones directly");
 }
 
+/// What speaks against the moduli of a run.
+std::string warning(const Moduli& moduli, const std::string& kind) {
+    std::string words;
+    const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+    if (kind != "drop") add("no peak: shares are of the largest stress");
+    const double difference = moduli.chord.young_modulus / moduli.platen_young_modulus - 1;
+    if (std::abs(difference) > gauge_tolerance) {
+        add(fmt::format("by the gauges E is {:.0f} % {} than by the platens: not at rest, or not uniform",
+                        100 * std::abs(difference), difference > 0 ? "larger" : "smaller"));
+    }
+    return words;
+}
+
 std::vector<Cell> moduli_row(const std::string& path) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
@@ -84,7 +100,8 @@ std::vector<Cell> moduli_row(const std::string& path) {
     row.resize(21);
     row.emplace_back(kind);
     if (is_compression(run.header) && !kind.empty()) append_thresholds(row, run, curve);
-    row.resize(columns.size());
+    row.resize(columns.size() - 1);
+    row.push_back(measured ? Cell(warning(*measured, kind)) : Cell());
     return row;
 }
 

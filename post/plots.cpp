@@ -69,6 +69,12 @@ Drawing strength(const PostOptions& options) {
     return draw_strengths(read_runs(options.files), material);
 }
 
+Drawing trend(const PostOptions& options) {
+    std::ostream silence(nullptr);
+    std::ostream& notes = options.verbosity == Verbosity::quiet ? silence : std::cerr;
+    return draw_trend(collect_trends(options.files, options.trend, notes), options.trend);
+}
+
 Drawing law(const PostOptions& options) {
     if (options.files.empty() && options.material.empty()) {
         throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
@@ -102,7 +108,7 @@ Drawing picture_of(const PostOptions& options) {
         {"surface", [&] { return draw_surface(ccd::solve_problem(only_file(options), options.ccd)); }},
         {"law", [&] { return law(options); }},
         {"lennard-jones", [&] { return draw_lennard_jones(); }},
-        {"trend", [&] { return draw_trend(collect_trends(options.files, options.trend, std::cerr), options.trend); }},
+        {"trend", [&] { return trend(options); }},
         {"table", [&] { return draw_tables(options.files, options.table_plot); }},
     };
     const auto picture = pictures.find(options.picture);

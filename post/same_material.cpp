@@ -1,5 +1,7 @@
 #include "post/same_material.hpp"
 
+#include <map>
+
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -28,6 +30,29 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
         return "the stiffness or fracture energy of the contacts";
     }
     return "";
+}
+
+std::string setting_difference(const RunHeader& a, const RunHeader& b) {
+    if (a.plane != b.plane) return "the plane condition";
+    // The mean speed of an automatic rate is a result.
+    if (a.rate != b.rate || a.rate_tolerance != b.rate_tolerance || (a.rate != "auto" && a.platen_speed != b.platen_speed)) {
+        return "the rate";
+    }
+    if (a.damping != b.damping) return "the damping";
+    if (a.mass_scaling != b.mass_scaling || a.mass_scaling_factor != b.mass_scaling_factor) return "the mass scaling";
+    if (a.platen_friction != b.platen_friction) return "the friction of the platens";
+    return "";
+}
+
+void require_same_settings(const std::vector<RunData>& runs, const std::string& what) {
+    std::map<std::pair<std::string, double>, const RunData*> first;
+    for (const RunData& run : runs) {
+        const RunData& other = *first.try_emplace({run.header.test, run.header.confining_pressure}, &run).first->second;
+        const std::string difference = setting_difference(run.header, other.header);
+        if (difference.empty()) continue;
+        throw InputError(run.name + ": differs from " + other.name + " in " + difference + "; " + what +
+                         " needs tests of one kind that differ in their seeds only");
+    }
 }
 
 void require_same_material(const RunData& run, const RunData& first, const std::string& what) {

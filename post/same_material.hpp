@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "post/load_curve.hpp"
 
@@ -11,6 +12,12 @@ namespace graincrack {
 /// rock, contact parameters, peak drop; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
 /// compared in one plane condition only.
 std::string material_difference(const RunHeader& a, const RunHeader& b);
+
+/// What two runs of one test at one confining pressure differ in beside their seeds, so that their mean has no meaning: plane
+/// condition, rate, damping, mass scaling, friction of the platens; "" if nothing.
+std::string setting_difference(const RunHeader& a, const RunHeader& b);
+/// \throws InputError if a run of a test at one pressure differs in its settings from an earlier one of that test
+void require_same_settings(const std::vector<RunData>& runs, const std::string& what);
 
 /// \param what needs it, with an article: "an envelope" \throws InputError if the materials differ
 void require_same_material(const RunData& run, const RunData& first, const std::string& what);

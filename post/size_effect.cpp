@@ -83,6 +83,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std
 
 std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRuns capped_runs) {
     std::map<std::pair<std::string, double>, SizeSeries> series;
+    require_same_settings(runs, "a size effect");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a size effect");
         if (!(run.specimen.mean_edge > 0)) {

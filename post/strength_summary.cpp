@@ -27,6 +27,7 @@ Key key_of(const RunHeader& header) {
 
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     std::map<Key, Members> sets;
+    require_same_settings(runs, "a mean over runs");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a mean over runs");
         const Strength strength = measure_strength(run);

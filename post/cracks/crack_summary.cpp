@@ -23,7 +23,8 @@ const std::vector<std::string> columns{"file",
                                        "b_value",
                                        "b_value_error",
                                        "b_value_completeness",
-                                       "b_value_events"};
+                                       "b_value_events",
+                                       "peak_kind"};
 
 std::vector<Cell> balance_cells(const CrackBalance& b) {
     return {count_cell(b.tensile),        count_cell(b.shear),
@@ -68,11 +69,13 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
         for (Cell& each : balance_cells(balance_cracks(cracks, time))) row.push_back(std::move(each));
         return row;
     };
-    if (curve) {
-        std::vector<Cell> row = begin("peak", curve->peak);
-        row.resize(columns.size());
+    const Cell kind = curve ? Cell(peak_kind(run, *curve)) : Cell();
+    const auto finish = [&](std::vector<Cell> row) {
+        row.resize(columns.size() - 1);
+        row.push_back(kind);
         table.row(row);
-    }
+    };
+    if (curve) finish(begin("peak", curve->peak));
     std::vector<Cell> row = begin("end", run.history.size() - 1);
     row.emplace_back(static_cast<std::int64_t>(fragments.all.size()));
     row.emplace_back(static_cast<std::int64_t>(fragments.single_grains()));
@@ -83,8 +86,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
         for (const double value : {fit->b, fit->error, fit->completeness}) row.emplace_back(value);
         row.emplace_back(static_cast<std::int64_t>(fit->events));
     }
-    row.resize(columns.size());
-    table.row(row);
+    finish(std::move(row));
 }
 
 }  // namespace graincrack

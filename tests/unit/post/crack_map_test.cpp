@@ -143,6 +143,8 @@ TEST_F(CrackMap, CatalogueAndRosetteAreTables) {
     const std::string summary = test::read_text(map("summary.tsv"));
     EXPECT_EQ(test::field(summary, "at", 0), "peak");
     EXPECT_EQ(test::field(summary, "at", 1), "end");
+    EXPECT_EQ(test::field(summary, "peak_kind", 0), "drop");
+    EXPECT_EQ(test::field(summary, "peak_kind", 1), "drop");
     EXPECT_EQ(test::field(summary, "share_with_more_sliding", 1), "0");  // 1 µm against 2 µm of opening
     EXPECT_EQ(test::field(summary, "fragments", 1), "1");
     EXPECT_EQ(test::parse_tsv(test::read_text(map("fragment-counts.tsv"))).size(), 4U);

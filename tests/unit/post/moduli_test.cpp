@@ -41,6 +41,20 @@ TEST(Moduli, PlaneStrainIsConverted) {
     EXPECT_NEAR(value(table, "platen_young_modulus_GPa"), 26 / 1.02 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);
 }
 
+TEST(Moduli, WhatSpeaksAgainstThemStandsInTheRow) {
+    Recipe recipe;
+    EXPECT_EQ(field(table_of(recipe), "warning"), "");  // the platens see 2 % more strain
+    recipe.platen_compliance = 1.1;
+    recipe.drop = 0;
+    recipe.stop_reason = "strain cap";
+    EXPECT_EQ(
+        field(table_of(recipe), "warning"),
+        "no peak: shares are of the largest stress; by the gauges E is 10 % larger than by the platens: not at rest, or not "
+        "uniform");
+    recipe.test = "brazilian";
+    EXPECT_EQ(field(table_of(recipe), "warning"), "");  // no moduli
+}
+
 TEST(Moduli, ConventionsTakeTheirPartOfTheCurve) {
     Recipe recipe;
     recipe.rows = 1001;
