@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace graincrack::ccd {
 
@@ -56,6 +57,76 @@ Place descend(const Objective& objective, Place start, double step) {
         for (std::size_t k = 0; k < n; ++k) start[k] = gsl_vector_get(minimizer->x, k);
     }
     return start;
+}
+
+/// The x of least norm with J x = b, by singular values; empty if rows of J depend on each other.
+std::optional<Place> least_norm(const std::vector<Place>& jacobian, const std::vector<double>& b) {
+    const std::size_t m = jacobian.size();
+    const std::size_t n = jacobian[0].size();
+    std::vector<double> u(n * m);  // Jᵀ = U S Vᵀ
+    for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t k = 0; k < n; ++k) u[k * m + i] = jacobian[i][k];
+    }
+    std::vector<double> v(m * m);
+    std::vector<double> s(m);
+    std::vector<double> work(m);
+    gsl_matrix_view U = gsl_matrix_view_array(u.data(), n, m);
+    gsl_matrix_view V = gsl_matrix_view_array(v.data(), m, m);
+    gsl_vector_view S = gsl_vector_view_array(s.data(), m);
+    gsl_vector_view W = gsl_vector_view_array(work.data(), m);
+    gsl_linalg_SV_decomp(&U.matrix, &V.matrix, &S.vector, &W.vector);
+    if (!(s[m - 1] > 1e-10 * s[0])) return std::nullopt;
+    Place x(n, 0.0);
+    for (std::size_t j = 0; j < m; ++j) {
+        double share = 0;
+        for (std::size_t i = 0; i < m; ++i) share += v[i * m + j] * b[i];
+        for (std::size_t k = 0; k < n; ++k) x[k] += u[k * m + j] * share / s[j];
+    }
+    return x;
+}
+
+/// The place nearest to the centre where all targets are met: of the models made straight at a place the nearest is known;
+/// from there again. Empty if that does not settle.
+std::optional<Place> nearest_to_centre(const std::vector<Model>& models, const std::vector<Goal>& goals, Place place) {
+    constexpr double step = 1e-4;
+    constexpr double share = 0.3;  // of the way each time: all of it may overshoot where the models bend
+    for (int round = 0; round < 500; ++round) {
+        std::vector<Place> jacobian;
+        std::vector<double> b;
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            Place slope(place.size());
+            for (std::size_t k = 0; k < place.size(); ++k) {
+                Place low = place;
+                Place high = place;
+                low[k] -= step;
+                high[k] += step;
+                slope[k] = (models[i].predict(high) - models[i].predict(low)) / (2 * step);  // exact for a quadratic
+            }
+            b.push_back(goals[i].target - models[i].predict(place) +
+                        std::inner_product(slope.begin(), slope.end(), place.begin(), 0.0));
+            jacobian.push_back(std::move(slope));
+        }
+        const std::optional<Place> next = least_norm(jacobian, b);
+        if (!next) return std::nullopt;
+        if (distance(*next, place) < 1e-11) return next;
+        for (std::size_t k = 0; k < place.size(); ++k) place[k] += share * ((*next)[k] - place[k]);
+    }
+    return std::nullopt;
+}
+
+/// What is left of optima that stand for a line of them or more.
+std::vector<Optimum> without_choice(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region,
+                                    std::vector<Optimum> optima) {
+    const auto targets = static_cast<std::size_t>(
+        std::count_if(goals.begin(), goals.end(), [](const Goal& g) { return g.kind == Goal::Kind::target; }));
+    constexpr double met = 1 - 1e-6;
+    if (optima.empty() || optima[0].desirability < met || targets >= region.n_factors()) return optima;
+    optima.resize(1);
+    optima[0].free_factors = region.n_factors() - targets;
+    if (targets < goals.size()) return optima;
+    const auto nearest = nearest_to_centre(models, goals, optima[0].coded);
+    if (nearest && region.holds(*nearest) && desirability(models, goals, *nearest) >= met) optima[0].coded = *nearest;
+    return optima;
 }
 
 /// As many points along a factor as keep the grid small.
@@ -130,7 +201,7 @@ std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<G
         const auto same = [&](const Optimum& other) { return distance(each.coded, other.coded) < 1e-3; };
         if (std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(each);
     }
-    return distinct;
+    return without_choice(models, goals, region, std::move(distinct));
 }
 
 ConfidenceRegion::ConfidenceRegion(std::vector<Model> models, std::vector<double> targets)

@@ -28,10 +28,13 @@ private:
 struct Optimum {
     std::vector<double> coded;
     double desirability = 0;
+    /// Factors that the goals leave free: with fewer targets than factors all goals are met along a line or more, of which this is
+    /// the place nearest to the centre.
+    std::size_t free_factors = 0;
 };
 
 /// All places of the largest desirability that the search finds, the nearest to the centre first: a grid, then simplexes
-/// (Nelder–Mead, GSL) from its best points. Empty if the desirability is 0 everywhere.
+/// (Nelder–Mead, GSL) from its best points. One place if the goals leave factors free. Empty if the desirability is 0 everywhere.
 /// \param models one for each goal
 std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region);
 

@@ -124,7 +124,8 @@ std::vector<std::string> solution_columns(const Problem& problem) {
     for (const Factor& factor : problem.runs.factors) {
         for (const char* end : {"", "_region_low", "_region_high"}) columns.push_back(factor.name + end);
     }
-    for (const char* name : {"desirability", "region_share_of_design", "region_reaches_edge"}) columns.emplace_back(name);
+    for (const char* name : {"desirability", "region_share_of_design", "region_reaches_edge", "free_factors"})
+        columns.emplace_back(name);
     for (const Goal& goal : problem.goals) {
         for (const char* end : {"", "_confidence_low", "_confidence_high", "_prediction_low", "_prediction_high"}) {
             columns.push_back(goal.response + end);
@@ -146,6 +147,7 @@ std::vector<Cell> solution_row(const Problem& problem, std::size_t index, const 
     row.emplace_back(optimum.desirability);
     row.push_back(extent ? Cell(extent->share) : Cell());
     row.push_back(extent ? Cell(std::string(extent->reaches_edge ? "yes" : "no")) : Cell());
+    row.emplace_back(static_cast<std::int64_t>(optimum.free_factors));
     for (const Model& model : problem.models) {
         const Estimate mean = model.confidence(optimum.coded);
         const Estimate single = model.prediction(optimum.coded);

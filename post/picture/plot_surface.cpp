@@ -129,6 +129,10 @@ Drawing draw_surface(const ccd::Problem& problem) {
     const Plane plane(problem);
     std::vector<std::string> words{fmt::format("desirability {:.4g} by the quadratic models of {} runs",
                                                problem.optima[0].desirability, problem.runs.coded.size())};
+    if (problem.optima[0].free_factors > 0) {
+        words.push_back(
+            fmt::format("the goals leave {} of the factors free: nearest to the centre", problem.optima[0].free_factors));
+    }
     if (problem.runs.factors.size() > 2) words.emplace_back("further factors are held at the optimum");
     Chart chart({optimum_words(problem), words}, plane.axis(0), plane.axis(1));
     draw_region(chart, plane, problem);

@@ -127,6 +127,7 @@ TEST(CcdSolve, Table7GivesThePapersOptimum) {
     const std::vector<Model> models{paper.cohesion(), paper.friction()};
     const auto optimum = paper.solve_with(models);
     ASSERT_EQ(optimum.size(), 1U);  // the other root, (5.75, 4.51), lies outside the design
+    EXPECT_EQ(optimum[0].free_factors, 0U);
     EXPECT_NEAR(optimum[0].desirability, 1, 1e-6);
     EXPECT_NEAR(optimum[0].coded[0], 0.443, 0.0006);
     EXPECT_NEAR(optimum[0].coded[1], -0.533, 0.0006);
@@ -213,6 +214,33 @@ TEST(Desirability, IsThatOfDerringerAndSuich) {
     }
     Goal outside = parse_goal("y=99", Goal::Kind::target, "--target");
     EXPECT_THROW(set_limits(outside, {1, 2, 3}), UsageError);
+}
+
+TEST(CcdSolve, FewerTargetsThanFactorsGiveTheNearestToTheCentre) {
+    const auto runs = coded_runs(3, Star::rotatable, 3);
+    std::vector<double> plane;
+    std::vector<double> sphere;
+    for (const auto& x : runs) {
+        plane.push_back(x[0] + 2 * x[1] + 2 * x[2]);
+        sphere.push_back(std::pow(x[0] - 2, 2) + x[1] * x[1] + x[2] * x[2]);
+    }
+    const Region region(runs);
+    const Model first(quadratic_terms(3), runs, plane);
+    const Model second(quadratic_terms(3), runs, sphere);
+    const auto target = [](const std::string& text) { return parse_goal(text, Goal::Kind::target, "--target"); };
+    const auto on_plane = solve({first}, {target("y=-9:3:9")}, region);
+    ASSERT_EQ(on_plane.size(), 1U);
+    EXPECT_EQ(on_plane[0].free_factors, 2U);
+    // (1, 2, 2)/3: the foot of the normal from the centre, 1 away
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(on_plane[0].coded[k], k == 0 ? 1.0 / 3 : 2.0 / 3, 1e-9);
+    const auto on_sphere = solve({second}, {target("y=0:1:20")}, region);
+    ASSERT_EQ(on_sphere.size(), 1U);
+    EXPECT_NEAR(on_sphere[0].coded[0], 1, 1e-9);  // the point of the unit sphere about (2, 0, 0) that looks to the centre
+    EXPECT_NEAR(on_sphere[0].coded[1], 0, 1e-9);
+    const auto on_both = solve({first, second}, {target("y=-9:1:9"), target("z=0:1:20")}, region);
+    ASSERT_EQ(on_both.size(), 1U);
+    EXPECT_EQ(on_both[0].free_factors, 1U);
+    EXPECT_NEAR(on_both[0].coded[0], 1, 1e-9);
 }
 
 TEST(CcdSolve, MaximumOnTheBorderOfTheDesignIsFound) {
