@@ -29,7 +29,7 @@ struct PostOptions {
     PlaneCondition plane = PlaneCondition::strain;
     std::optional<FractureEnergyChoice> fracture_energy;
     TableFormat format = TableFormat::tsv;
-    std::vector<std::string> laboratory;  ///< plot curve: tables of measured curves
+    std::vector<std::string> laboratory;  ///< plot curve, envelope: tables of measured curves or strengths
     ccd::Options ccd;
     bool follow = false;
     std::string probe;    ///< history: of a program

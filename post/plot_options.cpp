@@ -66,7 +66,10 @@ void add_plots(CLI::App& app, PostOptions& options) {
     add_maps(*plot, options);
     add_picture(*plot, options, "energy", "the energy ledger over the strain", "run");
     add_picture(*plot, options, "thresholds", "crack initiation and damage on stress and volumetric strain", "run");
-    add_capped(add_picture(*plot, options, "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes", "runs"), options);
+    CLI::App* envelope = add_picture(*plot, options, "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes", "runs");
+    add_capped(envelope, options);
+    add_names(envelope, "--laboratory", options.laboratory, "FILE",
+              "table of measured strengths: confining_pressure_MPa, strength_MPa");
     add_capped(add_picture(*plot, options, "size-effect", "strength against mean edge with the power law", "runs"), options);
     CLI::App* surface = add_command(*plot, "surface", "contours of response surfaces with the optimum and its joint region");
     add_model(surface, options);

@@ -40,7 +40,9 @@ Drawing curves(const PostOptions& options) {
 
 Drawing envelope(const PostOptions& options) {
     const std::vector<RunData> runs = read_runs(options.files);
-    return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material);
+    std::vector<LaboratoryStrengths> laboratory;
+    for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
+    return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material, laboratory);
 }
 
 Drawing rosette(const PostOptions& options) {

@@ -39,7 +39,8 @@ std::string setting_difference(const RunHeader& a, const RunHeader& b) {
         return "the rate";
     }
     if (a.damping != b.damping) return "the damping";
-    if (a.mass_scaling != b.mass_scaling || a.mass_scaling_factor != b.mass_scaling_factor) return "the mass scaling";
+    // Its factor follows the specimen.
+    if (a.mass_scaling != b.mass_scaling) return "the mass scaling";
     if (a.platen_friction != b.platen_friction) return "the friction of the platens";
     return "";
 }

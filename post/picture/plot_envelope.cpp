@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 
 #include "post/picture/chart.hpp"
+#include "post/picture/numbers.hpp"
+#include "post/table_file.hpp"
 
 namespace graincrack {
 
@@ -36,12 +39,13 @@ Points circle(double low, double high) {
     return points;
 }
 
+/// The part of the line above τ = 0, up to a normal stress.
 Points line_of(const Envelope& envelope, double high) {
     const double tangent = std::tan(envelope.friction_angle.value);
     const double cohesion = envelope.cohesion.value * mega;
+    const double low = tangent > 0 ? std::max(-cohesion / tangent, -high) : -high;
     Points points;
-    points.add(-cohesion / tangent, 0);
-    points.add(high, cohesion + high * tangent);
+    for (const double normal : {low, high}) points.add(normal, cohesion + normal * tangent);
     return points;
 }
 
@@ -67,24 +71,35 @@ double largest_confining(const EnvelopeTests& tests) {
     return largest;
 }
 
-Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title) {
+std::string interval_words(const Estimate& e, double factor) {
+    return e.low ? fmt::format(" [{:.1f}, {:.1f}]", *e.low * factor, *e.high * factor) : std::string();
+}
+
+std::string line_words(const Envelope& envelope) {
+    const auto& c = envelope.cohesion;
+    const auto& phi = envelope.friction_angle;
+    if (!std::isfinite(c.value)) return "no Mohr–Coulomb line: the strength falls with the confining pressure";
+    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * mega, interval_words(c, mega),
+                       phi.value * degrees, interval_words(phi, degrees), envelope.line.r_squared);
+}
+
+Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
+           const std::vector<LaboratoryStrengths>& laboratory) {
     double right = 0;
     double radius = 0;
-    for (const auto& test : tests.compression) {
-        right = std::max(right, test.strength * mega);
-        radius = std::max(radius, (test.strength - test.confining) / 2 * mega);
+    const auto include = [&](double confining, double strength) {
+        right = std::max(right, strength * mega);
+        radius = std::max(radius, (strength - confining) / 2 * mega);
+    };
+    for (const auto& test : tests.compression) include(test.confining, test.strength);
+    for (const auto& set : laboratory) {
+        for (std::size_t i = 0; i < set.strength.size(); ++i) include(set.confining[i], set.strength[i]);
     }
     double left = 0.06 * right;
     for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
         for (const double strength : *strengths) left = std::max(left, 1.3 * strength * mega);
     }
-    const auto& c = envelope.cohesion;
-    const auto& phi = envelope.friction_angle;
-    const auto interval = [](const Estimate& e, double factor) {
-        return e.low ? fmt::format(" [{:.1f}, {:.1f}]", *e.low * factor, *e.high * factor) : std::string();
-    };
-    std::vector<std::string> words{fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * mega, interval(c, mega),
-                                               phi.value * degrees, interval(phi, degrees), envelope.line.r_squared)};
+    std::vector<std::string> words{line_words(envelope)};
     if (tests.capped > 0) words.push_back(fmt::format("{} of the tests ended by the strain cap, not by a peak", tests.capped));
     return {ChartText{title, words}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
             Axis{"shear stress, MPa", 0, 1.3 * radius}, std::nullopt, true};
@@ -113,17 +128,37 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
     tensile(tests.direct_tension, 0, palette::tensile, "direct tension");
 }
 
+void draw_laboratory(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
+    for (const auto& set : laboratory) {
+        const Stroke stroke{palette::ink, 2, true};
+        for (std::size_t i = 0; i < set.strength.size(); ++i) {
+            const Points points = circle(set.confining[i], set.strength[i]);
+            chart.line(points.x, points.y, stroke);
+        }
+        chart.legend(stroke, "laboratory: " + set.name);
+    }
+}
+
 }  // namespace
 
-Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title) {
+LaboratoryStrengths read_laboratory_strengths(const std::string& path) {
+    const TableFile table(path);
+    return {std::filesystem::path(table.name()).filename().string(), times(table.numbers("confining_pressure_MPa"), 1e6),
+            times(table.numbers("strength_MPa"), 1e6)};
+}
+
+Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const std::vector<LaboratoryStrengths>& laboratory) {
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-    Chart chart = page(tests, envelope, title);
+    Chart chart = page(tests, envelope, title, laboratory);
     draw_circles(chart, tests);
+    draw_laboratory(chart, laboratory);
     double right = 0;
     for (const auto& test : tests.compression) right = std::max(right, test.strength * mega);
-    const Points line = line_of(envelope, right);
-    chart.line(line.x, line.y, Stroke{palette::ink, 4});
-    chart.legend(Stroke{palette::ink, 4}, "Mohr–Coulomb");
+    if (std::isfinite(envelope.cohesion.value)) {
+        const Points line = line_of(envelope, right);
+        chart.line(line.x, line.y, Stroke{palette::ink, 4});
+        chart.legend(Stroke{palette::ink, 4}, "Mohr–Coulomb");
+    }
     if (envelope.hoek_brown) {
         const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / mega));
         chart.line(hull.x, hull.y, Stroke{palette::ink, 3, true});

@@ -207,6 +207,13 @@ TEST_F(Picture, EnvelopeShowsCirclesAndBothCurves) {
     for (const char* words : {"σ3 = 4 MPa", "Mohr–Coulomb", "Hoek–Brown", "centre of the disc", "φ = 53.1"}) {
         EXPECT_NE(svg.find(words), std::string::npos) << words;  // sin φ = 8/10
     }
+    std::ofstream(path("lab.tsv")) << "confining_pressure_MPa\tstrength_MPa\n0\t100\n8\t400\n";
+    const std::vector<LaboratoryStrengths> laboratory{read_laboratory_strengths(path("lab.tsv"))};
+    EXPECT_EQ(laboratory[0].strength, (std::vector<double>{100e6, 400e6}));
+    EXPECT_NE(to_svg(draw_envelope(tests, "rock", laboratory)).find("laboratory: lab.tsv"), std::string::npos);
+    for (auto& test : tests.compression) test.strength = 200e6 - 9 * test.confining;
+    EXPECT_NE(to_svg(draw_envelope(tests, "rock")).find("no Mohr–Coulomb line"), std::string::npos);
+    for (auto& test : tests.compression) test.strength = 120e6 + 9 * test.confining;
     write_picture(draw_envelope(tests, "rock"), path("envelope.png"));
     EXPECT_GT(pixels_of(path("envelope.png"), palette::series(0)), 500);
 }
