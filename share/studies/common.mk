@@ -17,7 +17,8 @@
 #     make MATERIAL=my.toml    another rock              make OUT=/scratch    where results go
 #     make -j 2                runs side by side         make THREADS=2       threads of a run
 #     make LAUNCH="srun …"     what to start runs with   make MAX_STRAIN=0.01 where runs without a peak end
-#     make GF=90               fracture energy, J/m²     make LAW=scaled      another contact law
+#     make GF=90               fracture energy, J/m²     make OPEN=7.7        shear strength of open contacts, MPa
+#     make LAW=scaled          another contact law
 #     make -n                  what would be done        make clean           away with tables and pages; distclean: runs too
 #
 # A run or table appears whole or not at all. A failing run stops the study with the run's own message.
@@ -25,7 +26,6 @@ SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c
 export LC_ALL := C
 .DELETE_ON_ERROR:
-.SECONDARY:
 .SECONDEXPANSION:
 .DEFAULT_GOAL = all
 
@@ -37,6 +37,8 @@ OUT ?= $(STUDIES)/results
 override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(PWD)/)$(OUT))
 HERE := $(OUT)/$(STUDY)
 SPECIMENS := $(OUT)/specimens
+# What rules make on the way is kept.
+.PRECIOUS: $(SPECIMENS)/%.h5 $(HERE)/%
 
 # --- the rock --------------------------------------------------------------------------------------------------------
 
@@ -65,6 +67,7 @@ THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
 LAUNCH ?=
 OPTIONS ?=
 GF ?=
+OPEN ?=
 LAW ?=
 MAX_STRAIN ?=
 export GRAINCRACK_MASS_SCALING ?= selective
@@ -83,7 +86,7 @@ shape_of = $(if $(filter brazilian,$(1)),disc,rectangle)
 extent_rectangle = $(WIDTH)x$(HEIGHT)
 extent_disc = $(DIAMETER)
 # What a run has besides what its study asks for.
-user_tokens = $(if $(findstring _law-,$(1)),,$(if $(LAW),_law-$(LAW)))$(if $(findstring _gf,$(1)),,$(if $(GF),_gf$(GF)))$(if $(findstring _cap,$(1)),,$(if $(MAX_STRAIN),_cap$(MAX_STRAIN)))
+user_tokens = $(if $(findstring _law-,$(1)),,$(if $(LAW),_law-$(LAW)))$(if $(findstring _gf,$(1)),,$(if $(GF),_gf$(GF)))$(if $(findstring _os,$(1)),,$(if $(OPEN),_os$(OPEN)))$(if $(findstring _cap,$(1)),,$(if $(MAX_STRAIN),_cap$(MAX_STRAIN)))
 # $(call run,TEST,SIZE,SEED,TOKENS); no SIZE: the usual one. TOKENS are joined by _, as in tc18_cc122
 run = $(call run_name,$(1),$(call shape_of,$(1)),$(2),$(3),$(if $(4),_$(4)))
 run_name = $(RUNS)/$(1)_$(2)$(extent_$(2))$(or $(3),$(SIZE_$(2)))-s$(4)$(5)$(call user_tokens,$(5)).h5
@@ -142,6 +145,14 @@ endef
 run_files = $(patsubst $(RUNS)/%,%,$(filter $(RUNS)/%,$^))
 # $(call of_runs,SUBCOMMAND): the postprocessor on these
 of_runs = cd $(RUNS) && $(POST) --quiet $(1) $(run_files)
+# Tables that depend on runs depend on this list too: with other SEEDS they are made anew, though no run is.
+runs_list = $(HERE)/runs.txt
+material_sum := $(firstword $(shell cksum <$(MATERIAL_FILE)))
+runs_listed = $(material_sum) $(runs)
+$(runs_list): $$(if $$(filter-out $$(runs_listed),$$(file <$$@))$$(filter-out $$(file <$$@),$$(runs_listed)),FORCE)
+	@mkdir -p $(@D)
+	@$(call lines,$(runs_listed)) >$@
+FORCE:
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
 # A page: a text of the study, its claims, its tables and pictures, as they stand among the prerequisites.
 page = $(call table,awk $(call lib,page) $(filter-out $(RUNS)/%,$^))

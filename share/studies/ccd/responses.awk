@@ -1,6 +1,6 @@
 # design.tsv and strength.tsv to a row a point of the design: strengths at each pressure by each reading of "strength", and C and φ
 # from the line σ1 = a + b σ3 through them (sin φ = (b − 1)/(b + 1), C = a/(2√b)), by peak and by every other reading.
-# Set by -v: pressures.
+# Set by -v: pressures; first_seed, of the first point.
 BEGIN {
     FS = "\t"
     pi = 4 * atan2(1, 1)
@@ -13,7 +13,7 @@ BEGIN {
 FNR == 1 { head(); ++file; next }
 file == 1 { design[value("run")] = value("x1") "\t" value("x2") "\t" value("contact_cohesion_MPa") "\t" value("contact_friction_angle_deg"); order[++n] = value("run"); next }
 {
-    point = seed_of(value("file"))
+    point = seed_of(value("file")) - first_seed + 1
     sigma3 = confinement(value("file"))
     for (i = 1; i <= n_readings; ++i) stress[point, sigma3, reading[i]] = value(column_of[reading[i]])
     if (value("peak_kind") != "drop") ++capped[point]
@@ -36,7 +36,7 @@ END {
         print line_out
     }
 }
-# Sets cohesion, angle and slope; empty unless there is a stress at every pressure and a slope above 0.
+# Sets cohesion, angle and slope; empty unless there is a stress at every pressure, C and φ also unless the slope is above 0.
 function fit(point, kind,    j, key) {
     cohesion = angle = slope = ""
     key = point " " kind
@@ -47,8 +47,8 @@ function fit(point, kind,    j, key) {
     }
     if (n_pressures < 2) return
     line(key " x", key " y")
-    if (line_b <= 0) return
     slope = sprintf("%.5g", line_b)
+    if (line_b <= 0) return
     cohesion = sprintf("%.5g", line_a / (2 * sqrt(line_b)))
     angle = sprintf("%.5g", 180 / pi * atan2(line_b - 1, 2 * sqrt(line_b)))  # tan φ = (b − 1)/(2√b)
 }
