@@ -1,0 +1,9 @@
+# Some runs and a table of them, for the driver: WANTED, entries TEST:TOKENS; SEEDS; COMMAND, of the postprocessor; TABLE, the file.
+include ../common.mk
+runs := $(foreach w,$(WANTED),$(foreach s,$(SEEDS),$(call run,$(firstword $(subst :, ,$(w))),,$(s),$(lastword $(subst :, ,$(w))))))
+all: $(TABLE)
+$(TABLE): $(runs) FORCE
+	$(call table,$(call of_runs,$(COMMAND)))
+# Prints the specimen of the first run, made if need be.
+specimen: $(SPECIMENS)/$(word 2,$(call words_of,$(firstword $(runs)))).h5
+	@echo $<
