@@ -1,10 +1,17 @@
 #include "post/same_material.hpp"
 
+#include <cmath>
 #include <map>
 
 #include "share/error.hpp"
 
 namespace graincrack {
+namespace {
+
+/// Derived in each plane condition from other numbers, the same strength differs in its last digits.
+bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
+
+}  // namespace
 
 std::string material_difference(const RunHeader& a, const RunHeader& b) {
     if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
@@ -17,7 +24,7 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
     const ContactParameters& p = a.contact;
     const ContactParameters& q = b.contact;
     if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle ||
-        p.open_shear_strength != q.open_shear_strength) {
+        differs(p.open_shear_strength, q.open_shear_strength)) {
         return "the contact parameters";
     }
     if (p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||

@@ -33,8 +33,9 @@ STUDIES := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 STUDY ?= $(notdir $(CURDIR))
 BIN ?= $(if $(wildcard $(STUDIES)/../../build/bin/graincrack-solve),$(abspath $(STUDIES)/../../build/bin),$(patsubst %/,%,$(dir $(shell command -v graincrack-solve))))
 OUT ?= $(STUDIES)/results
-# A relative path is relative to where make was called.
-override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(PWD)/)$(OUT))
+# A relative path is relative to where make was called first.
+export CALLED_FROM ?= $(PWD)
+override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(CALLED_FROM)/)$(OUT))
 HERE := $(OUT)/$(STUDY)
 SPECIMENS := $(OUT)/specimens
 # What rules make on the way is kept.
@@ -43,7 +44,7 @@ SPECIMENS := $(OUT)/specimens
 # --- the rock --------------------------------------------------------------------------------------------------------
 
 MATERIAL ?= augig-granite
-MATERIAL_FILE := $(abspath $(firstword $(wildcard $(MATERIAL) $(PWD)/$(MATERIAL) $(STUDIES)/../materials/$(MATERIAL).toml)))
+MATERIAL_FILE := $(abspath $(firstword $(wildcard $(filter /%,$(MATERIAL)) $(CALLED_FROM)/$(MATERIAL) $(STUDIES)/../materials/$(MATERIAL).toml)))
 $(if $(MATERIAL_FILE),,$(error MATERIAL=$(MATERIAL): no such file, nor a name in share/materials))
 MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' -e 's/[[:space:]]*$$//' $(MATERIAL_FILE) | \
                  awk '/^\[/ { on = $$0 != "[laboratory]" } on && NF' | cksum | awk '{ printf "%04x", $$1 % 65536 }')
@@ -78,6 +79,8 @@ export GRAINCRACK_FRAMES ?= 0
 comma := ,
 empty :=
 space := $(empty) $(empty)
+# $(call times,SHARES,VALUE): numbers
+times = $(shell awk 'BEGIN { n = split("$(1)", s, " "); for (i = 1; i <= n; ++i) printf "%s%.6g", (i > 1 ? " " : ""), s[i] * $(2) }')
 # $(call unique,LIST): without repetitions, in its order
 unique = $(if $(1),$(firstword $(1)) $(call unique,$(filter-out $(firstword $(1)),$(1))))
 # $(call lines,LIST): a line each, for the shell
@@ -157,10 +160,12 @@ lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
 # A page: a text of the study, its claims, its tables and pictures, as they stand among the prerequisites.
 page = $(call table,awk $(call lib,page) $(filter-out $(RUNS)/%,$^))
 
-.PHONY: all clean distclean print-runs
-# Names of the runs, a line each: what a job array goes through.
+.PHONY: all clean distclean print-runs print-here
+# For job-array: the files of the runs, a line each, and the folder of the study.
 print-runs:
-	@$(call lines,$(sort $(runs)))
+	@$(if $(runs),$(call lines,$(runs)))
+print-here:
+	@echo $(HERE)
 clean:
 	rm -rf -- $(HERE)
 distclean: clean

@@ -13,11 +13,11 @@ file == 1 {
     row(p, (p in from) ? from[p] : p ~ /^s1_at_/ ? "fitted, by b" : "predicted", value("laboratory"), value("ours"), value("half_interval_percent"))
     next
 }
-file == 2 && value("test") == "tension" { row("direct_tensile_strength_MPa", "predicted", "", value("strength_MPa"), half()); next }
+file == 2 && value("test") == "tension" { row("direct_tensile_strength_MPa", "predicted", "", value("strength_MPa"), interval()); next }
 file == 2 {
     p = value("confining_pressure_MPa")
     bound["s1_at_" p "_MPa"] = 0.05
-    row("s1_at_" p "_MPa", value("runs_without_peak") > 0 ? "predicted, " value("runs_without_peak") " of " value("runs") " without a peak" : "predicted", cohesion == "" ? ucs + b * p : 2 * cohesion * sqrt(b) + b * p, value("strength_MPa"), half())
+    row("s1_at_" p "_MPa", value("runs_without_peak") > 0 ? "predicted, " value("runs_without_peak") " of " value("runs") " without a peak" : "predicted", cohesion == "" ? ucs + b * p : 2 * cohesion * sqrt(b) + b * p, value("strength_MPa"), interval())
     next
 }
 test_of(value("file")) == "uniaxial" {
@@ -29,7 +29,7 @@ END {
     threshold("crack_damage_2d_MPa")
     printf "mode_i_toughness\tnot tested\t\t\t\t\t\tno specimen with a notch can be made yet\n"
 }
-function half() { return value("strength_low_MPa") == "" ? "" : sprintf("%.2f", 50 * (value("strength_high_MPa") - value("strength_low_MPa")) / value("strength_MPa")) }
+function interval() { return value("strength_low_MPa") == "" ? "" : sprintf("%.2f", 50 * (value("strength_high_MPa") - value("strength_low_MPa")) / value("strength_MPa")) }
 function threshold(p) { if (count(p)) row(p, "predicted", "", mean(p), count(p) > 1 ? sprintf("%.2f", 100 * half_interval(p) / mean(p)) : "") }
 function row(p, origin, laboratory, ours, half,    off, limit, verdict) {
     if (p == "poisson_ratio") { limit = 0.015; off = ours - laboratory }

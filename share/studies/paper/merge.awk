@@ -1,0 +1,30 @@
+# claims.tsv of the studies to one row a claim: at the paper's microparameters, and at ours. Rows of Table 9 become one.
+# Set by -v: n_theirs, how many of the files come first, those at the paper's microparameters.
+BEGIN { FS = "\t" }
+FNR == 1 { head(); ++file; next }
+{
+    key = value("study") "\t" value("claim")
+    if (value("claim") ~ /^Table 9/) {
+        ++n_table
+        if (value("verdict") == "holds") ++n_table_holds
+        if (n_table == 1) order[++n] = "table 9"
+        next
+    }
+    if (!(key in paper)) { order[++n] = key; paper[key] = value("paper") }
+    side = file <= n_theirs ? "theirs" : "ours"
+    result[key, side] = value("ours"); difference[key, side] = value("difference"); verdict[key, side] = value("verdict")
+    if (value("explanation") != "" && explanation[key] == "") explanation[key] = value("explanation")
+    else if (value("explanation") != "" && value("explanation") != explanation[key]) explanation[key] = explanation[key] "; at our point: " value("explanation")
+}
+END {
+    print "study\tclaim\tpaper\tat_the_paper's_point\tdifference\tverdict\tat_our_point\tdifference\tverdict\texplanation"
+    for (i = 1; i <= n; ++i) {
+        key = order[i]
+        if (key == "table 9") {
+            printf "fpz\tTable 9, Eq 31: b(m, n)\t%d numbers\t%d equal when rounded\t\t%s\t\t\t\t\n", n_table, n_table_holds, n_table == n_table_holds ? "holds" : "differs"
+            continue
+        }
+        printf "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", key, paper[key], result[key, "theirs"], difference[key, "theirs"], verdict[key, "theirs"],
+            result[key, "ours"], difference[key, "ours"], verdict[key, "ours"], explanation[key]
+    }
+}

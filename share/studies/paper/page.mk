@@ -1,0 +1,16 @@
+# The page of `paper`, from what the studies left.
+runs =
+include ../common.mk
+calibration := $(OUT)/calibrate/$(basename $(notdir $(MATERIAL_FILE)))
+theirs = $(patsubst %,$(OUT)/%/claims.tsv,$(AT_THEIRS))
+ours = $(wildcard $(patsubst %,$(HERE)/ours/%/claims.tsv,$(AT_OURS)) $(calibration)/confirmation/claims.tsv)
+all: $(HERE)/page.md
+$(HERE)/claims.tsv: $(theirs) $(ours) merge.awk
+	$(call table,awk -v n_theirs=$(words $(theirs)) $(call lib,names) -f merge.awk $(theirs) $(ours))
+$(HERE)/summary.tsv: $(HERE)/claims.tsv
+	$(call table,awk $(call lib,names) -f summary.awk $<)
+$(HERE)/calibration.md: $(calibration)/report.md
+	$(call table,awk '/^## /{ exit } { sub(/^# /, "## ") } 1; END { print "[The whole report](../calibrate/$(notdir $(calibration))/report.md), with every step." }' $<)
+$(HERE)/page.md: about.md $(HERE)/summary.tsv $(HERE)/claims.tsv $(HERE)/calibration.md $(wildcard $(calibration)/results.tsv) pictures.md
+	$(call table,awk $(call lib,page) $^)
+	@echo "$@"
