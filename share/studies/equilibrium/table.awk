@@ -4,7 +4,7 @@ BEGIN { FS = "\t" }
 FNR == 1 { head(); next }
 {
     test = test_of(value("file"))
-    name = test "-" seed_of(value("file")) "-" tokens(value("file"))
+    name = test "-" seed_of(value("file")) "-" variant(value("file"))
     peak[name] = value("peak_compressive_stress_MPa") value("tensile_strength_MPa")
     ledger[test] = max(ledger[test], value("ledger_residual"))
     if (name !~ /-slow$/) forces[test] = max(forces[test], value("platen_force_difference"))

@@ -29,6 +29,6 @@ function token(file, name,    n, parts, i) {
 }
 # Has the name this very token?
 function has_token(file, name) { return index("_" stem(file) "_", "_" name "_") > 0 }
-# The tokens behind test and specimen.
-function tokens(file) { file = stem(file); return sub(/^[^_]*_[^_]*_/, "", file) ? file : "" }
+# The first token behind test and specimen.
+function variant(file,    parts) { split(stem(file), parts, "_"); return parts[3] }
 function confinement(file) { file = test_of(file); return sub(/^triaxial/, "", file) ? file + 0 : 0 }

@@ -4,14 +4,14 @@ BEGIN { FS = "\t" }
 FNR == 1 { head(); next }
 has("share_with_more_sliding") {
     if (value("at") != "peak") next
-    run = tokens(value("file"))
+    run = variant(value("file"))
     add("tensile", run, value("tensile_cracks"))
     add("shear", run, value("shear_cracks"))
     if (value("share_with_more_sliding") != "") add("sliding", run, value("share_with_more_sliding"))
     next
 }
 {
-    run = tokens(value("file"))
+    run = variant(value("file"))
     test = test_of(value("file"))
     add(test, run, value("peak_compressive_stress_MPa") value("tensile_strength_MPa"))
     ledger[test, run] = ledger[test, run] + 0 > value("ledger_residual") ? ledger[test, run] : value("ledger_residual")

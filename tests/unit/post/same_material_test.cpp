@@ -69,5 +69,17 @@ TEST(SameMaterial, NamesWhatDiffers) {
               "");
 }
 
+// tc √(ks/kt) is derived in each plane condition; a last digit that differs makes no other material.
+TEST(SameMaterial, RoundOffOfWhatIsDerivedIsNoDifference) {
+    RunData strain = run_of("a.h5");
+    strain.header.contact.open_shear_strength = 7.7e6;
+    RunData stress = run_of("b.h5", "brazilian");
+    stress.header.plane = PlaneCondition::stress;
+    stress.header.contact.open_shear_strength = strain.header.contact.open_shear_strength * (1 + 1e-15);
+    EXPECT_EQ(material_difference(stress.header, strain.header), "");
+    stress.header.contact.open_shear_strength = strain.header.contact.open_shear_strength * (1 + 1e-6);
+    EXPECT_EQ(material_difference(stress.header, strain.header), "the contact parameters");
+}
+
 }  // namespace
 }  // namespace graincrack
