@@ -31,6 +31,15 @@ std::vector<double> brazilian_stress(const History& history, double diameter) {
     return stress;
 }
 
+/// A NaN would hide the peak behind it. \throws InputError
+void require_numbers(const LoadCurve& curve, const std::string& name) {
+    for (std::size_t row = 0; row < curve.stress.size(); ++row) {
+        if (std::isfinite(curve.stress[row]) && std::isfinite(curve.axial_strain[row])) continue;
+        throw InputError(name + ": row " + std::to_string(row) +
+                         " of /history has a stress or strain that is no number; the run went wrong there");
+    }
+}
+
 }  // namespace
 
 SpecimenSummary specimen_summary(const H5Input& file) {
@@ -63,6 +72,8 @@ LoadCurve load_curve(const RunData& run) {
     curve.gauge_lateral_strain = history[gauge_lateral_strain];
     curve.stress =
         run.header.test == "brazilian" ? brazilian_stress(history, run.specimen.width) : scaled(history[axial_stress], sense);
+
+    require_numbers(curve, run.name);
 
     const auto& times = history[HistoryColumn::time];
     const auto begin = std::lower_bound(times.begin(), times.end(), run.header.isotropic_end_time * (1 - 1e-12));

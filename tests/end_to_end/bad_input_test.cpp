@@ -160,6 +160,7 @@ const std::vector<BadInput> postprocessor{
      "no two different seed"},
     {"TrendOfAnotherColumn", "graincrack-post strength run.h5 | graincrack-post trend - --x grain --y steps", 3,
      "no column grain"},
+    {"TrendOfEmptyStdin", "graincrack-post trend - --x seed --y steps", 3, "the program before wrote nothing"},
     {"TrendWithoutColumns", "graincrack-post trend text.h5 --x seed", 2, "--y"},
     {"DesignWithoutFactors", "graincrack-post ccd design", 2, "--factor"},
     {"FactorWithoutRange", "graincrack-post ccd design --factor cc=3", 2, "cc=3"},

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -59,6 +62,15 @@ TEST(LoadCurve, FirstYieldIsWhereTheOffsetIsReached) {
 }
 
 TEST(LoadCurve, BrittleCurveHasNoYield) { EXPECT_FALSE(first_yield(load_curve(data_of({}))).has_value()); }
+
+TEST(LoadCurve, NumbersThatAreNoneAreOneLine) {
+    RunData run = data_of({});
+    run.history[HistoryColumn::axial_stress][42] = std::nan("");
+    test::expect_one_line<InputError>([&] { (void)load_curve(run); }, {"run.h5", "row 42 of /history"});
+    run = data_of({});
+    run.history[HistoryColumn::axial_strain][7] = HUGE_VAL;
+    test::expect_one_line<InputError>([&] { (void)load_curve(run); }, {"row 7"});
+}
 
 TEST(LoadCurve, PeakKindTellsDropFromCap) {
     Recipe recipe;
