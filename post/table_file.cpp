@@ -58,7 +58,7 @@ TableFile::TableFile(const std::string& path) : name_(path == "-" ? "stdin" : pa
                                          line_number, rows_.back().size(), columns_.size()));
         }
     }
-    if (line_number == 0 && path == "-") throw InputError("stdin: is empty; the program before wrote nothing");
+    if (line_number == 0 && path == "-") throw InputError("stdin: empty: the program before wrote nothing; see its message");
     if (rows_.empty()) throw InputError(name_ + ": no rows; a table with one header line and rows of numbers is needed");
 }
 

@@ -38,15 +38,19 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     if (law->exponent.low) words += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
     chart.legend(Stroke{colour, 4}, words);
     if (s.test != "brazilian" && s.test != "tension") return;
-    // The slope of the theory through the middle of the points.
+    // The slopes of theory and paper through the middle of the points.
     double x = 0;
     double y = 0;
     for (std::size_t i = 0; i < edge.size(); ++i) {
         x += std::log(edge[i]) / static_cast<double>(edge.size());
         y += std::log(s.strength[i] * 1e-6) / static_cast<double>(edge.size());
     }
-    draw_law(chart, low / 1.1, high * 1.1, std::exp(y - theory_exponent * x), theory_exponent, Stroke{colour, 2.5, true});
-    chart.legend(Stroke{colour, 2.5, true}, fmt::format("theory, n = {}", theory_exponent));
+    const auto compare = [&](const std::string& who, double exponent, const Stroke& stroke) {
+        draw_law(chart, low / 1.1, high * 1.1, std::exp(y - exponent * x), exponent, stroke);
+        chart.legend(stroke, fmt::format("{}, n = {}", who, exponent));
+    };
+    compare("theory", theory_exponent, Stroke{colour, 2.5, true});
+    if (s.test == "brazilian") compare("paper", paper_exponent, Stroke{palette::rim, 2.5, true});
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
     EXPECT_EQ(test::field(table, "paper_exponent", 2), "");
     const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, CappedRuns::refuse)));
     EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
-    EXPECT_NE(svg.find("theory"), std::string::npos);
+    EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
+    EXPECT_NE(svg.find("paper, n = 0.39"), std::string::npos);
 }
 
 TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
