@@ -85,19 +85,22 @@ std::vector<RunData> read_runs(const std::vector<std::string>& files) {
     return runs;
 }
 
+std::ostream& remarks(const PostOptions& options) {
+    static std::ostream nowhere(nullptr);
+    return options.verbosity == Verbosity::quiet ? nowhere : std::cerr;
+}
+
 void run_command(const PostOptions& options, std::ostream& out) {
     require_one_stdin(options.files);
-    std::ostream silence(nullptr);
-    std::ostream& notes = options.verbosity == Verbosity::quiet ? silence : std::cerr;
     const std::map<std::string, std::function<void()>> commands{
         {"info", [&] { info(options, out); }},
         {"history", [&] { history(options, out); }},
         {"strength",
          [&] { (options.summary ? write_strength_summary : write_strength_table)(out, options.files, options.format); }},
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
-        {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, notes); }},
+        {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, remarks(options)); }},
         {"size-effect", [&] { write_size_effect_table(out, read_runs(options.files), options.format, options.capped_runs); }},
-        {"trend", [&] { write_trend_table(out, options.files, options.trend, options.format, notes); }},
+        {"trend", [&] { write_trend_table(out, options.files, options.trend, options.format, remarks(options)); }},
         {"fpz", [&] { write_fpz_table(out, read_material(options.material), options.format); }},
         {"cracks", [&] { cracks(options); }},
         {"ccd", [&] { ccd_command(options, out); }},

@@ -50,6 +50,9 @@ struct PostOptions {
 const std::string& only_file(const PostOptions& options);
 std::vector<RunData> read_runs(const std::vector<std::string>& files);
 
+/// Where remarks beside the data go: stderr, with --quiet nowhere.
+std::ostream& remarks(const PostOptions& options);
+
 /// Runs one command; data go to `out`.
 /// \throws UsageError, InputError, OutputError
 void run_command(const PostOptions& options, std::ostream& out);

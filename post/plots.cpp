@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <iostream>
 #include <map>
 
 #include "post/cracks/crack_counts.hpp"
@@ -71,12 +70,6 @@ Drawing strength(const PostOptions& options) {
     return draw_strengths(read_runs(options.files), material);
 }
 
-Drawing trend(const PostOptions& options) {
-    std::ostream silence(nullptr);
-    std::ostream& notes = options.verbosity == Verbosity::quiet ? silence : std::cerr;
-    return draw_trend(collect_trends(options.files, options.trend, notes), options.trend);
-}
-
 Drawing law(const PostOptions& options) {
     if (options.files.empty() && options.material.empty()) {
         throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
@@ -110,7 +103,7 @@ Drawing picture_of(const PostOptions& options) {
         {"surface", [&] { return draw_surface(ccd::solve_problem(only_file(options), options.ccd)); }},
         {"law", [&] { return law(options); }},
         {"lennard-jones", [&] { return draw_lennard_jones(); }},
-        {"trend", [&] { return trend(options); }},
+        {"trend", [&] { return draw_trend(collect_trends(options.files, options.trend, remarks(options)), options.trend); }},
         {"table", [&] { return draw_tables(options.files, options.table_plot); }},
     };
     const auto picture = pictures.find(options.picture);
