@@ -39,7 +39,7 @@ override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(CALLED_FROM)/)$(OUT))
 HERE := $(OUT)/$(STUDY)
 SPECIMENS := $(OUT)/specimens
 # What rules make on the way is kept.
-.PRECIOUS: $(SPECIMENS)/%.h5 $(HERE)/%
+.PRECIOUS: $(SPECIMENS)/rectangle%.h5 $(SPECIMENS)/disc%.h5
 
 # --- the rock --------------------------------------------------------------------------------------------------------
 

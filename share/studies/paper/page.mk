@@ -9,8 +9,8 @@ $(HERE)/claims.tsv: $(theirs) $(ours) merge.awk
 	$(call table,awk -v n_theirs=$(words $(theirs)) $(call lib,names) -f merge.awk $(theirs) $(ours))
 $(HERE)/summary.tsv: $(HERE)/claims.tsv
 	$(call table,awk $(call lib,names) -f summary.awk $<)
-$(HERE)/calibration.md: $(calibration)/report.md
-	$(call table,awk '/^## /{ exit } { sub(/^# /, "## ") } 1; END { print "[The whole report](../calibrate/$(notdir $(calibration))/report.md), with every step." }' $<)
+$(HERE)/calibration.md: $(calibration)/report.md calibration.awk
+	$(call table,awk -v report=../calibrate/$(notdir $(calibration))/report.md -f calibration.awk $<)
 $(HERE)/page.md: about.md $(HERE)/summary.tsv $(HERE)/claims.tsv $(HERE)/calibration.md $(wildcard $(calibration)/results.tsv) pictures.md
 	$(call table,awk $(call lib,page) $^)
 	@echo "$@"

@@ -33,7 +33,7 @@ END {
     claim("§4.1: tc for σt = BTS, by the line", "24.15 MPa", sprintf("%.2f MPa", at), percent(at, 24.15), judge(at, "", 24.15, 0.05),
         sprintf("d ln σt/d ln tc = %.2f %s at the mean: where it is below 0.5, tc cannot be found from σt", elasticity[tensile], range(elasticity_low[tensile], elasticity_high[tensile])))
     for (s in seeds) if (("brazilian", "tc_over_BTS", s, sprintf("%.4g", tc / bts)) in strength) add("at tc", strength["brazilian", "tc_over_BTS", s, sprintf("%.4g", tc / bts)])
-    if (count("at tc")) claim(sprintf("§4.1: σt at tc = %.4g MPa, cc = UCS, φc = φ", tc), "8.73 MPa", with_interval(mean("at tc"), half_interval("at tc"), "%.2f") " MPa",
+    if (count("at tc")) claim("§4.1: σt at the calibrated tc, cc = UCS, φc = φ", "8.73 MPa", with_interval(mean("at tc"), half_interval("at tc"), "%.2f") sprintf(" MPa at tc = %.4g MPa", tc),
         percent(mean("at tc"), 8.73), judge(mean("at tc"), half_interval("at tc"), 8.73, 0.05), "the reading of the law decides it: the shear strength while open, and Gf (share/doc/readings.md)")
     claim("Fig 4a: UCS against tc is not linear", "non-linear", "lack of fit p = " (fit_p[uniaxial] == "" ? "-" : sprintf("%.2g", fit_p[uniaxial])) sprintf(", d ln UCS/d ln tc = %.2f %s", elasticity[uniaxial], range(elasticity_low[uniaxial], elasticity_high[uniaxial])) without_peak(uniaxial), "",
         fit_p[uniaxial] == "" ? "open" : fit_p[uniaxial] <= 0.05 ? "holds" : "differs", "no curvature above the scatter")

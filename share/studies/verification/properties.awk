@@ -53,6 +53,6 @@ function yield_fit(name, unit) {
 }
 function row(name, laboratory, published, ours, low, high, spread, n, without, needed) {
     printf "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", name, number(laboratory), published == "" ? "" : number(published), number(ours), number(low), number(high), number(spread), n, without,
-        laboratory == "" ? "" : sprintf("%+.2f", 100 * (ours / laboratory - 1)), low == "" || high == "" ? "" : sprintf("%.2f", 50 * (high - low) / ours), needed
+        laboratory == "" ? "" : sprintf("%+.2f", 100 * (ours / laboratory - 1)), low == "" || high == "" ? "" : sprintf("%.2f", abs(50 * (high - low) / ours)), needed
 }
 function number(x) { return x == "" ? "" : sprintf("%.5g", x) }

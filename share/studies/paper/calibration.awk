@@ -1,0 +1,5 @@
+# The head of a calibration's report, as a section of the page: what came out, or why it stopped. Set by -v: report, its address.
+/^## / { exit }
+NR == 1 { sub(/^# /, "## ") }
+{ print }
+END { print "[The whole report](" report "), with every step." }
