@@ -31,7 +31,8 @@ export LC_ALL := C
 
 STUDIES := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 STUDY ?= $(notdir $(CURDIR))
-BIN ?= $(if $(wildcard $(STUDIES)/../../build/bin/graincrack-solve),$(abspath $(STUDIES)/../../build/bin),$(patsubst %/,%,$(dir $(shell command -v graincrack-solve))))
+# The tools: those of the build, of the installation that this is a part of, or on the PATH.
+BIN ?= $(patsubst %/,%,$(dir $(abspath $(firstword $(wildcard $(STUDIES)/../../build/bin/graincrack-solve $(STUDIES)/../../../bin/graincrack-solve) $(shell command -v graincrack-solve)))))
 OUT ?= $(STUDIES)/results
 # A relative path is relative to where make was called first.
 export CALLED_FROM ?= $(PWD)
