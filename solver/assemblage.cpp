@@ -25,9 +25,10 @@ void add_elements(Assemblage& a, const Specimen& s, double density) {
         const std::array<std::int32_t, 3> n{a.node_of_specimen[nodes[0]], a.node_of_specimen[nodes[1]],
                                             a.node_of_specimen[nodes[2]]};
         a.element_nodes.push_back(n);
-        a.element_geometry.push_back(make_triangle_geometry(a.position[n[0]], a.position[n[1]], a.position[n[2]]));
+        const TriangleGeometry g = make_triangle_geometry(a.position[n[0]], a.position[n[1]], a.position[n[2]]);
+        a.element_geometry.push_back(g);
         for (const std::int32_t node : n) {
-            a.mass[node] += density * a.element_geometry.back().area / 3;
+            a.mass[node] += density * g.area / 3;
         }
     }
     a.inverse_mass.resize(a.mass.size());
@@ -35,32 +36,49 @@ void add_elements(Assemblage& a, const Specimen& s, double density) {
 }
 
 void add_contacts(Assemblage& a, const Specimen& s) {
-    std::vector<std::int32_t> count(s.n_nodes() + 1, 0);
     for (const auto& nodes : s.contact_nodes) {
         ContactGeometry g{};
         for (std::size_t k = 0; k < 4; ++k) {
             g.nodes[k] = a.node_of_specimen[nodes[k]];
-            ++count[g.nodes[k] + 1];
         }
         g.edge = a.position[g.nodes[1]] - a.position[g.nodes[0]];
         g.point_area = 0.5 * length(g.edge);
         a.contact_length += length(g.edge);
         a.contacts.push_back(g);
     }
-    std::partial_sum(count.begin(), count.end(), count.begin());
-    a.slot_begin = count;
-    a.slots.resize(4 * s.n_contacts());
+    for (std::int32_t c = 0; c < a.n_contacts(); c += contacts_per_block) {
+        a.contact_blocks.push_back({c, std::min(c + contacts_per_block, a.n_contacts())});
+    }
+    // Every node of an outline has an edge on either side.
+    const auto none = static_cast<std::int32_t>(a.contact_blocks.size()) * slot_stride;
+    a.slots.assign(a.position.size(), {none, none});
     for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
         for (std::int32_t k = 0; k < 4; ++k) {
-            a.slots[count[a.contacts[c].nodes[k]]++] = 4 * c + k;
+            const std::int32_t node = a.contacts[c].nodes[k];
+            const auto free = std::find(a.slots[node].begin(), a.slots[node].end(), none);
+            if (free != a.slots[node].end()) {
+                *free = slot_of(c, k);
+            } else {
+                a.further_slots.push_back({node, slot_of(c, k)});
+            }
         }
     }
+    std::stable_sort(a.further_slots.begin(), a.further_slots.end(),
+                     [](const FurtherSlot& l, const FurtherSlot& r) { return l.node < r.node; });
+}
+
+/// The first further slot of a node not below `node`.
+std::int32_t first_further_slot(const Assemblage& a, std::int32_t node) {
+    const auto it = std::lower_bound(a.further_slots.begin(), a.further_slots.end(), node,
+                                     [](const FurtherSlot& slot, std::int32_t at) { return slot.node < at; });
+    return static_cast<std::int32_t>(it - a.further_slots.begin());
 }
 
 /// Cuts grains into blocks of about `block_elements` elements; nodes follow their grains.
 void cut_blocks(Assemblage& a, const Specimen& s) {
     std::int32_t begin = 0;
     std::int32_t node_begin = 0;
+    std::int32_t further_begin = 0;
     const std::int32_t n = a.n_elements();
     for (std::int32_t e = 1; e <= n; ++e) {
         const bool grain_ends = e == n || s.element_grain[e] != s.element_grain[e - 1];
@@ -71,12 +89,11 @@ void cut_blocks(Assemblage& a, const Specimen& s) {
         for (std::int32_t i = begin; i < e; ++i) {
             node_end = std::max({node_end, a.element_nodes[i][0] + 1, a.element_nodes[i][1] + 1, a.element_nodes[i][2] + 1});
         }
-        a.grain_blocks.push_back({{begin, e}, {node_begin, node_end}});
+        const Range further{further_begin, first_further_slot(a, node_end)};
+        a.grain_blocks.push_back({{begin, e}, {node_begin, node_end}, further});
         begin = e;
         node_begin = node_end;
-    }
-    for (std::int32_t c = 0; c < a.n_contacts(); c += contacts_per_block) {
-        a.contact_blocks.push_back({c, std::min(c + contacts_per_block, a.n_contacts())});
+        further_begin = further.end;
     }
 }
 

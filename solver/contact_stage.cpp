@@ -1,9 +1,11 @@
 // The contact stage of a step: jumps of displacement → law → nodal forces, block by block.
 //
 // A block is worked on in passes over arrays on the stack: gather (scalar, indexed), frame and motion (vector), the law of
-// points that stay intact (vector, no branch), the full law for all others (scalar, few), nodal forces (vector), scatter to the
-// slots. Sums are over fixed lanes, so that every vector unit adds in the same order.
+// points that stay intact (vector, no branch), the full law for all others (scalar, few), nodal forces into the slots (vector).
+// Sums are over fixed lanes, so that every vector unit adds in the same order.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "solver/step.hpp"
 #include "solver/vector_targets.hpp"
@@ -15,115 +17,125 @@ constexpr std::int32_t n = contacts_per_block;
 constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
 static_assert(n % lanes == 0);
 
-/// A block's contacts side by side; [p] is the contact point.
+/// A block's contacts side by side, and their points: 2 i + p.
 struct Batch {
-    alignas(64) double edge_x[n], edge_y[n], edge_squared[n], area[n];
-    alignas(64) double jump_x[2][n], jump_y[2][n];
+    alignas(64) double edge_x[n], edge_y[n], area[n];
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
-    alignas(64) double old_opening[2][n], opening[2][n], old_sliding[2][n], sliding[2][n];
-    alignas(64) double normal_traction[2][n], shear_traction[2][n];
-    alignas(64) double intact[2][n];    ///< 1 while the point has not failed, else 0
-    alignas(64) double ordinary[2][n];  ///< 1 where the intact law holds, else 0
-    alignas(64) double cohesion_left[2][n];
-    alignas(64) double fracture[2][n];  ///< booked by the intact law, J
-    alignas(64) double force[8][n];     ///< x, y on a1, a2, b1, b2
+    alignas(64) double jump_x[2 * n], jump_y[2 * n];
+    alignas(64) double opening[2 * n], sliding[2 * n];
+    alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
+    alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
+    alignas(64) double ordinary[2 * n];  ///< 1 where the intact law holds, else 0
+    alignas(64) double fracture[2 * n];  ///< booked by the intact law, J
 };
 
 void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
+    const ContactGeometry* contacts = &a.contacts[range.begin];
+    const Vector2* displacement = s.displacement.data();
     for (std::int32_t i = 0; i < range.size(); ++i) {
-        const std::int32_t c = range.begin + i;
-        const ContactGeometry& g = a.contacts[c];
-        const Vector2 ua1 = s.displacement[g.nodes[0]];
-        const Vector2 ua2 = s.displacement[g.nodes[1]];
-        const Vector2 ub1 = s.displacement[g.nodes[2]];
-        const Vector2 ub2 = s.displacement[g.nodes[3]];
+        const ContactGeometry& g = contacts[i];
+        const Vector2 ua1 = displacement[g.nodes[0]];
+        const Vector2 ua2 = displacement[g.nodes[1]];
+        const Vector2 ub1 = displacement[g.nodes[2]];
+        const Vector2 ub2 = displacement[g.nodes[3]];
         const Vector2 turn = 0.5 * ((ua2 - ua1) + (ub2 - ub1));
         b.edge_x[i] = g.edge.x + turn.x;
         b.edge_y[i] = g.edge.y + turn.y;
-        b.edge_squared[i] = 4 * g.point_area * g.point_area;
         b.area[i] = g.point_area;
-        b.jump_x[0][i] = ub1.x - ua1.x;
-        b.jump_y[0][i] = ub1.y - ua1.y;
-        b.jump_x[1][i] = ub2.x - ua2.x;
-        b.jump_y[1][i] = ub2.y - ua2.y;
-        for (std::int32_t p = 0; p < 2; ++p) {
-            b.old_opening[p][i] = s.opening[2 * c + p];
-            b.old_sliding[p][i] = s.sliding[2 * c + p];
-            b.cohesion_left[p][i] = s.cohesion_left[2 * c + p];
-            b.intact[p][i] = s.failed[2 * c + p] == 0 ? 1.0 : 0.0;
+        b.jump_x[2 * i] = ub1.x - ua1.x;
+        b.jump_x[2 * i + 1] = ub2.x - ua2.x;
+        b.jump_y[2 * i] = ub1.y - ua1.y;
+        b.jump_y[2 * i + 1] = ub2.y - ua2.y;
+    }
+    std::fill_n(b.intact, 2 * range.size(), 1.0);
+    const std::uint8_t* failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
+    if (std::memchr(failed, 1, 2 * static_cast<std::size_t>(range.size())) != nullptr) {
+        for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+            b.intact[k] = failed[k] == 0 ? 1.0 : 0.0;
         }
     }
 }
 
-GRAINCRACK_VECTOR_TARGETS void find_motions(std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void find_motions(std::int32_t count, Batch& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         const double squared = b.edge_x[i] * b.edge_x[i] + b.edge_y[i] * b.edge_y[i];
-        const double inv = squared < lost_frame * b.edge_squared[i] ? 0.0 : 1 / std::sqrt(squared);
+        const double inv = squared < 4 * lost_frame * b.area[i] * b.area[i] ? 0.0 : 1 / std::sqrt(squared);
         b.inv_length[i] = inv;
         b.tangent_x[i] = inv * b.edge_x[i];
         b.tangent_y[i] = inv * b.edge_y[i];
     }
-    for (std::int32_t p = 0; p < 2; ++p) {
-        for (std::int32_t i = 0; i < count; ++i) {
-            // n = t turned by −90° = (ty, −tx)
-            b.opening[p][i] = b.jump_x[p][i] * b.tangent_y[i] - b.jump_y[p][i] * b.tangent_x[i];
-            b.sliding[p][i] = b.jump_x[p][i] * b.tangent_x[i] + b.jump_y[p][i] * b.tangent_y[i];
-        }
+    for (std::int32_t i = 0; i < count; ++i) {
+        // n = t turned by −90° = (ty, −tx)
+        const double tx = b.tangent_x[i];
+        const double ty = b.tangent_y[i];
+        b.opening[2 * i] = b.jump_x[2 * i] * ty - b.jump_y[2 * i] * tx;
+        b.opening[2 * i + 1] = b.jump_x[2 * i + 1] * ty - b.jump_y[2 * i + 1] * tx;
+        b.sliding[2 * i] = b.jump_x[2 * i] * tx + b.jump_y[2 * i] * ty;
+        b.sliding[2 * i + 1] = b.jump_x[2 * i + 1] * tx + b.jump_y[2 * i + 1] * ty;
     }
 }
 
-/// \return number of points that need the full law
+/// What the intact law changes of the points of a block, and what it finds.
+struct Points {
+    const double* old_opening;
+    const double* old_sliding;
+    double* cohesion_left;
+    double* fracture_energy;
+};
+
+/// The law of intact points. \return number of points that need the full law
 template <class Law>
-GRAINCRACK_VECTOR_TARGETS std::int32_t apply_intact_law(const ContactLaw& constants, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE std::int32_t apply_intact_law(const ContactLaw& constants, const Points& points, std::int32_t count, Batch& b) {
     const ContactLaw law = constants;  // a copy that no store can change
+    const double* const old_opening = points.old_opening;
+    const double* const old_sliding = points.old_sliding;
+    double* __restrict const cohesion_left = points.cohesion_left;
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        const IntactResponse r =
+            Law::intact(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], cohesion_left[k]});
+        const double ordinary = r.holds * b.intact[k];
+        b.normal_traction[k] = r.normal;
+        b.shear_traction[k] = r.shear;
+        b.ordinary[k] = ordinary;
+        if constexpr (Law::damages_intact) {
+            cohesion_left[k] = ordinary == 0 ? cohesion_left[k] : r.cohesion_left;
+            b.fracture[k] = ordinary == 0 ? 0.0 : r.fracture;
+        }
+    }
     std::int32_t left_over = 0;
-    for (std::int32_t p = 0; p < 2; ++p) {
-        for (std::int32_t i = 0; i < count; ++i) {
-            const IntactResponse r = Law::intact(
-                law, {b.old_opening[p][i], b.old_sliding[p][i], b.opening[p][i], b.sliding[p][i], b.cohesion_left[p][i]});
-            const double ordinary = r.holds * b.intact[p][i];
-            b.normal_traction[p][i] = r.normal;
-            b.shear_traction[p][i] = r.shear;
-            b.ordinary[p][i] = ordinary;
-            if constexpr (Law::damages_intact) {
-                b.cohesion_left[p][i] = ordinary == 0 ? b.cohesion_left[p][i] : r.cohesion_left;
-                b.fracture[p][i] = ordinary == 0 ? 0.0 : b.area[i] * r.fracture;
-            }
-        }
-        for (std::int32_t i = 0; i < count; ++i) {
-            left_over += b.ordinary[p][i] == 0 ? 1 : 0;
-        }
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        left_over += b.ordinary[k] == 0 ? 1 : 0;
     }
     return left_over;
 }
 
-/// Sum over the points of a block that are open, or closed.
-GRAINCRACK_VECTOR_TARGETS double fracture_sum(const Batch& b, bool open) {
-    double sum[lanes] = {};
-    for (std::int32_t p = 0; p < 2; ++p) {
-        for (std::int32_t i = 0; i < n; i += lanes) {
-            for (std::int32_t k = 0; k < lanes; ++k) {
-                sum[k] += (b.opening[p][i + k] >= 0) == open ? b.fracture[p][i + k] : 0.0;
-            }
+/// Damage before the peak: the energy it takes, of each point and on the branch it happens on.
+GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t count, Batch& b, ContactSums& sums) {
+    double* __restrict const fracture_energy = points.fracture_energy;
+    for (std::int32_t i = 0; i < count; ++i) {
+        b.fracture[2 * i] = b.area[i] * b.fracture[2 * i];
+        b.fracture[2 * i + 1] = b.area[i] * b.fracture[2 * i + 1];
+    }
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        fracture_energy[k] += b.fracture[k];
+    }
+    double open[lanes] = {};
+    double closed[lanes] = {};
+    for (std::int32_t k = 2 * count; k % lanes != 0; ++k) {
+        b.fracture[k] = b.opening[k] = 0;
+    }
+    for (std::int32_t k = 0; k < 2 * count; k += lanes) {
+        for (std::int32_t l = 0; l < lanes; ++l) {
+            const bool is_open = b.opening[k + l] >= 0;
+            open[l] += is_open ? b.fracture[k + l] : 0.0;
+            closed[l] += is_open ? 0.0 : b.fracture[k + l];
         }
     }
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-}
-
-/// Damage before the peak: β and the energy it takes, on the branch it happens on.
-void book_intact_damage(std::int32_t block, Range range, Batch& b, State& s) {
-    for (std::int32_t p = 0; p < 2; ++p) {
-        for (std::int32_t i = range.size(); i < n; ++i) {
-            b.fracture[p][i] = b.opening[p][i] = 0;
-        }
-        for (std::int32_t i = 0; i < range.size(); ++i) {
-            const auto point = 2 * static_cast<std::size_t>(range.begin + i) + static_cast<std::size_t>(p);
-            s.cohesion_left[point] = b.cohesion_left[p][i];
-            s.fracture_energy[point] += b.fracture[p][i];
-        }
-    }
-    s.contact_sums[block].fracture_tension += fracture_sum(b, true);
-    s.contact_sums[block].fracture_shear += fracture_sum(b, false);
+    const auto total = [](const double* s) GRAINCRACK_KERNEL {
+        return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
+    };
+    sums.fracture_tension += total(open);
+    sums.fracture_shear += total(closed);
 }
 
 /// The full law at one point: energies and events on top of the traction.
@@ -154,6 +166,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
         event.peak_traction = update_contact(law, history.motion, history).traction;
         if (fails) {
             s.events[block].push_back(event);
+            s.groups.note_failure(point);
         }
         if (separates) {
             event.is_separation = true;
@@ -168,31 +181,32 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
 
 void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s, Batch& b) {
     const Range range = a.contact_blocks[block];
-    for (std::int32_t i = 0; i < range.size(); ++i) {
-        for (std::int32_t p = 0; p < 2; ++p) {
-            if (s.touches.released[range.begin + i] != 0) {
-                b.normal_traction[p][i] = b.shear_traction[p][i] = 0;
-            } else if (b.ordinary[p][i] == 0) {
-                const ContactTraction t = advance_point(a, law, block, range.begin + i, p, {b.opening[p][i], b.sliding[p][i]},
-                                                        {b.tangent_x[i], b.tangent_y[i]}, step, s);
-                b.normal_traction[p][i] = t.normal;
-                b.shear_traction[p][i] = t.shear;
-            }
+    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+        const std::int32_t i = k / 2;
+        if (s.touches.released[range.begin + i] != 0) {
+            b.normal_traction[k] = b.shear_traction[k] = 0;
+        } else if (b.ordinary[k] == 0) {
+            const ContactTraction t = advance_point(a, law, block, range.begin + i, k % 2, {b.opening[k], b.sliding[k]},
+                                                    {b.tangent_x[i], b.tangent_y[i]}, step, s);
+            b.normal_traction[k] = t.normal;
+            b.shear_traction[k] = t.shear;
         }
     }
 }
 
-/// Tractions at the nodes, and the couple that balances the moment they would exert because they act at a jump's length from
-/// each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy exact.
-GRAINCRACK_VECTOR_TARGETS void find_forces(std::int32_t count, Batch& b) {
+/// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's length
+/// from each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy exact.
+/// \param force [8][n] x, y on a1, a2, b1, b2
+GRAINCRACK_INLINE void find_forces(std::int32_t count, const Batch& b, double* __restrict force) {
     for (std::int32_t i = 0; i < count; ++i) {
         const double tx = b.tangent_x[i];
         const double ty = b.tangent_y[i];
-        const double n0 = b.area[i] * b.normal_traction[0][i];
-        const double n1 = b.area[i] * b.normal_traction[1][i];
-        const double s0 = b.area[i] * b.shear_traction[0][i];
-        const double s1 = b.area[i] * b.shear_traction[1][i];
-        const double moment = (n0 * b.sliding[0][i] - s0 * b.opening[0][i]) + (n1 * b.sliding[1][i] - s1 * b.opening[1][i]);
+        const double n0 = b.area[i] * b.normal_traction[2 * i];
+        const double n1 = b.area[i] * b.normal_traction[2 * i + 1];
+        const double s0 = b.area[i] * b.shear_traction[2 * i];
+        const double s1 = b.area[i] * b.shear_traction[2 * i + 1];
+        const double moment =
+            (n0 * b.sliding[2 * i] - s0 * b.opening[2 * i]) + (n1 * b.sliding[2 * i + 1] - s1 * b.opening[2 * i + 1]);
         const double couple = 0.5 * moment * b.inv_length[i];
         const double couple_x = couple * ty;
         const double couple_y = -couple * tx;
@@ -200,28 +214,21 @@ GRAINCRACK_VECTOR_TARGETS void find_forces(std::int32_t count, Batch& b) {
         const double f0y = -n0 * tx + s0 * ty;
         const double f1x = n1 * ty + s1 * tx;
         const double f1y = -n1 * tx + s1 * ty;
-        b.force[0][i] = f0x - couple_x;
-        b.force[1][i] = f0y - couple_y;
-        b.force[2][i] = f1x + couple_x;
-        b.force[3][i] = f1y + couple_y;
-        b.force[4][i] = -f0x - couple_x;
-        b.force[5][i] = -f0y - couple_y;
-        b.force[6][i] = -f1x + couple_x;
-        b.force[7][i] = -f1y + couple_y;
+        force[i] = f0x - couple_x;
+        force[n + i] = f0y - couple_y;
+        force[2 * n + i] = f1x + couple_x;
+        force[3 * n + i] = f1y + couple_y;
+        force[4 * n + i] = -f0x - couple_x;
+        force[5 * n + i] = -f0y - couple_y;
+        force[6 * n + i] = -f1x + couple_x;
+        force[7 * n + i] = -f1y + couple_y;
     }
 }
 
-void scatter(Range range, const Batch& b, State& s) {
-    for (std::int32_t i = 0; i < range.size(); ++i) {
-        const auto c = static_cast<std::size_t>(range.begin + i);
-        Vector2* slots = &s.contact_force[4 * c];
-        for (std::size_t k = 0; k < 4; ++k) {
-            slots[k] = {b.force[2 * k][i], b.force[2 * k + 1][i]};
-        }
-        for (std::size_t p = 0; p < 2; ++p) {
-            s.opening[2 * c + p] = b.opening[p][i];
-            s.sliding[2 * c + p] = b.sliding[p][i];
-        }
+GRAINCRACK_INLINE void keep_motions(std::int32_t count, const Batch& b, double* __restrict opening, double* __restrict sliding) {
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        opening[k] = b.opening[k];
+        sliding[k] = b.sliding[k];
     }
 }
 
@@ -229,22 +236,30 @@ void scatter(Range range, const Batch& b, State& s) {
 
 void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s) {
     const Range range = a.contact_blocks[block];
+    const std::int32_t count = range.size();
+    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
+    const Points points{&s.opening[first], &s.sliding[first], &s.cohesion_left[first], &s.fracture_energy[first]};
     Batch batch;
     gather(a, s, range, batch);
-    find_motions(range.size(), batch);
     const std::int32_t left_over = contact_law::with_law(law.variant, [&](auto kind) {
         using Law = decltype(kind);
-        const std::int32_t n_left = apply_intact_law<Law>(law, range.size(), batch);
-        if constexpr (Law::damages_intact) {
-            book_intact_damage(block, range, batch, s);
-        }
+        std::int32_t n_left = 0;
+        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+            find_motions(count, batch);
+            n_left = apply_intact_law<Law>(law, points, count, batch);
+            if constexpr (Law::damages_intact) {
+                book_intact_damage(points, count, batch, s.contact_sums[block]);
+            }
+        });
         return n_left;
     });
     if (left_over > 0) {
         apply_full_law(a, law, block, step, s, batch);
     }
-    find_forces(range.size(), batch);
-    scatter(range, batch, s);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        find_forces(count, batch, &s.contact_force[slot_stride * static_cast<std::size_t>(block)]);
+        keep_motions(count, batch, &s.opening[first], &s.sliding[first]);
+    });
 }
 
 }  // namespace graincrack

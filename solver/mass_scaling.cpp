@@ -1,8 +1,12 @@
 #include "solver/mass_scaling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "share/error.hpp"
 #include "solver/state.hpp"
 #include "solver/step.hpp"
 
@@ -10,6 +14,8 @@ namespace graincrack {
 namespace {
 
 constexpr std::int32_t groups_per_block = 32;
+constexpr std::int32_t lanes = 8;  // of the widest vector unit
+static_assert(2 * members_per_block % lanes == 0);
 
 /// Representative of `i` in a forest of parents, with the way there shortened.
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
@@ -78,9 +84,13 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         g.inverse_mass[i] = g.inverse_mass[i] > 0 ? 1 / g.inverse_mass[i] : 0.0;
     }
+    g.whole[group] = 1;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         if (g.supported[i] != 0) {
             g.inverse_mass[g.component[i]] = 0;
+        }
+        if (g.component[i] != members.begin) {
+            g.whole[group] = 0;
         }
     }
 }
@@ -174,6 +184,23 @@ void regroup(const Assemblage& a, const MassScaling& scaling, std::int32_t group
     }
 }
 
+/// Cuts groups into blocks.
+void cut_blocks(MassScaling& m) {
+    for (std::int32_t g = 0; g < static_cast<std::int32_t>(m.groups.size()); ++g) {
+        if (m.groups[g].size() > members_per_block) {
+            throw InputError(fmt::format("{} nodes meet at one vertex; mass scaling can take {}: use --mass-scaling none",
+                                         m.groups[g].size(), members_per_block));
+        }
+        const bool fits = !m.blocks.empty() && m.blocks.back().size() < groups_per_block &&
+                          m.groups[g].end - m.groups[m.blocks.back().begin].begin <= members_per_block;
+        if (fits) {
+            m.blocks.back().end = g + 1;
+        } else {
+            m.blocks.push_back({g, g + 1});
+        }
+    }
+}
+
 }  // namespace
 
 MassScaling make_mass_scaling(const Assemblage& a, double factor) {
@@ -206,8 +233,10 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
     m.groups = ranges_of_groups(a.n_nodes(), n_groups, [&](std::int32_t i) { return group_of_node[m.members[i]]; });
     m.ties_of_group = ranges_of_groups(static_cast<std::int32_t>(m.ties.size()), n_groups,
                                        [&](std::int32_t t) { return group_of_tie(m.ties[t]); });
-    for (std::int32_t g = 0; g < n_groups; g += groups_per_block) {
-        m.blocks.push_back({g, std::min(g + groups_per_block, n_groups)});
+    cut_blocks(m);
+    for (const std::int32_t node : m.members) {
+        m.mass.insert(m.mass.end(), 2, a.mass[node]);
+        m.inverse_mass.insert(m.inverse_mass.end(), 2, a.inverse_mass[node]);
     }
     return m;
 }
@@ -216,7 +245,7 @@ GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, con
     GroupState g;
     g.component.resize(scaling.members.size());
     g.inverse_mass.resize(scaling.members.size());
-    g.components.resize(scaling.members.size());
+    g.whole.resize(scaling.groups.size());
     g.sums.resize(scaling.blocks.size());
     for (const MassScaling::Tie& tie : scaling.ties) {
         g.tied.push_back(holds(tie, s) ? 1 : 0);
@@ -228,9 +257,56 @@ GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, con
     return g;
 }
 
+void complete_group_state(const MassScaling& scaling, State& s) {
+    GroupState& g = s.groups;
+    std::vector<bool> may_touch(s.touching.size(), false);
+    for (const PlatenPoint& point : s.platen_points) {
+        may_touch[point.node] = true;
+    }
+    g.whole.assign(scaling.groups.size(), 1);
+    g.cracked.assign(scaling.blocks.size(), 0);
+    g.platen_members.assign(scaling.blocks.size(), {});
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        const Range groups = scaling.blocks[block];
+        for (std::int32_t group = groups.begin; group < groups.end; ++group) {
+            for (std::int32_t i = scaling.groups[group].begin; i < scaling.groups[group].end; ++i) {
+                if (g.component[i] != scaling.groups[group].begin) {
+                    g.whole[group] = 0;
+                }
+                if (may_touch[scaling.members[i]]) {
+                    g.platen_members[block].push_back(i);
+                }
+            }
+        }
+    }
+    g.block_of_point.resize(scaling.ties.size());
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        const Range groups = scaling.blocks[block];
+        for (std::int32_t t = scaling.ties_of_group[groups.begin].begin; t < scaling.ties_of_group[groups.end - 1].end; ++t) {
+            g.block_of_point[scaling.ties[t].point] = block;
+            g.cracked[block] |= s.failed[scaling.ties[t].point];
+        }
+    }
+}
+
+namespace {
+
+/// Whether a group of a block may have changed: a point of it has failed, or a platen has come or gone.
+bool may_change(const MassScaling& scaling, std::int32_t block, const State& s) {
+    const GroupState& g = s.groups;
+    return g.cracked[block] != 0 ||
+           std::any_of(g.platen_members[block].begin(), g.platen_members[block].end(),
+                       [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.members[i]]; });
+}
+
+}  // namespace
+
 void update_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     GroupState& g = s.groups;
+    if (!may_change(scaling, block, s)) {
+        return;
+    }
     for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
         const Range ties = scaling.ties_of_group[group];
         const Range members = scaling.groups[group];
@@ -259,58 +335,197 @@ void shed_added_mass(const Assemblage& a, const StepParameters& parameters, doub
     }
 }
 
-void damp_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+// Damping and integration of a block's groups work on arrays on the stack: members side by side, x and y after each other, as both
+// are treated alike. Sums over those held together are taken one by one; all else is for vector units.
+namespace {
+
+/// Members of a block.
+struct Batch {
+    static constexpr std::int32_t size = 2 * members_per_block;
+    alignas(64) double force[size], velocity[size];                    ///< of the nodes
+    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
+    alignas(64) double mean_drag[size];                               ///< drag of the mean less the mean of drags, per mass
+    alignas(64) double drag[size];
+};
+
+Vector2 pair_at(const double* values, std::int32_t i) { return {values[2 * i], values[2 * i + 1]}; }
+void set_pair(double* values, std::int32_t i, const Vector2& pair) {
+    values[2 * i] = pair.x;
+    values[2 * i + 1] = pair.y;
+}
+
+void gather(const MassScaling& scaling, Range members, const State& s, Batch& b) {
+    const Vector2* const force = s.force.data();
+    const Vector2* const velocity = s.velocity.data();
+    for (std::int32_t i = 0; i < members.size(); ++i) {
+        const std::int32_t node = scaling.members[members.begin + i];
+        set_pair(b.force, i, force[node]);
+        set_pair(b.velocity, i, velocity[node]);
+    }
+}
+
+/// Calls `whole(first, last)` for every group that is one component, `torn(first, last)` for all others; places within the block.
+template <class Whole, class Torn>
+void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupState& g, Whole&& whole, Torn&& torn) {
+    const Range groups = scaling.blocks[block];
+    const std::int32_t origin = scaling.groups[groups.begin].begin;
+    for (std::int32_t group = groups.begin; group < groups.end; ++group) {
+        const Range members{scaling.groups[group].begin - origin, scaling.groups[group].end - origin};
+        g.whole[group] != 0 ? whole(members) : torn(members);
+    }
+}
+
+/// Mean acceleration and velocity of those held together.
+void find_means(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+    const std::int32_t origin = scaling.members_of(block).begin;
+    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
+    for_each_group(
+        scaling, block, g,
+        [&](Range members) {
+            Vector2 force;
+            Vector2 momentum;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                force += pair_at(b.force, i);
+                momentum += mass[2 * i] * pair_at(b.velocity, i);
+            }
+            const double share = g.inverse_mass[origin + members.begin];
+            const Vector2 acceleration = share * force;
+            const Vector2 velocity = share * momentum;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_acceleration, i, acceleration);
+                set_pair(b.mean_velocity, i, velocity);
+            }
+        },
+        [&](Range members) {
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_acceleration, i, {});
+                set_pair(b.mean_velocity, i, {});
+                const std::int32_t first = g.component[origin + i] - origin;
+                const double share = g.inverse_mass[origin + first];
+                set_pair(b.mean_acceleration, first, pair_at(b.mean_acceleration, first) + share * pair_at(b.force, i));
+                set_pair(b.mean_velocity, first,
+                         pair_at(b.mean_velocity, first) + (share * mass[2 * i]) * pair_at(b.velocity, i));
+            }
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                const std::int32_t first = g.component[origin + i] - origin;
+                set_pair(b.mean_acceleration, i, pair_at(b.mean_acceleration, first));
+                set_pair(b.mean_velocity, i, pair_at(b.mean_velocity, first));
+            }
+        });
+}
+
+GRAINCRACK_INLINE double component_drag(double alpha, double force, double velocity) {
+    return velocity == 0 ? 0.0 : -std::copysign(alpha * std::abs(force), velocity);
+}
+
+/// Drag of the relative motion of each.
+GRAINCRACK_INLINE void damp_relative_motion(const double* mass, double alpha, std::int32_t count, Batch& b) {
+    for (std::int32_t k = 0; k < count; ++k) {
+        b.drag[k] = component_drag(alpha, b.force[k] - mass[k] * b.mean_acceleration[k], b.velocity[k] - b.mean_velocity[k]);
+    }
+}
+
+/// Mean of these drags, to be taken off.
+void find_mean_drags(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+    const std::int32_t origin = scaling.members_of(block).begin;
+    for_each_group(
+        scaling, block, g,
+        [&](Range members) {
+            Vector2 drag;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                drag += pair_at(b.drag, i);
+            }
+            const Vector2 mean = g.inverse_mass[origin + members.begin] * drag;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_drag, i, mean);
+            }
+        },
+        [&](Range members) {
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_drag, i, {});
+                const std::int32_t first = g.component[origin + i] - origin;
+                set_pair(b.mean_drag, first,
+                         pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.drag, i));
+            }
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_drag, i, pair_at(b.mean_drag, g.component[origin + i] - origin));
+            }
+        });
+}
+
+/// Drag of both motions into `drag`, and the damped acceleration of the mean.
+GRAINCRACK_INLINE void damp_mean_motion(const double* mass, double alpha, std::int32_t count, Batch& b) {
+    for (std::int32_t k = 0; k < count; ++k) {
+        const double mean = component_drag(alpha, b.mean_acceleration[k], b.mean_velocity[k]);
+        b.drag[k] += mass[k] * (mean - b.mean_drag[k]);
+        b.mean_acceleration[k] += mean;
+    }
+}
+
+/// Everything up to the drags of a block.
+void damp(const Assemblage& a, const StepParameters& parameters, std::int32_t block, const State& s, Batch& b) {
     const MassScaling& scaling = parameters.mass_scaling;
-    GroupState& g = s.groups;
     const Range members = scaling.members_of(block);
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        g.components[i] = {};
+    const std::int32_t count = 2 * members.size();
+    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
+    gather(scaling, members, s, b);
+    find_means(scaling, block, s.groups, b);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damping, count, b); });
+    find_mean_drags(scaling, block, s.groups, b);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damping, count, b); });
+}
+
+/// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
+GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Batch& b) {
+    for (std::int32_t k = count; k % lanes != 0; ++k) {
+        b.drag[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::int32_t node = scaling.members[i];
-        const std::int32_t first = g.component[i];
-        const double share = g.inverse_mass[first];
-        g.components[first].acceleration += share * s.force[node];
-        g.components[first].velocity += (share * a.mass[node]) * s.velocity[node];
+    // The new velocities into `mean_velocity`, which is not needed any more.
+    for (std::int32_t k = 0; k < count; ++k) {
+        const double mean = (1 - own) * b.mean_acceleration[k];
+        b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.drag[k]));
     }
-    // Relative motion, with the mean of its drag taken off.
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::int32_t node = scaling.members[i];
-        GroupState::Component& mean = g.components[g.component[i]];
-        s.drag[node] =
-            damping_force(parameters.damping, s.force[node] - a.mass[node] * mean.acceleration, s.velocity[node] - mean.velocity);
-        mean.drag += g.inverse_mass[g.component[i]] * s.drag[node];
+    double absorbed[lanes] = {};
+    for (std::int32_t k = 0; k < count; k += lanes) {
+        for (std::int32_t l = 0; l < lanes; ++l) {
+            absorbed[l] -= b.drag[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
+        }
     }
+    return ((absorbed[0] + absorbed[1]) + (absorbed[2] + absorbed[3])) +
+           ((absorbed[4] + absorbed[5]) + (absorbed[6] + absorbed[7]));
+}
+
+}  // namespace
+
+void damp_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+    Batch b;
+    damp(a, parameters, block, s, b);
+    const Range members = parameters.mass_scaling.members_of(block);
     for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::int32_t node = scaling.members[i];
-        const GroupState::Component& mean = g.components[g.component[i]];
-        s.drag[node] += a.mass[node] * (damping_force(parameters.damping, mean.acceleration, mean.velocity) - mean.drag);
-    }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        GroupState::Component& mean = g.components[i];
-        mean.acceleration += damping_force(parameters.damping, mean.acceleration, mean.velocity);
+        s.drag[parameters.mass_scaling.members[i]] = pair_at(b.drag, i - members.begin);
     }
 }
 
 void integrate_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
-    damp_groups(a, parameters, block, s);
     const MassScaling& scaling = parameters.mass_scaling;
-    GroupState& g = s.groups;
+    Batch b;
+    damp(a, parameters, block, s, b);
     const Range members = scaling.members_of(block);
-    const double own = 1 / (1 + scaling.factor);
+    const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
     const double dt = parameters.time_step;
     double absorbed = 0;
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::int32_t node = scaling.members[i];
-        const Vector2 mean = (1 - own) * g.components[g.component[i]].acceleration;
-        const Vector2 old_velocity = s.velocity[node];
-        const Vector2 drag = s.drag[node];
-        const Vector2 new_velocity = old_velocity + dt * (mean + (own * a.inverse_mass[node]) * (s.force[node] + drag));
-        s.velocity[node] = new_velocity;
-        s.displacement[node] += dt * new_velocity;
-        absorbed -= dot(drag, old_velocity + new_velocity);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b);
+    });
+    s.groups.sums[block].damping += 0.5 * dt * absorbed;
+    Vector2* const velocity = s.velocity.data();
+    Vector2* const displacement = s.displacement.data();
+    for (std::int32_t i = 0; i < members.size(); ++i) {
+        const std::int32_t node = scaling.members[members.begin + i];
+        const Vector2 moved = pair_at(b.mean_velocity, i);
+        velocity[node] = moved;
+        displacement[node] += dt * moved;
     }
-    g.sums[block].damping += 0.5 * dt * absorbed;
 }
 
 double added_kinetic_energy(const Assemblage& a, const MassScaling& scaling, std::int32_t block, const State& s) {

@@ -18,6 +18,8 @@
 // energy there). Both lose kinetic energy, never gain any; what is lost is booked.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +35,9 @@ struct StepParameters;
 /// 100 MPa, σ/√(ρ E) = 12 m/s, a step with mass scaling (5e-7 s) takes it 1.2e-3 of a 5 mm edge.
 inline constexpr double group_reach = 4e-3;
 
+/// Most members in a block of groups.
+inline constexpr std::int32_t members_per_block = 256;
+
 /// Constant data of the scaling. Default: none.
 struct MassScaling {
     /// A contact point that joins two members.
@@ -46,12 +51,15 @@ struct MassScaling {
     std::vector<Tie> ties;              ///< group by group
     std::vector<Range> groups;          ///< of members
     std::vector<Range> ties_of_group;
-    std::vector<Range> blocks;  ///< of groups, that one thread works on at a time
+    std::vector<Range> blocks;  ///< of groups, that one thread works on at a time; at most `members_per_block` members each
+    /// Masses of members, each twice: of x and of y.
+    std::vector<double> mass, inverse_mass;
     [[nodiscard]] bool is_on() const { return factor > 0; }
     [[nodiscard]] Range members_of(std::int32_t block) const {
         return {groups[blocks[block].begin].begin, groups[blocks[block].end - 1].end};
     }
 };
+/// \throws InputError if more nodes meet at a vertex than a block can hold
 MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 
 /// Energies summed over a block of groups since the start, J.
@@ -62,19 +70,29 @@ struct GroupSums {
 
 /// Who is held together now.
 struct GroupState {
-    /// Means of those held together.
-    struct Component {
-        Vector2 velocity, acceleration, drag;  ///< m/s, m/s², drag of the relative motion in m/s²
-    };
     std::vector<std::uint8_t> tied;       ///< [tie] 1 while the point holds its nodes together
     std::vector<std::uint8_t> supported;  ///< [member] 1 while the node touches a platen
     std::vector<std::int32_t> component;  ///< [member] first member of those it is held together with
     std::vector<double> inverse_mass;     ///< [member] of the component it is the first of; 0 if a platen holds that, 1/kg
-    std::vector<Component> components;    ///< [member] likewise, scratch
+    std::vector<std::uint8_t> whole;      ///< [group] 1 while all of its members are held together
     std::vector<GroupSums> sums;          ///< by block
+
+    // Where groups may change; found by `complete_group_state`.
+    std::vector<std::int32_t> block_of_point;               ///< [2 c]
+    std::vector<std::uint8_t> cracked;                      ///< by block: 1 once a point of it has failed
+    std::vector<std::vector<std::int32_t>> platen_members;  ///< by block: members that platens may touch
+    /// To be told by whatever thread sees a point fail.
+    void note_failure(std::size_t point) {
+        if (!block_of_point.empty()) {
+            std::atomic_ref(cracked[block_of_point[point]]).store(1, std::memory_order_relaxed);
+        }
+    }
 };
 /// The groups of the state as it is, away from platens.
 GroupState make_group_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
+
+/// Finds what follows from the rest of the state: `whole` and where groups may change.
+void complete_group_state(const MassScaling& scaling, State& state);
 
 /// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
 /// books what they shed.

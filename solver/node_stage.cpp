@@ -18,12 +18,21 @@ struct Batch {
     alignas(64) double f1_x[batch_elements], f1_y[batch_elements], f2_x[batch_elements], f2_y[batch_elements];
 };
 
-GRAINCRACK_VECTOR_TARGETS void find_element_forces(const TriangleGeometry* geometry, const PlaneElasticity& elasticity,
-                                                   std::int32_t count, Batch& b) {
+/// Geometry of the elements of a batch.
+struct Triangles {
+    const double *gradient1_x, *gradient1_y, *gradient2_x, *gradient2_y, *area;
+};
+Triangles triangles_from(const TriangleTable& t, std::int32_t e) {
+    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e], &t.area[e]};
+}
+
+GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, const PlaneElasticity& elasticity, std::int32_t count,
+                                           Batch& b) {
     const PlaneElasticity c = elasticity;
+    const Triangles t = triangles;
     for (std::int32_t i = 0; i < count; ++i) {
-        const TriangleState t = triangle_state(geometry[i], c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]});
-        const TriangleForces f = triangle_forces(geometry[i], t);
+        const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
+        const TriangleForces f = triangle_forces(g, triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}));
         b.f1_x[i] = f.on_node1.x;
         b.f1_y[i] = f.on_node1.y;
         b.f2_x[i] = f.on_node2.x;
@@ -35,21 +44,44 @@ void add_elements(const Assemblage& a, Range range, State& s) {
     Batch batch;
     for (std::int32_t begin = range.begin; begin < range.end; begin += batch_elements) {
         const std::int32_t count = std::min(batch_elements, range.end - begin);
+        const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[begin];
+        const Vector2* const displacement = s.displacement.data();
         for (std::int32_t i = 0; i < count; ++i) {
-            const auto [n0, n1, n2] = a.element_nodes[begin + i];
-            const Vector2 u0 = s.displacement[n0];
-            batch.a_x[i] = s.displacement[n1].x - u0.x;
-            batch.a_y[i] = s.displacement[n1].y - u0.y;
-            batch.b_x[i] = s.displacement[n2].x - u0.x;
-            batch.b_y[i] = s.displacement[n2].y - u0.y;
+            const auto [n0, n1, n2] = nodes[i];
+            const Vector2 u0 = displacement[n0];
+            const Vector2 to1 = displacement[n1] - u0;
+            const Vector2 to2 = displacement[n2] - u0;
+            batch.a_x[i] = to1.x;
+            batch.a_y[i] = to1.y;
+            batch.b_x[i] = to2.x;
+            batch.b_y[i] = to2.y;
         }
-        find_element_forces(&a.element_geometry[begin], a.elasticity, count, batch);
+        const Triangles triangles = triangles_from(a.element_geometry, begin);
+        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, a.elasticity, count, batch); });
+        Vector2* const force = s.force.data();
         for (std::int32_t i = 0; i < count; ++i) {
-            const auto [n0, n1, n2] = a.element_nodes[begin + i];
-            s.force[n0] -= {batch.f1_x[i] + batch.f2_x[i], batch.f1_y[i] + batch.f2_y[i]};
-            s.force[n1] += {batch.f1_x[i], batch.f1_y[i]};
-            s.force[n2] += {batch.f2_x[i], batch.f2_y[i]};
+            const auto [n0, n1, n2] = nodes[i];
+            const Vector2 f1{batch.f1_x[i], batch.f1_y[i]};
+            const Vector2 f2{batch.f2_x[i], batch.f2_y[i]};
+            force[n0] -= f1 + f2;
+            force[n1] += f1;
+            force[n2] += f2;
         }
+    }
+}
+
+/// Forces of contacts on the nodes of a block; sets `state.force`.
+void gather_contacts(const Assemblage& a, const GrainBlock& block, State& s) {
+    const double* const value = s.contact_force.data();
+    const std::array<std::int32_t, 2>* const slots = a.slots.data();
+    Vector2* const force = s.force.data();
+    for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
+        const auto [first, second] = slots[i];
+        force[i] = {value[first] + value[second], value[first + contacts_per_block] + value[second + contacts_per_block]};
+    }
+    for (std::int32_t i = block.further_slots.begin; i < block.further_slots.end; ++i) {
+        const auto [node, slot] = a.further_slots[i];
+        s.force[node] += {value[slot], value[slot + contacts_per_block]};
     }
 }
 
@@ -100,7 +132,7 @@ void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure
 }
 
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
-GRAINCRACK_VECTOR_TARGETS double move_nodes(std::int32_t count, double time_step, double alpha, const double* inverse_mass,
+GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, double alpha, const double* inverse_mass,
                                             const Vector2* force, Vector2* velocity, Vector2* displacement) {
     double absorbed = 0;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -121,16 +153,9 @@ GRAINCRACK_VECTOR_TARGETS double move_nodes(std::int32_t count, double time_step
 void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit,
                       State& s) {
     const GrainBlock& range = a.grain_blocks[block];
-    for (std::int32_t i = range.nodes.begin; i < range.nodes.end; ++i) {
-        s.force[i] = {};
-        s.touching[i] = 0;
-    }
+    std::fill(s.touching.begin() + range.nodes.begin, s.touching.begin() + range.nodes.end, std::uint8_t{0});
+    gather_contacts(a, range, s);
     add_elements(a, range.elements, s);
-    for (std::int32_t i = range.nodes.begin; i < range.nodes.end; ++i) {
-        for (std::int32_t k = a.slot_begin[i]; k < a.slot_begin[i + 1]; ++k) {
-            s.force[i] += s.contact_force[a.slots[k]];
-        }
-    }
     add_touches(block, s);
     add_platens(boundary, loading, block, commit, s);
     add_membrane(a, boundary, loading.pressure, block, s);
@@ -160,8 +185,12 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     book_half_work(a, boundary, block, dt, s);
     hold_driven(boundary.drives, block, s);
     const std::int32_t n = nodes.size();
-    sums.damping += move_nodes(n, dt, parameters.damping, &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
-                               &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
+    double absorbed = 0;
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        absorbed = move_nodes(n, dt, parameters.damping, &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
+                              &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
+    });
+    sums.damping += absorbed;
     sums.reaction_work += lead_driven(a, boundary.drives, block, dt, s);
     book_half_work(a, boundary, block, dt, s);
 }

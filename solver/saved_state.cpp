@@ -74,7 +74,7 @@ template <class AnyState, class Visit>
 void visit_arrays(AnyState& s, Visit&& visit) {
     visit("displacement", s.displacement);
     visit("velocity", s.velocity);
-    visit("contact_force", s.contact_force);
+    visit("contact_slots", s.contact_force);
     visit("opening", s.opening);
     visit("sliding", s.sliding);
     visit("cohesion_left", s.cohesion_left);
@@ -245,7 +245,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         value = static_cast<std::decay_t<decltype(value)>>(file.attribute<double>(group, name));
     });
     visit_arrays(s, [&](const char* name, auto& items) { read_array(file, name, items); });
-    s.groups.components.resize(s.groups.component.size());
+    complete_group_state(setup.parameters.mass_scaling, s);
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     const RunHeader& old = run.header();

@@ -19,7 +19,6 @@
 #include "solver/sensitivity.hpp"
 #include "solver/setup.hpp"
 #include "solver/team.hpp"
-#include "solver/vector_targets.hpp"
 
 namespace graincrack {
 namespace {
@@ -69,7 +68,7 @@ public:
           header_(make_header(request)),
           progress_(label, verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
-        header_.vector_target = vector_target();
+        header_.vector_target = name_of(assemblage_.vector_target);
         header_.mass_scaling_factor = setup_.mass_scaling_factor;
         header_.stable_time_step = setup_.stable_time_step;
         header_.time_step = parameters_.time_step;

@@ -52,7 +52,7 @@ struct State {
     std::vector<Vector2> force;           ///< [n] N, scratch of the node stage
     std::vector<Vector2> drag;            ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t> touching;   ///< [n] 1 on and close to a platen (`group_reach`), scratch of the node stage
-    std::vector<Vector2> contact_force;   ///< [4 c] slots, N, at `time`
+    std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
     std::vector<double> cohesion_left;    ///< [2 c] β of each point, intact or failed; stays 1 if the law has none

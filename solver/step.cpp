@@ -13,7 +13,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.force.resize(a.position.size());
     s.drag.resize(a.position.size());
     s.touching.resize(a.position.size());
-    s.contact_force.resize(4 * a.contacts.size());
+    s.contact_force.resize(a.n_slot_values());
     s.points.resize(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());
     s.sliding.resize(2 * a.contacts.size());
@@ -190,6 +190,7 @@ void start(const Assemblage& a, const StepParameters& parameters, State& s) {
         advance_contacts(a, parameters.law, block, s.step, s);
     }
     s.groups = make_group_state(a, parameters.mass_scaling, s);
+    complete_group_state(parameters.mass_scaling, s);
 }
 
 }  // namespace graincrack

@@ -39,7 +39,7 @@ inline Vector2 damping_force(double alpha, const Vector2& force, const Vector2& 
 /// Advances the contacts of a block to the present displacements: histories, slots, energies, events.
 void advance_contacts(const Assemblage& assemblage, const ContactLaw& law, std::int32_t block, std::int64_t step, State& state);
 
-/// Sums the forces on the nodes of a block into `state.force`: elements, contact slots, touches, platens, membrane, drives,
+/// Sums the forces on the nodes of a block into `state.force`: contact slots, elements, touches, platens, membrane, drives,
 /// in this order.
 /// With `commit` the platen points remember their friction and the sums take it in; without it nothing but `force` changes.
 void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t block,

@@ -225,7 +225,10 @@ std::vector<HandOver> take_over(const ContactLaw& law, const std::vector<std::in
                 carried.push_back({c, p, -h.motion.opening, update_contact(law, h.motion, h).traction.shear / law.ks});
             }
         }
-        std::fill_n(s.contact_force.begin() + 4 * static_cast<std::ptrdiff_t>(c), 4, Vector2{});
+        for (std::int32_t k = 0; k < 4; ++k) {
+            const std::int32_t slot = slot_of(c, k);
+            s.contact_force[slot] = s.contact_force[slot + contacts_per_block] = 0;
+        }
     }
     return carried;
 }

@@ -1,29 +1,66 @@
-// Functions compiled once for each vector unit and chosen when the program starts. The arithmetic is the same in all of
-// them: no fused multiply-add is formed (-ffp-contract=off) and no sum is reordered, so the bytes are the same too.
+// Kernels compiled for several vector units from one source, and chosen when a run starts (--vector). The arithmetic is the same
+// in all of them: no fused multiply-add is formed (-ffp-contract=off) and no sum is reordered, so the bytes are the same too.
 #pragma once
 
-#include <string>
+#include <array>
+#include <cstdint>
+#include <string_view>
 
-// Sanitizers and the start-up code that chooses the version do not go together.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define GRAINCRACK_VECTOR_TARGETS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define GRAINCRACK_VECTOR_TARGETS
-#endif
+/// For what a kernel calls: it is compiled for a vector unit only where it is part of the kernel.
+#define GRAINCRACK_INLINE [[gnu::always_inline]] inline
+/// Between the parameters and the body of the lambda that is a kernel.
+#define GRAINCRACK_KERNEL __attribute__((always_inline))
 
 namespace graincrack {
 
-/// The version this machine runs: "avx512", "avx2" or "plain".
-inline std::string vector_target() {
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-    if (__builtin_cpu_supports("avx512f")) {
-        return "avx512";
-    }
-    if (__builtin_cpu_supports("avx2")) {
-        return "avx2";
+/// Vector units that kernels are compiled for (--vector).
+enum class VectorTarget : std::uint8_t { plain, avx2, avx512 };
+inline constexpr std::array<std::string_view, 3> vector_target_names{"plain", "avx2", "avx512"};
+constexpr std::string_view name_of(VectorTarget target) { return vector_target_names[static_cast<std::size_t>(target)]; }
+
+/// Whether this machine can run it.
+inline bool is_available(VectorTarget target) {
+#if defined(__x86_64__)
+    switch (target) {
+        case VectorTarget::avx512: return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+        case VectorTarget::avx2: return __builtin_cpu_supports("avx2") != 0;
+        case VectorTarget::plain: break;
     }
 #endif
-    return "plain";
+    return target == VectorTarget::plain;
+}
+/// The widest that this machine can run.
+inline VectorTarget widest_vector_target() {
+    for (const VectorTarget target : {VectorTarget::avx512, VectorTarget::avx2}) {
+        if (is_available(target)) {
+            return target;
+        }
+    }
+    return VectorTarget::plain;
+}
+
+#if defined(__x86_64__)
+template <class Kernel>
+__attribute__((target("avx512f,avx512dq"))) void run_on_avx512(const Kernel& kernel) {
+    kernel();
+}
+template <class Kernel>
+__attribute__((target("avx2"))) void run_on_avx2(const Kernel& kernel) {
+    kernel();
+}
+#endif
+
+/// Runs a kernel on a vector unit that is available. \param kernel a lambda `[&]() GRAINCRACK_KERNEL { … }`
+template <class Kernel>
+void run_on(VectorTarget target, const Kernel& kernel) {
+#if defined(__x86_64__)
+    switch (target) {
+        case VectorTarget::avx512: run_on_avx512(kernel); return;
+        case VectorTarget::avx2: run_on_avx2(kernel); return;
+        case VectorTarget::plain: break;
+    }
+#endif
+    kernel();
 }
 
 }  // namespace graincrack

@@ -122,14 +122,14 @@ struct Consistent {
     /// Damage before the peak, on either branch; the same arithmetic as above.
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const bool open = p.opening >= 0;
-        const double x = open ? p.opening * law.inv_dct : 0.0;
+        const double opened = std::max(p.opening, 0.0);
+        const double old_opened = std::max(p.old_opening, 0.0);
+        const double x = opened * law.inv_dct;
         const double y = p.sliding * (open ? law.inv_dso : law.inv_dcs);
         const double load = std::sqrt(x * x + y * y);
         const double left = std::min(p.cohesion_left, exp_of_minus(load));
-        const double normal = open ? law.kt * p.opening * p.opening : 0.0;
-        const double old_normal = open ? law.kt * p.old_opening * p.old_opening : 0.0;
-        const double q = normal + law.ks * p.sliding * p.sliding;
-        const double old_q = old_normal + law.ks * p.old_sliding * p.old_sliding;
+        const double q = law.kt * opened * opened + law.ks * p.sliding * p.sliding;
+        const double old_q = law.kt * old_opened * old_opened + law.ks * p.old_sliding * p.old_sliding;
         return {(open ? left : 1.0) * law.kt * p.opening, left * law.ks * p.sliding, load <= 1 ? stays_on_its_side(p) : 0.0, left,
                 0.25 * (old_q + q) * (p.cohesion_left - left)};
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "tests/support/augig_granite.hpp"
@@ -80,16 +81,24 @@ TEST(Assemblage, ContactGeometryAndSlots) {
     const Assemblage a = of(s);
     ASSERT_EQ(a.contacts.size(), s.n_contacts());
     double length_sum = 0;
-    std::vector<int> met(4 * a.contacts.size(), 0);
+    std::map<std::int32_t, std::vector<std::int32_t>> slots;  // of each node, in the order they are summed in
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
-        for (std::int32_t k = a.slot_begin[i]; k < a.slot_begin[i + 1]; ++k) {
-            const std::int32_t slot = a.slots[k];
-            EXPECT_EQ(a.contacts[slot / 4].nodes[slot % 4], i);
-            EXPECT_TRUE(k == a.slot_begin[i] || a.slots[k - 1] < slot);  // ascending: sums in a fixed order
-            ++met[slot];
+        for (const std::int32_t slot : a.slots[i]) {
+            if (slot < static_cast<std::int32_t>(a.contact_blocks.size()) * slot_stride) {
+                slots[i].push_back(slot);
+            }
         }
     }
-    EXPECT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(met.size()));
+    for (const FurtherSlot& further : a.further_slots) {
+        slots[further.node].push_back(further.slot);
+    }
+    std::map<std::int32_t, std::vector<std::int32_t>> expected;
+    for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
+        for (std::int32_t k = 0; k < 4; ++k) {
+            expected[a.contacts[c].nodes[k]].push_back(slot_of(c, k));
+        }
+    }
+    EXPECT_EQ(slots, expected);
     for (const ContactGeometry& g : a.contacts) {
         EXPECT_EQ(2 * g.point_area, length(g.edge));
         length_sum += length(g.edge);
