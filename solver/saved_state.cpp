@@ -91,6 +91,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("touch_forces", s.touches.forces);
     visit("touch_groups", s.touches.groups);
     visit("touch_awake", s.touches.awake);
+    visit("touch_awake_groups", s.touches.awake_groups);
     visit("touch_blocks", s.touches.blocks);
     visit("touch_friction", s.touches.friction);
     visit("touch_gathers", s.touches.gathers);

@@ -18,7 +18,8 @@ constexpr double hand_over = 0.005;      // of a contact's length: sliding or op
 constexpr double loosening = 0.001;      // of a contact's length: a failed point that has moved so far ties no more
 constexpr std::int64_t most_steps = 64;  // between two looks
 constexpr std::int64_t least_steps = 4;
-constexpr double wary = 8;  // times as far as the fastest node goes until then: so near a pair is watched
+constexpr double wary = 8;       // times as far as node and edge go until then, and
+constexpr double wary_rest = 2;  // times as far as the fastest node goes: so near a pair is watched
 constexpr std::int32_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
@@ -93,46 +94,115 @@ void search(const Assemblage& a, const ContactLaw& law, State& s) {
     list.touches = keep_touches(pairs, law, list);
     list.pairs = std::move(pairs);
     list.forces.assign(3 * list.pairs.size(), Vector2{});
+    list.awake.clear();
     list.groups = group_pairs(list.pairs);
     list.displacement_at_search = s.displacement;
 }
 
-/// How far a node has to go to stand behind an edge, m; not above 0 where it does.
-double clearance(const TouchGeometry& g) { return std::max(-g.depth, std::max(-g.place, g.place - 1) / g.inv_length); }
+/// How far a node has to go along an edge to be over the part between `inset` (of its length) of its ends, m; not above 0 there.
+double way_along(const TouchGeometry& g, double inset) {
+    return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length;
+}
 
-/// Groups that touch, or whose node may come behind one of their edges by going `reach`; the forces of the others are nil.
-std::vector<std::int32_t> find_awake(const Assemblage& a, double reach, State& s) {
-    TouchList& list = s.touches;
-    std::vector<std::int32_t> awake;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(list.groups.size()); ++i) {
-        const Range pairs = list.groups[i];
-        const Vector2 node = place_of(a, s, list.pairs[pairs.begin].node);
-        bool is_awake = false;
-        for (std::int32_t p = pairs.begin; p < pairs.end && !is_awake; ++p) {
-            const auto& [first, second] = a.outline.edges[list.pairs[p].edge].nodes;
-            is_awake =
-                list.touches[p].active || clearance(touch_geometry(node, place_of(a, s, first), place_of(a, s, second))) < reach;
+/// How far a node has to go to where a touch may begin, m; not above 0 there.
+double way_to_begin(const TouchGeometry& g, double mean_length) {
+    return std::min(std::max(-g.depth, way_along(g, touch_rule::corner_zone)),
+                    std::max(touch_rule::deep * mean_length - g.depth, way_along(g, 0)));
+}
+
+/// What a look needs of a node's pairs.
+class Watch {
+public:
+    /// \param duration to the next look, at most, s
+    /// \param fastest speed of all nodes, m/s
+    Watch(const Assemblage& a, double duration, double fastest, const State& s)
+        : assemblage_(a), state_(s), duration_(duration), fastest_(fastest) {}
+
+    /// Appends the pairs of a node that touch, may begin to, or may be passed on to, before the next look.
+    void add_awake(Range pairs, std::vector<std::int32_t>& awake) {
+        const TouchList& list = state_.touches;
+        const Vector2 node = place_of(assemblage_, state_, list.pairs[pairs.begin].node);
+        geometry_.clear();
+        active_edges_.clear();
+        deepest_ = 0;
+        for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
+            const OutlineEdge& edge = edge_of(p);
+            geometry_.push_back(
+                touch_geometry(node, place_of(assemblage_, state_, edge.nodes[0]), place_of(assemblage_, state_, edge.nodes[1])));
+            if (list.touches[p].active) {
+                active_edges_.push_back(list.pairs[p].edge);
+                deepest_ = std::max(deepest_, geometry_.back().depth);
+            }
         }
-        if (is_awake) {
-            awake.push_back(i);
-        } else {
-            std::fill(list.forces.begin() + 3 * static_cast<std::ptrdiff_t>(pairs.begin),
-                      list.forces.begin() + 3 * static_cast<std::ptrdiff_t>(pairs.end), Vector2{});
+        for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
+            if (list.touches[p].active || still_pulls(p) || matters(p, geometry_[p - pairs.begin])) {
+                awake.push_back(p);
+            }
         }
     }
-    return awake;
+
+private:
+    [[nodiscard]] const OutlineEdge& edge_of(std::int32_t pair) const {
+        return assemblage_.outline.edges[state_.touches.pairs[pair].edge];
+    }
+    /// Whether a touch that has just ended gives back in the next step.
+    [[nodiscard]] bool still_pulls(std::int32_t pair) const {
+        const Vector2& force = state_.touches.forces[3 * static_cast<std::size_t>(pair)];
+        return force.x != 0 || force.y != 0;
+    }
+    [[nodiscard]] double reach(std::int32_t pair) const {
+        const auto speed = [&](std::int32_t node) { return length(state_.velocity[node]); };
+        const OutlineEdge& edge = edge_of(pair);
+        const double closing = speed(state_.touches.pairs[pair].node) + std::max(speed(edge.nodes[0]), speed(edge.nodes[1]));
+        return duration_ * (wary * closing + wary_rest * fastest_);
+    }
+    [[nodiscard]] bool matters(std::int32_t pair, const TouchGeometry& g) const {
+        const double near = reach(pair);
+        if (way_to_begin(g, assemblage_.outline.mean_length) < near) {
+            return true;
+        }
+        const double margin = near + touch_rule::slack / g.inv_length;
+        return !active_edges_.empty() && g.depth < deepest_ + margin && (way_along(g, 0) < margin || is_beside_active(pair));
+    }
+    /// Whether the edge follows one around the grain that the node touches.
+    [[nodiscard]] bool is_beside_active(std::int32_t pair) const {
+        const OutlineEdge& edge = edge_of(pair);
+        return std::any_of(active_edges_.begin(), active_edges_.end(),
+                           [&edge](std::int32_t active) { return active == edge.previous || active == edge.next; });
+    }
+
+    const Assemblage& assemblage_;
+    const State& state_;
+    double duration_, fastest_;
+    std::vector<TouchGeometry> geometry_;
+    std::vector<std::int32_t> active_edges_;
+    double deepest_ = 0;  ///< of the touches of the node, m
+};
+
+/// Pairs that matter up to the next look, by node; the forces of the others are nil.
+void find_awake(const Assemblage& a, double duration, double fastest, State& s) {
+    TouchList& list = s.touches;
+    list.awake.clear();
+    list.awake_groups.clear();
+    Watch watch(a, duration, fastest, s);
+    for (const Range& pairs : list.groups) {
+        const auto begin = static_cast<std::int32_t>(list.awake.size());
+        watch.add_awake(pairs, list.awake);
+        const auto end = static_cast<std::int32_t>(list.awake.size());
+        if (end > begin) {
+            list.awake_groups.push_back({begin, end});
+        }
+    }
 }
 
 /// Where the forces of the awake pairs on each node are found.
 void arrange_gathers(const Assemblage& a, TouchList& list) {
     std::vector<std::pair<std::int32_t, std::int32_t>> slots;  // node, slot
-    for (const std::int32_t group : list.awake) {
-        for (std::int32_t i = list.groups[group].begin; i < list.groups[group].end; ++i) {
-            const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
-            slots.emplace_back(list.pairs[i].node, 3 * i);
-            slots.emplace_back(edge.nodes[0], 3 * i + 1);
-            slots.emplace_back(edge.nodes[1], 3 * i + 2);
-        }
+    for (const std::int32_t i : list.awake) {
+        const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
+        slots.emplace_back(list.pairs[i].node, 3 * i);
+        slots.emplace_back(edge.nodes[0], 3 * i + 1);
+        slots.emplace_back(edge.nodes[1], 3 * i + 2);
     }
     std::sort(slots.begin(), slots.end());
     list.gathers.clear();
@@ -158,12 +228,14 @@ void arrange_gathers(const Assemblage& a, TouchList& list) {
 }
 
 /// Chooses what the steps up to the next look work on.
-void wake(const Assemblage& a, double reach, State& s) {
+/// \param duration to the next look, at most, s
+/// \param fastest speed of all nodes, m/s
+void wake(const Assemblage& a, double duration, double fastest, State& s) {
     TouchList& list = s.touches;
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
-    list.awake = find_awake(a, reach, s);
+    find_awake(a, duration, fastest, s);
     list.blocks.clear();
-    const auto n = static_cast<std::int32_t>(list.awake.size());
+    const auto n = static_cast<std::int32_t>(list.awake_groups.size());
     for (std::int32_t i = 0; i < n; i += groups_per_block) {
         list.blocks.push_back({i, std::min(i + groups_per_block, n)});
     }
@@ -305,7 +377,7 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, S
         refresh_forces(a, law, s);
         gone = 0;
     }
-    wake(a, wary * static_cast<double>(most_steps) * step_way, s);
+    wake(a, static_cast<double>(most_steps) * parameters.time_step, std::sqrt(fastest), s);
     find_room(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {

@@ -17,6 +17,14 @@
 
 namespace graincrack {
 
+/// Where touches begin and how they pass on; see touch_stage.cpp and share/doc/touches.md.
+namespace touch_rule {
+inline constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
+inline constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several
+                                             // grains meet and would hold each other
+inline constexpr double deep = 6e-3;         // of the mean edge: a node as far in a grain as that is kept out even so
+}  // namespace touch_rule
+
 struct State;
 struct StepParameters;
 
@@ -40,8 +48,9 @@ struct TouchList {
     std::vector<Touch> touches;          ///< [pairs]
     std::vector<Vector2> forces;         ///< [3 pairs] on node, first and second node of the edge, N
     std::vector<Range> groups;           ///< pairs of one node
-    std::vector<std::int32_t> awake;     ///< groups that touch or may do so before the next look; the others have no forces
-    std::vector<Range> blocks;           ///< of `awake`, that one thread works on at a time
+    std::vector<std::int32_t> awake;     ///< pairs that matter before the next look, ascending; the others have no forces
+    std::vector<Range> awake_groups;     ///< of them, of one node each
+    std::vector<Range> blocks;           ///< of `awake_groups`, that one thread works on at a time
     std::vector<double> friction;        ///< [blocks] dissipated since the last look, J
     double friction_before = 0;          ///< and before it, J
     std::vector<TouchGather> gathers;    ///< ascending by node

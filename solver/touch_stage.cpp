@@ -11,31 +11,32 @@
 namespace graincrack {
 namespace {
 
-constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
-constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several grains meet
-                                      // and would hold each other
-constexpr double deep = 6e-3;         // of the mean edge: a node as far in a grain as that is kept out even so
+using namespace touch_rule;
+
 constexpr double bond_width = 3e-3;   // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
 constexpr double least_area = 0.1;    // of what a node stands for, in a crowd
 constexpr double aligned = 0.5;       // cosine of two normals up to which two edges count as one surface
 constexpr double corner = 0.05;       // sine of a turn of the outline from which on its two edges are two faces
 
-/// The pairs of one node.
+/// The awake pairs of one node.
 struct Group {
     const Assemblage& assemblage;
     const ContactLaw& law;
     double time_step;
     State& state;
-    Range pairs;
+    Range awake;
     std::vector<TouchGeometry>& geometry;  ///< by place in the group
     double friction = 0;
 
-    [[nodiscard]] std::int32_t size() const { return pairs.size(); }
-    [[nodiscard]] const OutlineEdge& edge(std::int32_t i) const {
-        return assemblage.outline.edges[state.touches.pairs[pairs.begin + i].edge];
+    [[nodiscard]] std::int32_t size() const { return awake.size(); }
+    [[nodiscard]] std::int32_t pair(std::int32_t i) const { return state.touches.awake[awake.begin + i]; }
+    [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return state.touches.pairs[pair(i)].edge; }
+    [[nodiscard]] const OutlineEdge& edge(std::int32_t i) const { return assemblage.outline.edges[edge_index(i)]; }
+    [[nodiscard]] Touch& touch(std::int32_t i) const { return state.touches.touches[pair(i)]; }
+    [[nodiscard]] Vector2* forces(std::int32_t i) const {
+        return &state.touches.forces[3 * static_cast<std::size_t>(pair(i))];
     }
-    [[nodiscard]] Touch& touch(std::int32_t i) const { return state.touches.touches[pairs.begin + i]; }
-    [[nodiscard]] std::int32_t node() const { return state.touches.pairs[pairs.begin].node; }
+    [[nodiscard]] std::int32_t node() const { return state.touches.pairs[pair(0)].node; }
 };
 
 bool is_over(const TouchGeometry& g, double beyond) { return g.place >= -beyond && g.place <= 1 + beyond; }
@@ -57,7 +58,7 @@ std::int32_t nearer_face(const Group& group, std::int32_t i, double depth) {
     const Vector2& t = group.geometry[i].tangent;
     std::int32_t found = -1;
     for (std::int32_t k = 0; k < group.size(); ++k) {
-        const std::int32_t index = group.state.touches.pairs[group.pairs.begin + k].edge;
+        const std::int32_t index = group.edge_index(k);
         if (index != edge.previous && index != edge.next) {
             continue;
         }
@@ -129,7 +130,7 @@ void move(Group& group, std::int32_t i) {
     if (g.depth <= 0 && r.touch.pressing == 0) {
         group.touch(i) = Touch{};
     }
-    Vector2* slots = &group.state.touches.forces[3 * static_cast<std::size_t>(group.pairs.begin + i)];
+    Vector2* slots = group.forces(i);
     slots[0] = r.forces.on_node;
     slots[1] = r.forces.on_first;
     slots[2] = r.forces.on_second;
@@ -208,12 +209,11 @@ void begin_touches(Group& group) {
 
 void advance_group(Group& group) {
     find_geometry(group);
-    Vector2* slots = &group.state.touches.forces[3 * static_cast<std::size_t>(group.pairs.begin)];
-    std::fill(slots, slots + 3 * static_cast<std::ptrdiff_t>(group.size()), Vector2{});
     std::array<std::int32_t, 16> moving{};
     std::size_t count = 0;
-    for (std::int32_t i = 0; i < group.size() && count < moving.size(); ++i) {
-        if (group.touch(i).active) {
+    for (std::int32_t i = 0; i < group.size(); ++i) {
+        std::fill_n(group.forces(i), 3, Vector2{});
+        if (group.touch(i).active && count < moving.size()) {
             moving[count++] = i;
         }
     }
@@ -231,7 +231,7 @@ void advance_touches(const Assemblage& a, const StepParameters& parameters, std:
     const Range groups = s.touches.blocks[block];
     std::vector<TouchGeometry> geometry;
     for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-        Group group{a, parameters.law, parameters.time_step, s, s.touches.groups[s.touches.awake[i]], geometry};
+        Group group{a, parameters.law, parameters.time_step, s, s.touches.awake_groups[i], geometry};
         advance_group(group);
         s.touches.friction[block] += group.friction;
     }
