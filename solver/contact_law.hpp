@@ -66,6 +66,11 @@ inline double damage(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::damage(law, history); });
 }
 
+/// Whether friction while closed is all that is left of a point. \see spent_response
+inline bool is_spent(const ContactLaw& law, const ContactHistory& history) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::is_spent(law, history); });
+}
+
 /// What the law gives for an intact point, without a branch. \see contact_stage.cpp
 inline IntactResponse intact_response(const ContactLaw& law, const IntactPoint& point) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::intact(law, point); });

@@ -1,11 +1,10 @@
 // The contact stage of a step: jumps of displacement → law → nodal forces, block by block.
 //
 // A block is worked on in passes over arrays on the stack: gather (scalar, indexed), frame and motion (vector), the law of
-// points that stay intact (vector, no branch), the full law for all others (scalar, few), nodal forces into the slots (vector).
+// points that stay intact and of those that are spent (vector, no branch), the full law for all others (scalar, few), nodal forces into the slots (vector).
 // Sums are over fixed lanes, so that every vector unit adds in the same order.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "solver/step.hpp"
 #include "solver/vector_targets.hpp"
@@ -25,8 +24,12 @@ struct Batch {
     alignas(64) double opening[2 * n], sliding[2 * n];
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
     alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
-    alignas(64) double ordinary[2 * n];  ///< 1 where the intact law holds, else 0
-    alignas(64) double fracture[2 * n];  ///< booked by the intact law, J
+    alignas(64) double spent[2 * n];     ///< 1 if it carries nothing but friction, else 0
+    alignas(64) double gone[2 * n];      ///< 1 if the contact has been released to touches, else 0
+    alignas(64) double ordinary[2 * n];  ///< 1 where one of these is all there is to know, else 0: the point needs the full law
+    alignas(64) double fracture[2 * n], closed_fracture[2 * n];  ///< booked by the intact law, J
+    alignas(64) double friction[2 * n];  ///< of spent points, J
+    bool any_spent;                      ///< or gone; else those two are not set
 };
 
 void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
@@ -47,11 +50,33 @@ void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
         b.jump_y[2 * i] = ub1.y - ua1.y;
         b.jump_y[2 * i + 1] = ub2.y - ua2.y;
     }
-    std::fill_n(b.intact, 2 * range.size(), 1.0);
+}
+
+bool any(const std::uint8_t* flags, std::int32_t count) {
+    std::uint8_t found = 0;
+    for (std::int32_t k = 0; k < count; ++k) {
+        found = static_cast<std::uint8_t>(found | flags[k]);
+    }
+    return found != 0;
+}
+
+/// What is known of the points of a block before they move.
+void sort_points(const State& s, Range range, Batch& b) {
+    const std::int32_t count = 2 * range.size();
     const std::uint8_t* failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
-    if (std::memchr(failed, 1, 2 * static_cast<std::size_t>(range.size())) != nullptr) {
-        for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+    const std::uint8_t* spent = &s.spent[2 * static_cast<std::size_t>(range.begin)];
+    const std::uint8_t* released = &s.touches.released[range.begin];
+    std::fill_n(b.intact, count, 1.0);
+    if (any(failed, count)) {
+        for (std::int32_t k = 0; k < count; ++k) {
             b.intact[k] = failed[k] == 0 ? 1.0 : 0.0;
+        }
+    }
+    b.any_spent = any(spent, count) || any(released, range.size());
+    if (b.any_spent) {
+        for (std::int32_t k = 0; k < count; ++k) {
+            b.gone[k] = released[k / 2] != 0 ? 1.0 : 0.0;
+            b.spent[k] = spent[k] != 0 && released[k / 2] == 0 ? 1.0 : 0.0;
         }
     }
 }
@@ -80,12 +105,13 @@ struct Points {
     const double* old_opening;
     const double* old_sliding;
     double* cohesion_left;
+    double* slip;
     double* fracture_energy;
 };
 
-/// The law of intact points. \return number of points that need the full law
+/// The law of intact points.
 template <class Law>
-GRAINCRACK_INLINE std::int32_t apply_intact_law(const ContactLaw& constants, const Points& points, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Points& points, std::int32_t count, Batch& b) {
     const ContactLaw law = constants;  // a copy that no store can change
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -102,6 +128,52 @@ GRAINCRACK_INLINE std::int32_t apply_intact_law(const ContactLaw& constants, con
             b.fracture[k] = ordinary == 0 ? 0.0 : r.fracture;
         }
     }
+}
+
+/// Points of which friction is left, and those that are no contacts any more.
+GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points& points, std::int32_t count, Batch& b) {
+    const ContactLaw law = constants;
+    const double* const old_opening = points.old_opening;
+    const double* const old_sliding = points.old_sliding;
+    double* __restrict const slip = points.slip;
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        const SpentResponse r = spent_response(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], slip[k]});
+        const double spent = r.holds * b.spent[k];
+        const double normal = b.gone[k] != 0 ? 0.0 : b.normal_traction[k];
+        const double shear = b.gone[k] != 0 ? 0.0 : b.shear_traction[k];
+        b.normal_traction[k] = spent != 0 ? r.normal : normal;
+        b.shear_traction[k] = spent != 0 ? r.shear : shear;
+        slip[k] = spent != 0 ? r.slip : slip[k];
+        b.friction[k] = spent != 0 ? r.friction : 0.0;
+        b.ordinary[k] = b.ordinary[k] + spent + b.gone[k];
+    }
+}
+
+/// Sum of values of the points of a block, by lanes.
+GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
+    double sum[lanes] = {};
+    for (std::int32_t k = 2 * count; k % lanes != 0; ++k) {
+        values[k] = 0;
+    }
+    for (std::int32_t k = 0; k < 2 * count; k += lanes) {
+        for (std::int32_t l = 0; l < lanes; ++l) {
+            sum[l] += values[k + l];
+        }
+    }
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+/// Friction of spent points.
+GRAINCRACK_INLINE double sum_friction(std::int32_t count, Batch& b) {
+    for (std::int32_t i = 0; i < count; ++i) {
+        b.friction[2 * i] = b.area[i] * b.friction[2 * i];
+        b.friction[2 * i + 1] = b.area[i] * b.friction[2 * i + 1];
+    }
+    return sum_of_points(count, b.friction);
+}
+
+/// \return number of points that need the full law
+GRAINCRACK_INLINE std::int32_t count_left_over(std::int32_t count, const Batch& b) {
     std::int32_t left_over = 0;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         left_over += b.ordinary[k] == 0 ? 1 : 0;
@@ -119,23 +191,12 @@ GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t cou
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         fracture_energy[k] += b.fracture[k];
     }
-    double open[lanes] = {};
-    double closed[lanes] = {};
-    for (std::int32_t k = 2 * count; k % lanes != 0; ++k) {
-        b.fracture[k] = b.opening[k] = 0;
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        b.closed_fracture[k] = b.opening[k] >= 0 ? 0.0 : b.fracture[k];
+        b.fracture[k] = b.opening[k] >= 0 ? b.fracture[k] : 0.0;
     }
-    for (std::int32_t k = 0; k < 2 * count; k += lanes) {
-        for (std::int32_t l = 0; l < lanes; ++l) {
-            const bool is_open = b.opening[k + l] >= 0;
-            open[l] += is_open ? b.fracture[k + l] : 0.0;
-            closed[l] += is_open ? 0.0 : b.fracture[k + l];
-        }
-    }
-    const auto total = [](const double* s) GRAINCRACK_KERNEL {
-        return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
-    };
-    sums.fracture_tension += total(open);
-    sums.fracture_shear += total(closed);
+    sums.fracture_tension += sum_of_points(count, b.fracture);
+    sums.fracture_shear += sum_of_points(count, b.closed_fracture);
 }
 
 /// The full law at one point: energies and events on top of the traction.
@@ -146,6 +207,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     ContactHistory& history = s.points[point];
     history.motion = {s.opening[point], s.sliding[point]};
     history.cohesion_left = s.cohesion_left[point];
+    history.slip = s.slip[point];
     const ContactResponse r = update_contact(law, to, history);
     ContactSums& sums = s.contact_sums[block];
     const double fracture = g.point_area * r.dissipation.fracture;
@@ -175,17 +237,17 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     }
     history = r.history;
     s.failed[point] = history.failed() ? 1 : 0;
+    s.spent[point] = is_spent(law, history) ? 1 : 0;
     s.cohesion_left[point] = history.cohesion_left;
+    s.slip[point] = history.slip;
     return r.traction;
 }
 
 void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s, Batch& b) {
     const Range range = a.contact_blocks[block];
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
-        const std::int32_t i = k / 2;
-        if (s.touches.released[range.begin + i] != 0) {
-            b.normal_traction[k] = b.shear_traction[k] = 0;
-        } else if (b.ordinary[k] == 0) {
+        if (b.ordinary[k] == 0) {
+            const std::int32_t i = k / 2;
             const ContactTraction t = advance_point(a, law, block, range.begin + i, k % 2, {b.opening[k], b.sliding[k]},
                                                     {b.tangent_x[i], b.tangent_y[i]}, step, s);
             b.normal_traction[k] = t.normal;
@@ -238,20 +300,28 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
     const Range range = a.contact_blocks[block];
     const std::int32_t count = range.size();
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    const Points points{&s.opening[first], &s.sliding[first], &s.cohesion_left[first], &s.fracture_energy[first]};
+    const Points points{&s.opening[first], &s.sliding[first], &s.cohesion_left[first], &s.slip[first], &s.fracture_energy[first]};
+    ContactSums& sums = s.contact_sums[block];
     Batch batch;
     gather(a, s, range, batch);
-    const std::int32_t left_over = contact_law::with_law(law.variant, [&](auto kind) {
+    sort_points(s, range, batch);
+    std::int32_t left_over = 0;
+    contact_law::with_law(law.variant, [&](auto kind) {
         using Law = decltype(kind);
-        std::int32_t n_left = 0;
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
             find_motions(count, batch);
-            n_left = apply_intact_law<Law>(law, points, count, batch);
+            apply_intact_law<Law>(law, points, count, batch);
             if constexpr (Law::damages_intact) {
-                book_intact_damage(points, count, batch, s.contact_sums[block]);
+                book_intact_damage(points, count, batch, sums);
             }
         });
-        return n_left;
+    });
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        if (batch.any_spent) {
+            apply_spent_law(law, points, count, batch);
+            sums.friction += sum_friction(count, batch);
+        }
+        left_over = count_left_over(count, batch);
     });
     if (left_over > 0) {
         apply_full_law(a, law, block, step, s, batch);

@@ -78,7 +78,9 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("opening", s.opening);
     visit("sliding", s.sliding);
     visit("cohesion_left", s.cohesion_left);
+    visit("slip", s.slip);
     visit("failed", s.failed);
+    visit("spent", s.spent);
     visit("history", s.points);
     visit("fracture_energy", s.fracture_energy);
     visit("platen_points", s.platen_points);

@@ -56,7 +56,9 @@ struct State {
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
     std::vector<double> cohesion_left;    ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
+    std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
+    std::vector<std::uint8_t> spent;      ///< [2 c] 1 once friction is all that is left of it (`is_spent`)
     std::vector<ContactHistory> points;   ///< [2 c] what failed points remember besides; see `history_of`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     TouchList touches;
@@ -76,11 +78,12 @@ inline double time_of(const State& state, std::int64_t step, double time_step) {
     return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
 }
 
-/// History of contact point 2 c + p with its present motion and cohesion.
+/// History of contact point 2 c + p with its present motion, cohesion and slip.
 inline ContactHistory history_of(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
     history.cohesion_left = state.cohesion_left[point];
+    history.slip = state.slip[point];
     return history;
 }
 

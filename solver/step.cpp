@@ -17,12 +17,14 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.points.resize(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());
     s.sliding.resize(2 * a.contacts.size());
+    s.slip.resize(2 * a.contacts.size());
     s.failed.resize(2 * a.contacts.size());
+    s.spent.resize(2 * a.contacts.size());
     s.cohesion_left.assign(2 * a.contacts.size(), 1);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
             s.points[2 * c] = s.points[2 * c + 1] = broken_contact();
-            s.failed[2 * c] = s.failed[2 * c + 1] = 1;
+            s.failed[2 * c] = s.failed[2 * c + 1] = 1;  // and spent as soon as the law has seen them
             s.cohesion_left[2 * c] = s.cohesion_left[2 * c + 1] = 0;
         }
     }

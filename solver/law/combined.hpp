@@ -151,6 +151,7 @@ struct Combined {
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return std::min(1.0, damage_at(law, cohesion_of(law, h).largest));
     }
+    static bool is_spent(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double x = std::max(0.0, p.opening) * law.inv_op;
         const double y = std::abs(p.sliding) * law.inv_sp;

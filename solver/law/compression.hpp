@@ -78,6 +78,7 @@ struct PaperCompression {
         const double y = std::abs(m.sliding) * law.inv_dcs;
         return normal + law.ks * m.sliding * m.sliding * exponential_energy(y, exp_of_minus(y));
     }
+    static bool is_spent(const ContactLaw& law, const ContactHistory& h) { return is_lost_open(law, h); }
     /// An open contact of which nothing is left.
     static void advance_lost(const ContactMotion& to, ContactResponse& r) {
         r.history.separated = true;

@@ -119,6 +119,9 @@ struct Consistent {
         return 0.5 * (law.kt * m.opening * m.opening + h.cohesion_left * shear + h.friction_share * law.ks * elastic * elastic);
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_share; }
+    static bool is_spent(const ContactLaw& /*law*/, const ContactHistory& h) {
+        return h.failed() && h.cohesion_left == 0 && h.friction_share == 1;
+    }
     /// Damage before the peak, on either branch; the same arithmetic as above.
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const bool open = p.opening >= 0;

@@ -1,5 +1,8 @@
-// Intact points, most of all points in most steps: what a law gives for them without a branch in the code, for vector units.
+// Intact points, most of all points in most steps, and spent ones, which carry nothing but friction: what a law gives for them
+// without a branch in the code, for vector units.
 #pragma once
+
+#include <algorithm>
 
 #include "solver/law/constants.hpp"
 
@@ -27,4 +30,31 @@ inline double stays_on_its_side(const IntactPoint& p) {
 }
 
 }  // namespace contact_law
+
+/// A spent point before and after a motion: one of which `is_spent` of its law says that no cohesion is left.
+struct SpentPoint {
+    double old_opening, old_sliding;  ///< m
+    double opening, sliding;          ///< m
+    double slip;                      ///< before, m
+};
+/// What `update_contact` gives for it, where `holds`. \see solver/law/friction.hpp
+struct SpentResponse {
+    double normal, shear;  ///< Pa
+    double slip;           ///< m
+    double friction;       ///< dissipated, J/m²
+    double holds;          ///< 1 if the point stays open or closed, else 0
+};
+inline SpentResponse spent_response(const ContactLaw& law, const SpentPoint& p) {
+    const double pressed = std::min(p.opening, 0.0);
+    const double limit = -law.kt * pressed * law.tan_phi;
+    const double old_shear = law.ks * (p.old_sliding - p.slip);
+    const double trial = law.ks * (p.sliding - p.slip);
+    const double shear = std::min(std::max(trial, -limit), limit);
+    const double slides = p.opening < 0 && shear != trial ? 1.0 : 0.0;
+    const double slip = slides != 0 ? p.sliding - shear / law.ks : p.slip;
+    const double friction = std::max(0.0, 0.5 * (old_shear + shear) * (slip - p.slip));
+    const double holds = (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0;
+    return {law.kt * pressed, p.opening < 0 ? shear : 0.0, slip, slides * friction, holds};
+}
+
 }  // namespace graincrack
