@@ -116,22 +116,27 @@ public:
     /// \param duration to the next look, at most, s
     /// \param fastest speed of all nodes, m/s
     Watch(const Assemblage& a, double duration, double fastest, const State& s)
-        : assemblage_(a), state_(s), duration_(duration), fastest_(fastest) {}
+        : assemblage_(a), state_(s), duration_(duration), fastest_(fastest) {
+        speed_.reserve(s.velocity.size());
+        for (const Vector2& v : s.velocity) {
+            speed_.push_back(length(v));
+        }
+    }
 
     /// Appends the pairs of a node that touch, may begin to, or may be passed on to, before the next look.
     void add_awake(Range pairs, std::vector<std::int32_t>& awake) {
         const TouchList& list = state_.touches;
         const Vector2 node = place_of(assemblage_, state_, list.pairs[pairs.begin].node);
         geometry_.clear();
-        active_edges_.clear();
-        deepest_ = 0;
+        active_.clear();
+        pressing_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
             const OutlineEdge& edge = edge_of(p);
             geometry_.push_back(
                 touch_geometry(node, place_of(assemblage_, state_, edge.nodes[0]), place_of(assemblage_, state_, edge.nodes[1])));
             if (list.touches[p].active) {
-                active_edges_.push_back(list.pairs[p].edge);
-                deepest_ = std::max(deepest_, geometry_.back().depth);
+                active_.push_back({list.pairs[p].edge, geometry_.back().depth});
+                pressing_ = std::max(pressing_, list.touches[p].pressing);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
@@ -151,32 +156,46 @@ private:
         return force.x != 0 || force.y != 0;
     }
     [[nodiscard]] double reach(std::int32_t pair) const {
-        const auto speed = [&](std::int32_t node) { return length(state_.velocity[node]); };
         const OutlineEdge& edge = edge_of(pair);
-        const double closing = speed(state_.touches.pairs[pair].node) + std::max(speed(edge.nodes[0]), speed(edge.nodes[1]));
+        const double closing =
+            speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
         return duration_ * (wary * closing + wary_rest * fastest_);
     }
     [[nodiscard]] bool matters(std::int32_t pair, const TouchGeometry& g) const {
         const double near = reach(pair);
-        if (way_to_begin(g, assemblage_.outline.mean_length) < near) {
+        if (way_to_begin(g, assemblage_.outline.mean_length) < near &&
+            !came_through_neighbour(assemblage_, state_, state_.touches.pairs[pair], g, 2 * near)) {
             return true;
         }
+        if (active_.empty()) {
+            return false;
+        }
         const double margin = near + touch_rule::slack / g.inv_length;
-        return !active_edges_.empty() && g.depth < deepest_ + margin && (way_along(g, 0) < margin || is_beside_active(pair));
+        return (g.depth < pressing_ + near && is_beside_active(pair)) || (way_along(g, 0) < margin && goes_on_active(g, margin));
     }
     /// Whether the edge follows one around the grain that the node touches.
     [[nodiscard]] bool is_beside_active(std::int32_t pair) const {
         const OutlineEdge& edge = edge_of(pair);
-        return std::any_of(active_edges_.begin(), active_edges_.end(),
-                           [&edge](std::int32_t active) { return active == edge.previous || active == edge.next; });
+        return std::any_of(active_.begin(), active_.end(),
+                           [&edge](const Active& active) { return active.edge == edge.previous || active.edge == edge.next; });
+    }
+    /// Whether the node is about as deep behind the edge as it is behind one that it touches.
+    [[nodiscard]] bool goes_on_active(const TouchGeometry& g, double margin) const {
+        return std::any_of(active_.begin(), active_.end(),
+                           [&](const Active& active) { return std::abs(active.depth - g.depth) < margin; });
     }
 
     const Assemblage& assemblage_;
     const State& state_;
     double duration_, fastest_;
     std::vector<TouchGeometry> geometry_;
-    std::vector<std::int32_t> active_edges_;
-    double deepest_ = 0;  ///< of the touches of the node, m
+    struct Active {
+        std::int32_t edge;
+        double depth;  ///< m
+    };
+    std::vector<double> speed_;  ///< [n] m/s
+    std::vector<Active> active_;
+    double pressing_ = 0;  ///< of the touches of the node, at most, m
 };
 
 /// Pairs that matter up to the next look, by node; the forces of the others are nil.

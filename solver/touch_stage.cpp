@@ -144,39 +144,6 @@ double area_of(const Group& group, std::int32_t i) {
     return std::clamp(std::min(room[group.node()], room[end]), least_area * tributary, tributary);
 }
 
-/// Whether an edge belongs to a contact that has not been released and is not one of the node.
-bool is_between_others(const Group& group, const OutlineEdge& edge) {
-    if (edge.contact < 0 || group.state.touches.released[edge.contact] != 0) {
-        return false;
-    }
-    const auto& nodes = group.assemblage.contacts[edge.contact].nodes;
-    return std::find(nodes.begin(), nodes.end(), group.node()) == nodes.end();
-}
-
-/// Whether the node is in front of the face on the other side of a convex corner of edge `i`, or nearer to that face: it has come
-/// through that one, or is held there by a contact. Nothing comes through an edge that is bonded to another grain.
-bool came_through_neighbour(const Group& group, std::int32_t i) {
-    const Assemblage& a = group.assemblage;
-    const auto place_of = [&](std::int32_t n) { return a.position[n] + group.state.displacement[n]; };
-    const OutlineEdge& edge = group.edge(i);
-    const TouchGeometry& g = group.geometry[i];
-    for (const std::int32_t index : {edge.previous, edge.next}) {
-        if (index < 0) {
-            continue;
-        }
-        const auto& [first, second] = a.outline.edges[index].nodes;
-        const TouchGeometry other = touch_geometry(place_of(group.node()), place_of(first), place_of(second));
-        const double turn = g.tangent.x * other.tangent.y - g.tangent.y * other.tangent.x;
-        const bool convex = index == edge.next ? turn > corner : turn < -corner;
-        const double front =
-            is_between_others(group, a.outline.edges[index]) ? std::min(g.depth, bond_width * a.outline.mean_length) : g.depth;
-        if (convex && other.depth < front) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// Whether a touch may begin: the node is in the grain, and nothing else keeps it out of there.
 bool may_begin(const Group& group, std::int32_t i) {
     const TouchGeometry& g = group.geometry[i];
@@ -193,7 +160,7 @@ bool may_begin(const Group& group, std::int32_t i) {
             return false;
         }
     }
-    return !came_through_neighbour(group, i);
+    return !came_through_neighbour(group.assemblage, group.state, group.state.touches.pairs[group.pair(i)], g, 0);
 }
 
 void begin_touches(Group& group) {
@@ -225,7 +192,37 @@ void advance_group(Group& group) {
     begin_touches(group);
 }
 
+/// Whether an edge belongs to a contact that has not been released and is not one of the node.
+bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, const OutlineEdge& edge) {
+    if (edge.contact < 0 || s.touches.released[edge.contact] != 0) {
+        return false;
+    }
+    const auto& nodes = a.contacts[edge.contact].nodes;
+    return std::find(nodes.begin(), nodes.end(), node) == nodes.end();
+}
+
 }  // namespace
+
+bool came_through_neighbour(const Assemblage& a, const State& s, const TouchPair& pair, const TouchGeometry& g, double margin) {
+    const auto place_of = [&](std::int32_t n) { return a.position[n] + s.displacement[n]; };
+    const OutlineEdge& edge = a.outline.edges[pair.edge];
+    const Vector2 node = place_of(pair.node);
+    for (const std::int32_t index : {edge.previous, edge.next}) {
+        if (index < 0) {
+            continue;
+        }
+        const OutlineEdge& neighbour = a.outline.edges[index];
+        const TouchGeometry other = touch_geometry(node, place_of(neighbour.nodes[0]), place_of(neighbour.nodes[1]));
+        const double turn = g.tangent.x * other.tangent.y - g.tangent.y * other.tangent.x;
+        const bool convex = index == edge.next ? turn > corner : turn < -corner;
+        const double front =
+            is_between_others(a, s, pair.node, neighbour) ? std::min(g.depth, bond_width * a.outline.mean_length) : g.depth;
+        if (convex && other.depth < front - margin) {
+            return true;
+        }
+    }
+    return false;
+}
 
 void advance_touches(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
     const Range groups = s.touches.blocks[block];
