@@ -179,7 +179,8 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     double element_force = 0;
     m.energies.strain = strain_energy(a, s, element_force);
     find_drag(a, parameters, s);
-    m.energies.kinetic = kinetic_energy(a, parameters, s, unbalanced);
+    m.own_kinetic = kinetic_energy(a, parameters, s, unbalanced);
+    m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
         m.energies.kinetic += added_kinetic_energy(a, parameters.mass_scaling, block, s);

@@ -49,6 +49,7 @@ struct Measurement {
     double force_bottom = 0;  ///< axial force on the specimen, tension positive, N
     double force_top = 0;
     double membrane_force = 0;    ///< lateral force of the membrane, mean of both sides, N
+    double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
     double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
 };
 

@@ -21,11 +21,13 @@ double RateControl::allowed(double endangered) const {
     return std::max(tolerance_, std::min(relaxed * tolerance_, most_inertia));
 }
 
-double RateControl::most_speed() const { return 0.5 * scales_.height / scales_.transit_time * most_rise * scales_.least_strain; }
+double RateControl::most_speed(double strain) const {
+    return 0.5 * scales_.height / scales_.transit_time * most_rise * std::max(strain, scales_.least_strain);
+}
 
 double RateControl::least_speed(double strain, double allowed) const {
     const double wave_speed = scales_.height / scales_.transit_time;
-    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.least_strain), most_speed());
+    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.least_strain), most_speed(strain));
 }
 
 double RateControl::next(const RateMeasures& now, double duration) {
@@ -42,7 +44,7 @@ double RateControl::next(const RateMeasures& now, double duration) {
     const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
     speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));
-    speed_ = std::min(std::max(speed_, least_speed(now.strain, limit)), most_speed());
+    speed_ = std::min(std::max(speed_, least_speed(now.strain, limit)), most_speed(now.strain));
     return speed_;
 }
 

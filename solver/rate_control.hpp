@@ -20,7 +20,7 @@ namespace graincrack {
 /// What a run measures at the end of a batch.
 struct RateMeasures {
     double strain = 0;            ///< platen travel over height since axial loading began, in the sense of the test
-    double kinetic_energy = 0;    ///< J
+    double kinetic_energy = 0;    ///< of the masses as they are, J
     double stored_energy = 0;     ///< J
     double unbalanced_ratio = 0;  ///< as in the history
     double force_difference = 0;  ///< of the platens, over their mean
@@ -49,8 +49,8 @@ public:
     [[nodiscard]] double least_speed(double strain, double allowed) const;
     /// What the tolerance counts with a share of endangered contact points.
     [[nodiscard]] double allowed(double endangered) const;
-    /// The fastest the platens ever go, m/s.
-    [[nodiscard]] double most_speed() const;
+    /// The fastest the platens ever go at a strain, m/s.
+    [[nodiscard]] double most_speed(double strain) const;
 
 private:
     double tolerance_;

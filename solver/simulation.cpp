@@ -174,7 +174,7 @@ private:
     [[nodiscard]] LoadingFeedback feedback(const Measurement& m) const {
         const double load = std::abs(m.force_top - m.force_bottom) / 2;
         RateMeasures rate;
-        rate.kinetic_energy = m.energies.kinetic;
+        rate.kinetic_energy = m.own_kinetic;
         rate.stored_energy = m.energies.stored();
         rate.unbalanced_ratio = m.unbalanced_ratio;
         rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
