@@ -10,8 +10,8 @@
 #include "share/specimen.hpp"
 #include "solver/element.hpp"
 #include "solver/outline.hpp"
-#include "solver/vector_targets.hpp"
 #include "solver/vector2.hpp"
+#include "solver/vector_targets.hpp"
 
 namespace graincrack {
 
@@ -76,13 +76,13 @@ struct Assemblage {
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e]
     TriangleTable element_geometry;                          ///< [e]
     std::vector<ContactGeometry> contacts;                   ///< [c]
-    std::vector<std::array<std::int32_t, 2>> slots;          ///< [n] the contact forces on a node: a slot of zero where there is none
-    std::vector<FurtherSlot> further_slots;                  ///< ascending by node
+    std::vector<std::array<std::int32_t, 2>> slots;  ///< [n] the contact forces on a node: a slot of zero where there is none
+    std::vector<FurtherSlot> further_slots;          ///< ascending by node
     std::vector<GrainBlock> grain_blocks;
     std::vector<Range> contact_blocks;
     std::vector<std::int32_t> node_of_specimen;  ///< [n] internal index of a node of the specimen
     Outline outline;
-    double contact_length = 0;                             ///< sum over contacts, m
+    double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
 
     /// Of contact forces: all blocks, and a slot that stays zero.

@@ -1,8 +1,8 @@
 // The contact stage of a step: jumps of displacement → law → nodal forces, block by block.
 //
 // A block is worked on in passes over arrays on the stack: gather (scalar, indexed), frame and motion (vector), the law of
-// points that stay intact and of those that are spent (vector, no branch), the full law for all others (scalar, few), nodal forces into the slots (vector).
-// Sums are over fixed lanes, so that every vector unit adds in the same order.
+// points that stay intact and of those that are spent (vector, no branch), the full law for all others (scalar, few), nodal
+// forces into the slots (vector). Sums are over fixed lanes, so that every vector unit adds in the same order.
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +28,8 @@ struct Batch {
     alignas(64) double gone[2 * n];      ///< 1 if the contact has been released to touches, else 0
     alignas(64) double ordinary[2 * n];  ///< 1 where one of these is all there is to know, else 0: the point needs the full law
     alignas(64) double fracture[2 * n], closed_fracture[2 * n];  ///< booked by the intact law, J
-    alignas(64) double friction[2 * n];  ///< of spent points, J
-    bool any_spent;                      ///< or gone; else those two are not set
+    alignas(64) double friction[2 * n];                          ///< of spent points, J
+    bool any_spent;                                              ///< or gone; else those two are not set
 };
 
 void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
@@ -117,8 +117,7 @@ GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Point
     const double* const old_sliding = points.old_sliding;
     double* __restrict const cohesion_left = points.cohesion_left;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const IntactResponse r =
-            Law::intact(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], cohesion_left[k]});
+        const IntactResponse r = Law::intact(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], cohesion_left[k]});
         const double ordinary = r.holds * b.intact[k];
         b.normal_traction[k] = r.normal;
         b.shear_traction[k] = r.shear;
@@ -256,9 +255,9 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t blo
     }
 }
 
-/// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's length
-/// from each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy exact.
-/// \param force [8][n] x, y on a1, a2, b1, b2
+/// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's
+/// length from each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy
+/// exact. \param force [8][n] x, y on a1, a2, b1, b2
 GRAINCRACK_INLINE void find_forces(std::int32_t count, const Batch& b, double* __restrict force) {
     for (std::int32_t i = 0; i < count; ++i) {
         const double tx = b.tangent_x[i];

@@ -294,9 +294,8 @@ namespace {
 /// Whether a group of a block may have changed: a point of it has failed, or a platen has come or gone.
 bool may_change(const MassScaling& scaling, std::int32_t block, const State& s) {
     const GroupState& g = s.groups;
-    return g.cracked[block] != 0 ||
-           std::any_of(g.platen_members[block].begin(), g.platen_members[block].end(),
-                       [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.members[i]]; });
+    return g.cracked[block] != 0 || std::any_of(g.platen_members[block].begin(), g.platen_members[block].end(),
+                                                [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.members[i]]; });
 }
 
 }  // namespace
@@ -335,14 +334,14 @@ void shed_added_mass(const Assemblage& a, const StepParameters& parameters, doub
     }
 }
 
-// Damping and integration of a block's groups work on arrays on the stack: members side by side, x and y after each other, as both
-// are treated alike. Sums over those held together are taken one by one; all else is for vector units.
+// Damping and integration of a block's groups work on arrays on the stack: members side by side, x and y after each other, as
+// both are treated alike. Sums over those held together are taken one by one; all else is for vector units.
 namespace {
 
 /// Members of a block.
 struct Batch {
     static constexpr std::int32_t size = 2 * members_per_block;
-    alignas(64) double force[size], velocity[size];                    ///< of the nodes
+    alignas(64) double force[size], velocity[size];                   ///< of the nodes
     alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
     alignas(64) double mean_drag[size];                               ///< drag of the mean less the mean of drags, per mass
     alignas(64) double drag[size];
@@ -444,8 +443,7 @@ void find_mean_drags(const MassScaling& scaling, std::int32_t block, const Group
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_drag, i, {});
                 const std::int32_t first = g.component[origin + i] - origin;
-                set_pair(b.mean_drag, first,
-                         pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.drag, i));
+                set_pair(b.mean_drag, first, pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.drag, i));
             }
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_drag, i, pair_at(b.mean_drag, g.component[origin + i] - origin));
@@ -514,9 +512,8 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, std
     const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
     const double dt = parameters.time_step;
     double absorbed = 0;
-    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b);
-    });
+    run_on(a.vector_target,
+           [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
     s.groups.sums[block].damping += 0.5 * dt * absorbed;
     Vector2* const velocity = s.velocity.data();
     Vector2* const displacement = s.displacement.data();

@@ -7,6 +7,8 @@
 namespace graincrack {
 namespace {
 
+constexpr double endangering = 1.25;  // growth of the jumps under which a point that would fail is endangered
+
 /// Least-squares slope of one displacement component over the same coordinate.
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
     const auto coordinate = [&](std::int32_t i) { return along_y ? a.position[i].y : a.position[i].x; };
@@ -214,9 +216,8 @@ double endangered_share(const Assemblage& a, const ContactLaw& law, const State&
                 const double opening = s.opening[i];
                 const double sliding = s.sliding[i];
                 ++whole;
-                endangered +=
-                    decltype(kind)::intact(law, {opening, sliding, 2 * opening, 2 * sliding, s.cohesion_left[i]}).holds == 0 ? 1
-                                                                                                                             : 0;
+                const IntactPoint grown{opening, sliding, endangering * opening, endangering * sliding, s.cohesion_left[i]};
+                endangered += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
             }
         }
     });

@@ -58,7 +58,8 @@ struct Measurement {
 /// `state.force` is used as scratch.
 Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
 
-/// Share of the contact points that would fail if their jumps doubled, of those that have not failed yet; 0 if all have. Pure.
+/// Share of the contact points that would fail if their jumps grew by a quarter, of those that have not failed yet; 0 if all
+/// have. Pure.
 double endangered_share(const Assemblage& assemblage, const ContactLaw& law, const State& state);
 
 /// The state as a frame of the run file, in the specimen's own order.

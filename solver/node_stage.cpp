@@ -133,7 +133,7 @@ void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure
 
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
 GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, double alpha, const double* inverse_mass,
-                                            const Vector2* force, Vector2* velocity, Vector2* displacement) {
+                                    const Vector2* force, Vector2* velocity, Vector2* displacement) {
     double absorbed = 0;
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 old_velocity = velocity[i];

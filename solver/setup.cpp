@@ -11,6 +11,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
             {make_contact_law(r.contact, r.law, r.coupling), 0, r.damping},
             0,
             0};
+    s.assemblage.vector_target = r.vector_target.value_or(widest_vector_target());
     s.boundary = r.program ? make_program_boundary(s.assemblage, specimen, *r.program, r.contact, r.loading.platen_friction)
                            : make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
     const ContactLaw& law = s.parameters.law;
@@ -18,9 +19,10 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
         s.mass_scaling_factor =
             r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(s.assemblage, s.boundary, law);
     }
-    s.stable_time_step = stable_time_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
+    const StepInParts step = stable_step_in_parts(s.assemblage, s.boundary, law, s.mass_scaling_factor);
+    s.stable_time_step = step.time_step;
+    s.parameters.parts = step.parts;
     s.parameters.mass_scaling = make_mass_scaling(s.assemblage, s.mass_scaling_factor);
-    s.parameters.parts = parts_of_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
     s.parameters.time_step = r.time_step_fraction * s.stable_time_step;
     return s;
 }

@@ -12,6 +12,7 @@
 #include "solver/contact_law.hpp"
 #include "solver/loading.hpp"
 #include "solver/program/program.hpp"
+#include "solver/vector_targets.hpp"
 
 namespace graincrack {
 
@@ -34,8 +35,9 @@ struct SimulationRequest {
     std::string restart;       ///< run file of whose saved state a program goes on, or ""
     bool sensitivity = false;  ///< run again with one thing changed at a time
     int frames = 20;
-    int threads = 1;                        ///< at most
-    std::size_t elements_per_thread = 250;  ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
+    int threads = 1;                            ///< at most
+    std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given
+    std::size_t elements_per_thread = 250;      ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
 };
 
 /// Size and length of a run before it is started.

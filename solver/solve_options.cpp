@@ -87,6 +87,10 @@ void add_method_options(CLI::App& command, SimulationRequest& request) {
     add_integer(command, "--frames", request.frames,
                 "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
     add_threads(command, request.threads);
+    add_choice<std::optional<VectorTarget>>(
+        command, "--vector", request.vector_target,
+        {{"auto", std::nullopt}, {"plain", VectorTarget::plain}, {"avx2", VectorTarget::avx2}, {"avx512", VectorTarget::avx512}},
+        "vector unit to run on; auto: the widest there is");
 }
 
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
@@ -172,6 +176,10 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     complete_rate(request.loading, raw);
     request.loading.platen_friction = raw.platen_friction.value_or(request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
+    if (request.vector_target && !is_available(*request.vector_target)) {
+        throw UsageError(fmt::format("--vector: this processor has no {}; auto takes the widest it has, {}",
+                                     name_of(*request.vector_target), name_of(widest_vector_target())));
+    }
     if (request.mass_scaling_factor && !request.mass_scaling) {
         throw UsageError("--mass-scaling-factor: there is no mass scaling to apply it to; give --mass-scaling selective too");
     }

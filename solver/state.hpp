@@ -70,7 +70,7 @@ struct State {
     StepLoading loading;                            ///< at `time`
     GroupState groups;                              ///< with mass scaling
     DriveState drives;
-    bool in_parts = false;                          ///< mass scaling is over, see `StepParameters::parts`
+    bool in_parts = false;  ///< mass scaling is over, see `StepParameters::parts`
 };
 
 /// Time of a step, s.

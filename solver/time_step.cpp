@@ -209,12 +209,12 @@ double stable_time_step(const Assemblage& a, const Boundary& boundary, const Con
     return 2 / std::sqrt((1 + epsilon) * grain);
 }
 
-std::int64_t parts_of_step(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, double mass_scaling_factor) {
-    if (mass_scaling_factor == 0) {
-        return 1;
-    }
-    const double ratio = stable_time_step(a, boundary, law, mass_scaling_factor) / stable_time_step(a, boundary, law);
-    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ratio)));
+StepInParts stable_step_in_parts(const Assemblage& a, const Boundary& boundary, const ContactLaw& law,
+                                 double mass_scaling_factor) {
+    const double part = stable_time_step(a, boundary, law);
+    const double whole = mass_scaling_factor > 0 ? stable_time_step(a, boundary, law, mass_scaling_factor) : part;
+    const auto parts = std::max<std::int64_t>(1, static_cast<std::int64_t>(whole / part));
+    return {std::min(whole, static_cast<double>(parts) * part), parts};
 }
 
 double sufficient_mass_scaling(const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {

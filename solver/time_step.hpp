@@ -29,9 +29,13 @@ double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, 
 /// of those without (contact law `consistent`, three seeds, 3 mm/s).
 double sufficient_mass_scaling(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law);
 
-/// Steps that are stable without mass scaling in one that is with it; 1 without mass scaling.
-std::int64_t parts_of_step(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
-                           double mass_scaling_factor);
+/// A step with mass scaling, and the whole number of steps without in it (`StepParameters::parts`).
+struct StepInParts {
+    double time_step = 0;  ///< stable, s
+    std::int64_t parts = 1;
+};
+StepInParts stable_step_in_parts(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
+                                 double mass_scaling_factor);
 
 /// y = K x of that stiffest state, linear about the reference (for `stable_time_step` and its tests).
 void apply_stiffness(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,

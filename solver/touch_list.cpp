@@ -100,9 +100,7 @@ void search(const Assemblage& a, const ContactLaw& law, State& s) {
 }
 
 /// How far a node has to go along an edge to be over the part between `inset` (of its length) of its ends, m; not above 0 there.
-double way_along(const TouchGeometry& g, double inset) {
-    return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length;
-}
+double way_along(const TouchGeometry& g, double inset) { return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length; }
 
 /// How far a node has to go to where a touch may begin, m; not above 0 there.
 double way_to_begin(const TouchGeometry& g, double mean_length) {
@@ -157,8 +155,7 @@ private:
     }
     [[nodiscard]] double reach(std::int32_t pair) const {
         const OutlineEdge& edge = edge_of(pair);
-        const double closing =
-            speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
+        const double closing = speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
         return duration_ * (wary * closing + wary_rest * fastest_);
     }
     [[nodiscard]] bool matters(std::int32_t pair, const TouchGeometry& g) const {

@@ -61,11 +61,11 @@ struct TouchList {
     std::int64_t next_check = 0;                  ///< step
 };
 
-/// Whether a node behind an edge is by more than `margin` (m) in front of the face on the other side of a convex corner of the edge,
-/// or nearer to that face: it has come through that one, or is held there by a contact. Nothing comes through an edge that is
-/// bonded to another grain.
-bool came_through_neighbour(const Assemblage& assemblage, const State& state, const TouchPair& pair, const TouchGeometry& geometry,
-                            double margin);
+/// Whether a node behind an edge is by more than `margin` (m) in front of the face on the other side of a convex corner of the
+/// edge, or nearer to that face: it has come through that one, or is held there by a contact. Nothing comes through an edge that
+/// is bonded to another grain.
+bool came_through_neighbour(const Assemblage& assemblage, const State& state, const TouchPair& pair,
+                            const TouchGeometry& geometry, double margin);
 
 /// All pairs of an exposed node and an exposed edge of another grain it is not tied to, nearer than `margin` (m); ascending.
 std::vector<TouchPair> find_pairs(const Assemblage& assemblage, double margin, const State& state);

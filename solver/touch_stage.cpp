@@ -13,10 +13,10 @@ namespace {
 
 using namespace touch_rule;
 
-constexpr double bond_width = 3e-3;   // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
-constexpr double least_area = 0.1;    // of what a node stands for, in a crowd
-constexpr double aligned = 0.5;       // cosine of two normals up to which two edges count as one surface
-constexpr double corner = 0.05;       // sine of a turn of the outline from which on its two edges are two faces
+constexpr double bond_width = 3e-3;  // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
+constexpr double least_area = 0.1;   // of what a node stands for, in a crowd
+constexpr double aligned = 0.5;      // cosine of two normals up to which two edges count as one surface
+constexpr double corner = 0.05;      // sine of a turn of the outline from which on its two edges are two faces
 
 /// The awake pairs of one node.
 struct Group {
@@ -33,9 +33,7 @@ struct Group {
     [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return state.touches.pairs[pair(i)].edge; }
     [[nodiscard]] const OutlineEdge& edge(std::int32_t i) const { return assemblage.outline.edges[edge_index(i)]; }
     [[nodiscard]] Touch& touch(std::int32_t i) const { return state.touches.touches[pair(i)]; }
-    [[nodiscard]] Vector2* forces(std::int32_t i) const {
-        return &state.touches.forces[3 * static_cast<std::size_t>(pair(i))];
-    }
+    [[nodiscard]] Vector2* forces(std::int32_t i) const { return &state.touches.forces[3 * static_cast<std::size_t>(pair(i))]; }
     [[nodiscard]] std::int32_t node() const { return state.touches.pairs[pair(0)].node; }
 };
 

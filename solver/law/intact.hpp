@@ -25,9 +25,7 @@ struct IntactResponse {
 namespace contact_law {
 
 /// 1 if the point stays open or stays closed, else 0.
-inline double stays_on_its_side(const IntactPoint& p) {
-    return (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0;
-}
+inline double stays_on_its_side(const IntactPoint& p) { return (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0; }
 
 }  // namespace contact_law
 

@@ -11,7 +11,8 @@
 // - `stored_energy(law, history)`: recoverable energy per area, a function of state
 // - `damage(law, history)`: 0 to 1
 // - `intact(law, point)`: what vector units work on: the same for intact points, without a branch
-// - `is_spent(law, history)`: true if friction while closed is all that is left, as `spent_response` has it; false is always right
+// - `is_spent(law, history)`: true if friction while closed is all that is left, as `spent_response` has it; false is always
+// right
 // - `damages_intact`: true if that changes `cohesion_left` or books fracture
 #pragma once
 

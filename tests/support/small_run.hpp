@@ -42,8 +42,9 @@ struct SmallRun {
     /// Other supports, and the state at rest.
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
-        parameters.parts = parts_of_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
-        parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
+        const StepInParts step = stable_step_in_parts(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
+        parameters.parts = step.parts;
+        parameters.time_step = fraction * step.time_step;
         state = make_state(assemblage, boundary, specimen);
     }
     /// Velocities as a function of the reference position.
