@@ -10,6 +10,8 @@ build_packages=(
 )
 # What the tests add: their framework, and the reader that share/doc/file-format.md shows.
 test_packages=(libgtest-dev python3-h5py)
+# What the benchmarks add.
+benchmark_packages=(libbenchmark-dev)
 # What the build with the other compiler adds.
 clang_packages=(clang)
 

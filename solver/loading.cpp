@@ -21,7 +21,7 @@ constexpr double settled_balance = 2e-3;   // wanted unbalanced ratio there
 constexpr double history_rows = 8000;      // to the strain cap
 constexpr std::int64_t least_steps = 20;   // between two rows at a speed that changes: a row costs some two steps
 constexpr double most_transits = 0.5;      // and at most: what happens within a transit is to be seen
-constexpr double counting_load = 1;    // axial stress over the rock's tensile strength from which on it is a load for the rate
+constexpr double counting_load = 3;    // axial stress over the rock's tensile strength from which on it is a load for the rate
 constexpr double rest_transits = 400;  // that a block may take to come to rest
 
 double smooth_step(double x) {

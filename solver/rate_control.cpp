@@ -7,18 +7,17 @@ namespace graincrack {
 namespace {
 
 constexpr double near_damage = 0.02;      // share of endangered points from which on the tolerance counts as it is
-constexpr double most_relaxed = 20;       // what it counts at most where no point is endangered
-constexpr double most_inertia = 0.1;      // and at most: kinetic energy 1e-3 of the stored energy
+constexpr double most_inertia = 0.1;      // what counts at most: kinetic energy 1e-3 of the stored energy
 constexpr double most_rise = 0.06;        // of the strain that it may rise by in a transit: platens rattle otherwise
 constexpr double follow_transits = 4;     // in which the speed rises at most e-fold; it falls in half of that
-constexpr double slowest = 0.25;          // of the speed that the tolerance means without damage
+constexpr double slowest = 0.5;           // of the speed that the tolerance means without damage
 constexpr double smoothing_transits = 1;  // over which measures are smoothed
 
 }  // namespace
 
 double RateControl::allowed(double endangered) const {
-    const double relaxed = std::clamp(near_damage / std::max(endangered, 1e-9), 1.0, most_relaxed);
-    return std::max(tolerance_, std::min(relaxed * tolerance_, most_inertia));
+    const double relaxed = tolerance_ * near_damage / std::max(endangered, 1e-9);
+    return std::clamp(relaxed, tolerance_, std::max(tolerance_, most_inertia));
 }
 
 double RateControl::most_speed(double strain) const {

@@ -9,7 +9,7 @@
 //   force difference   of the platens over their mean
 //
 // Kinetic energy is that of the masses as they are: what mass scaling adds to nodes that platens hold is no inertia of the
-// load's. Where no damage is near, a load that rises fast does no harm, and for the first two a multiple of T counts. What is
+// load's. Where no damage is near, a load that rises fast does no harm, and for the first two up to 0.1 counts. What is
 // near is seen before it cracks, from the share of contact points that would fail if their jumps grew by a quarter. Damage under
 // way shows in the measures.
 //
@@ -46,7 +46,7 @@ public:
     RateControl(double tolerance, const RateScales& scales) : tolerance_(tolerance), scales_(scales) {}
     /// Speed of each platen at the end of the next `duration` seconds, m/s.
     double next(const RateMeasures& measures, double duration);
-    /// The slowest the platens ever go at a strain, m/s: a quarter of what the tolerance means there without damage.
+    /// The slowest the platens ever go at a strain, m/s: half of what the tolerance means there without damage.
     /// \param allowed what counts of the tolerance
     [[nodiscard]] double least_speed(double strain, double allowed) const;
     /// What the tolerance counts with a share of endangered contact points.

@@ -84,6 +84,17 @@ struct SmallRun {
     }
 };
 
+/// The vector units this machine has.
+inline std::vector<VectorTarget> available_vector_targets() {
+    std::vector<VectorTarget> targets;
+    for (const VectorTarget target : {VectorTarget::plain, VectorTarget::avx2, VectorTarget::avx512}) {
+        if (is_available(target)) {
+            targets.push_back(target);
+        }
+    }
+    return targets;
+}
+
 inline ContactLaw augig_law(LawVariant variant = LawVariant::scaled, Coupling coupling = Coupling::full,
                             FractureEnergyChoice::Kind energy = FractureEnergyChoice::Kind::mode_i) {
     return make_contact_law(augig_contact(PlaneCondition::strain, energy), variant, coupling);

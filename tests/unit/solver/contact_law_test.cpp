@@ -186,6 +186,38 @@ TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
     }
 }
 
+// The same for points of which friction is left, over random walks of laws that have such points.
+TEST(ContactLawPoint, SpentLawAgreesWithTheFullOne) {
+    int spent_laws = 0;
+    for (const ContactLaw& law : all_laws(augig_contact())) {
+        SCOPED_TRACE(test::name_of_law(law));
+        ContactHistory h = broken_contact();
+        spent_laws += is_spent(law, h) ? 1 : 0;
+        int slid = 0;
+        for (int k = 0; k < 4000 && is_spent(law, h); ++k) {
+            const double phase = 0.01 * k;
+            const ContactMotion to{law.dct * (std::sin(phase) - 0.7), law.dcs * std::sin(2.3 * phase)};
+            const SpentResponse r = spent_response(law, {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip});
+            const ContactResponse full = update_contact(law, to, h);
+            const bool crosses = (to.opening >= 0) != (h.motion.opening >= 0);
+            EXPECT_EQ(r.holds, crosses ? 0 : 1);
+            if (!crosses) {
+                EXPECT_EQ(r.normal, full.traction.normal);
+                EXPECT_EQ(r.shear, full.traction.shear);
+                EXPECT_EQ(r.slip, full.history.slip);
+                EXPECT_EQ(r.friction, full.dissipation.friction);
+                EXPECT_EQ(full.dissipation.fracture, 0);
+                EXPECT_EQ(full.dissipation.mismatch, 0);
+                EXPECT_TRUE(full.history.separated);
+                slid += r.friction > 0 ? 1 : 0;
+            }
+            h = full.history;
+        }
+        EXPECT_EQ(slid > 500, is_spent(law, broken_contact()));
+    }
+    EXPECT_GE(spent_laws, 4);
+}
+
 TEST(ContactLawPoint, SmallDisplacementsHaveTheEnergyOfASpring) {
     using contact_law::exponential_energy;
     // [1 − (1 + x) e^(−x)]/x² by its series and its formula, where they meet

@@ -1,0 +1,98 @@
+#include "tests/benchmark/stages.hpp"
+
+#include <utility>
+
+namespace graincrack::benchmark {
+namespace {
+
+constexpr double speed = 0.05;  // of each platen, m/s
+
+LoadingRequest compression() {
+    LoadingRequest request;
+    request.platen_friction = 5 * test::degree;
+    return request;
+}
+
+template <class Act>
+void for_each_block(std::size_t n, Act&& act) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(n); ++block) {
+        act(block);
+    }
+}
+
+void contacts(LoadedSpecimen& l) {
+    for_each_block(l.assemblage.contact_blocks.size(),
+                   [&](std::int32_t block) { advance_contacts(l.assemblage, l.parameters.law, block, l.state.step, l.state); });
+}
+void forces(LoadedSpecimen& l) {
+    for_each_block(l.assemblage.grain_blocks.size(), [&](std::int32_t block) {
+        sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, block, false, l.state);
+    });
+}
+void nodes(LoadedSpecimen& l) {
+    StepParameters still = l.parameters;
+    still.time_step = 0;  // as much work, and the state stays
+    for_each_block(l.assemblage.grain_blocks.size(),
+                   [&](std::int32_t block) { integrate_nodes(l.assemblage, l.boundary, still, block, l.state); });
+}
+void groups(LoadedSpecimen& l) {
+    const double time_step = std::exchange(l.parameters.time_step, 0.0);
+    for_each_block(l.parameters.mass_scaling.blocks.size(), [&](std::int32_t block) {
+        update_groups(l.assemblage, l.parameters, block, l.state);
+        integrate_groups(l.assemblage, l.parameters, block, l.state);
+    });
+    l.parameters.time_step = time_step;
+}
+
+}  // namespace
+
+LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTarget vector_target)
+    : specimen(std::move(s)),
+      assemblage(make_assemblage(specimen, test::augig_granite().rock, PlaneCondition::strain)),
+      parameters{make_contact_law(test::augig_contact(), law, Coupling::full), 0, 0.8},
+      boundary(make_test_boundary(assemblage, specimen, compression(), test::augig_contact())) {
+    assemblage.vector_target = vector_target;
+    const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
+    const StepInParts step = stable_step_in_parts(assemblage, boundary, parameters.law, factor);
+    parameters.mass_scaling = make_mass_scaling(assemblage, factor);
+    parameters.parts = step.parts;
+    parameters.time_step = 0.7 * step.time_step;
+    state = make_state(assemblage, boundary, specimen);
+    for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+        state.velocity[i] = {0, -2 * speed * assemblage.position[i].y / specimen.height};
+    }
+    start(assemblage, parameters, state);
+    Team alone(1);
+    advance_by(2000, alone);
+}
+
+void LoadedSpecimen::advance_by(std::int64_t steps, Team& team) {
+    const BatchLoading batch{{speed, -speed}, {speed, -speed}, 0, 0};
+    advance(assemblage, boundary, parameters, batch, steps, team, state);
+}
+
+std::vector<Stage> stages_of(const LoadedSpecimen& l) {
+    const double contacts_of_grain = static_cast<double>(l.assemblage.n_contacts()) / l.grains();
+    const double elements_of_grain = static_cast<double>(l.assemblage.n_elements()) / l.grains();
+    const double nodes_of_grain = static_cast<double>(l.assemblage.n_nodes()) / l.grains();
+    // Frame 12, motion 6 a point, law 45 a point (18 of them e^(−x)), booking 4 a point, forces 36.
+    const double of_contact = 12 + 36 + 2 * (6 + 45 + 4);
+    // Geometry 40; motion, cohesion and energy of two points read and written 2 · 2 · 32; slots 64; four nodes' displacements,
+    // each of which two contacts share, 32.
+    const double bytes_of_contact = 40 + 128 + 64 + 32;
+    // Gradient of displacement 12, polar decomposition 14, strain and stress 22, forces 24; and 8 for the sum.
+    const double of_element = 80;
+    const double bytes_of_element = 12 + 40;
+    std::vector<Stage> stages{{"contact law", of_contact * contacts_of_grain, bytes_of_contact * contacts_of_grain, contacts},
+                              {"elements and sum at nodes", of_element * elements_of_grain + 2 * nodes_of_grain,
+                               bytes_of_element * elements_of_grain + (8 + 32 + 16 + 16 + 1) * nodes_of_grain, forces}};
+    if (l.parameters.mass_scaling.is_on()) {
+        // Two means and two drags of two components, 2 · 26; force, velocity, displacement, masses and places.
+        stages.push_back({"integration by groups", 52 * nodes_of_grain, (16 + 32 + 32 + 32 + 8) * nodes_of_grain, groups});
+    } else {
+        stages.push_back({"integration", 22 * nodes_of_grain, (16 + 32 + 32 + 8) * nodes_of_grain, nodes});
+    }
+    return stages;
+}
+
+}  // namespace graincrack::benchmark
