@@ -57,6 +57,11 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     add_quantity(*disc_app, "--diameter", disc.width, quantity::diameter, "diameter")->required();
     add_choice<Pole>(*disc_app, "--pole", disc.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
                      "what of the rim meets the platens");
+    add_integer<int>(*disc_app, "--diameters", disc.diameters,
+                     "diameters that can be loaded, evenly turned: 6 for every 30 degrees", 1, max_diameters);
+    add_integer<int>(*disc_app, "--loaded-diameter", disc.loaded_diameter,
+                     "which of them lies along the load, counted counter-clockwise from 0: the same grains, turned", 0,
+                     max_diameters - 1);
     add_mesh_options(*disc_app, options);
 
     if (!parse_command_line(app, argc, argv)) return std::nullopt;

@@ -65,17 +65,20 @@ Outline rectangle_outline(const Shape& shape, int n, double spread, RandomNumber
     return outline;
 }
 
-/// Polar angles of the rim points, counter-clockwise from just right of the upper pole's facet (or from the pole).
-std::vector<double> rim_angles(Pole pole, int n, double spread, RandomNumbers& random) {
-    const double half_facet = pole == Pole::facet ? pi / n : 0.0;
-    const int between = pole == Pole::facet ? n - 2 : n;  // edges beside the pole facets
+/// Polar angles of the rim points, counter-clockwise from just left of the upper pole's facet (or from the pole).
+std::vector<double> rim_angles(const Shape& shape, int n, double spread, RandomNumbers& random) {
+    const bool facets = shape.pole == Pole::facet;
+    const int arcs = 2 * shape.diameters;  // from pole to pole
+    const double half_facet = facets ? pi / n : 0.0;
+    const double span = pi / shape.diameters - 2 * half_facet;
+    const int between = facets ? n - arcs : n;  // edges beside the pole facets
+    const auto edges_before = [&](int arc) { return (arc * between + arcs - 1) / arcs; };
     std::vector<double> angles;
-    for (const int side : {0, 1}) {  // left half, then right half
-        const int edges = side == 0 ? (between + 1) / 2 : between / 2;
-        const double start = (side == 0 ? 0.5 : 1.5) * pi + half_facet;
-        const auto shares = cut_line(edges, spread, random);
-        const std::size_t n_points = shares.size() - (pole == Pole::facet ? 0 : 1);  // the next pole vertex opens the next half
-        for (std::size_t i = 0; i < n_points; ++i) angles.push_back(start + shares[i] * (pi - 2 * half_facet));
+    for (int arc = 0; arc < arcs; ++arc) {
+        const double start = (0.5 + static_cast<double>(arc) / shape.diameters) * pi + half_facet;
+        const auto shares = cut_line(edges_before(arc + 1) - edges_before(arc), spread, random);
+        const std::size_t n_points = shares.size() - (facets ? 0 : 1);  // the next pole vertex opens the next arc
+        for (std::size_t i = 0; i < n_points; ++i) angles.push_back(start + shares[i] * span);
     }
     return angles;
 }
@@ -86,37 +89,50 @@ double polygon_area(const std::vector<Point>& points) {
     return doubled / 2;
 }
 
-/// Rim points at a radius, those at the poles moved onto y = ±height.
-std::vector<Point> rim_points(const std::vector<double>& angles, const std::vector<bool>& at_pole, double radius, double height) {
+/// Rim points at a radius, those at a pole moved along its diameter to where that has its length. `pole_of`: number of the
+/// pole, counter-clockwise from the upper one, or −1.
+std::vector<Point> rim_points(const Shape& shape, const std::vector<double>& angles, const std::vector<int>& pole_of,
+                              double radius) {
+    const double height = shape.width / 2;
     std::vector<Point> points(angles.size());
     for (std::size_t i = 0; i < angles.size(); ++i) {
         points[i] = {radius * std::cos(angles[i]), radius * std::sin(angles[i])};
-        if (at_pole[i]) points[i].y = std::copysign(height, points[i].y);
+        if (pole_of[i] < 0) continue;
+        if (pole_of[i] % shape.diameters == 0) {
+            points[i].y = std::copysign(height, points[i].y);
+        } else {
+            const double angle = (0.5 + static_cast<double>(pole_of[i]) / shape.diameters) * pi;
+            const Point along{std::cos(angle), std::sin(angle)};
+            points[i] = points[i] + (height - dot(points[i], along)) * along;
+        }
     }
     return points;
 }
 
 Outline disc_outline(const Shape& shape, int n, double spread, RandomNumbers& random) {
     const double radius = shape.width / 2;
-    const auto angles = rim_angles(shape.pole, n, spread, random);
+    const auto angles = rim_angles(shape, n, spread, random);
     const double reach = shape.pole == Pole::facet ? pi / n : 0.0;
-    std::vector<bool> at_pole(angles.size());
+    std::vector<int> pole_of(angles.size(), -1);
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        const double from_pole = std::abs(std::remainder(angles[i] - pi / 2, pi));
-        at_pole[i] = from_pole < reach + 1e-9;
+        const double from_upper = (angles[i] - pi / 2) / (pi / shape.diameters);  // in poles
+        const double pole = std::round(from_upper);
+        if (std::abs(from_upper - pole) * (pi / shape.diameters) < reach + 1e-9) {
+            pole_of[i] = static_cast<int>(pole) % (2 * shape.diameters);
+        }
     }
     Outline outline;
     double rim_radius = radius;
     // The area grows almost as the square of the rim radius (the moved pole nodes spoil it a little): a few corrections do.
     for (int i = 0; i < 100; ++i) {
-        outline.points = rim_points(angles, at_pole, rim_radius, radius);
+        outline.points = rim_points(shape, angles, pole_of, rim_radius);
         const double ratio = shape.area() / polygon_area(outline.points);
         if (std::abs(ratio - 1) < 4e-16) break;
         rim_radius *= std::sqrt(ratio);
     }
     if (shape.pole == Pole::vertex) {
         for (std::size_t i = 0; i < angles.size(); ++i) {
-            if (at_pole[i]) outline.points[i].x = 0;
+            if (pole_of[i] >= 0 && pole_of[i] % shape.diameters == 0) outline.points[i].x = 0;
         }
     }
     outline.parts.assign(outline.points.size(), BoundaryPart::rim);
@@ -144,6 +160,18 @@ int admissible_boundary_count(const Shape& shape, double wanted, bool odd) {
 
 Outline make_outline(const Shape& shape, int n, double spread, RandomNumbers& random) {
     return shape.kind == ShapeKind::disc ? disc_outline(shape, n, spread, random) : rectangle_outline(shape, n, spread, random);
+}
+
+void turn_to_load(const Shape& shape, std::vector<Point>& points) {
+    if (shape.loaded_diameter == 0) return;
+    const double angle = -pi * shape.loaded_diameter / shape.diameters;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double radius = shape.width / 2;
+    for (Point& p : points) {
+        p = {c * p.x - s * p.y, s * p.x + c * p.y};
+        if (std::abs(std::abs(p.y) - radius) < 1e-12 * radius) p.y = std::copysign(radius, p.y);
+    }
 }
 
 double depth_inside(const Shape& shape, Point p) {

@@ -21,6 +21,10 @@ struct Shape {
     double width = 0;   ///< along x; of a disc the diameter
     double height = 0;  ///< along y; of a disc the diameter
     Pole pole = Pole::facet;
+    /// Of a disc: diameters that end in a pole at both ends, evenly turned, the first along y; and which of them the load takes,
+    /// counted counter-clockwise: the specimen is turned so that it lies along y.
+    int diameters = 1;
+    int loaded_diameter = 0;
 
     [[nodiscard]] double area() const;       ///< m²; of a disc that of the true circle
     [[nodiscard]] double perimeter() const;  ///< m
@@ -45,6 +49,9 @@ int admissible_boundary_count(const Shape& shape, double wanted, bool odd);
 /// vertices) are moved along y to meet y = ±D/2 exactly.
 /// \param n from `admissible_boundary_count`
 Outline make_outline(const Shape& shape, int n, double spread, RandomNumbers& random);
+
+/// Turns points of a disc so that the loaded diameter lies along y; its poles come to y = ±D/2 exactly.
+void turn_to_load(const Shape& shape, std::vector<Point>& points);
 
 /// Distance of a point from the boundary, positive inside, m (of a disc: from the true circle).
 double depth_inside(const Shape& shape, Point p);

@@ -65,6 +65,9 @@ void check_request(const SpecimenRequest& request) {
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
     }
+    if (shape.loaded_diameter >= shape.diameters) {
+        throw UsageError("--loaded-diameter: there are " + std::to_string(shape.diameters) + " (--diameters), counted from 0");
+    }
     const double smallest = std::min(shape.width, shape.height);
     if (request.edge) {
         check_size("--edge", *request.edge);
@@ -85,6 +88,10 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     plan.n_grains = n_grains;
     plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(request.shape, static_cast<double>(n_grains));
     plan.n_boundary = admissible_boundary_count(request.shape, request.shape.perimeter() / plan.edge, n_grains % 2 != 0);
+    if (plan.n_boundary < 4 * request.shape.diameters) {
+        throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
+                         std::to_string(plan.n_boundary) + " edges on the rim; at most a quarter of these would do");
+    }
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - plan.n_boundary) / 2));
     return plan;
 }
@@ -157,6 +164,8 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
         statistics = next_statistics;
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
+    turn_to_load(request.shape, attempt.outline.points);
+    turn_to_load(request.shape, attempt.mesh.points);
     Specimen specimen = build_assemblage(request.shape, attempt.outline, attempt.mesh, request.elements_per_edge);
     specimen.seed = request.seed;
     specimen.statistics = statistics;

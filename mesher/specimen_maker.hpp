@@ -21,6 +21,8 @@ struct SpecimenRequest {
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
 };
 
+/// Most diameters that a disc can be loaded along.
+inline constexpr int max_diameters = 36;
 /// Largest spread the mesher can make.
 inline constexpr double max_spread = 0.3;
 /// Largest number of elements along a grain edge.

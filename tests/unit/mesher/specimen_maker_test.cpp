@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -205,6 +206,52 @@ TEST(SpecimenMaker, BadRequestsNameTheirOption) {
     EXPECT_NE(with_edge(-0.01).find("--edge"), std::string::npos);
     EXPECT_NE(with_edge(1e-9).find("--edge"), std::string::npos);
     EXPECT_NE(with_edge(std::nan("")).find("--edge"), std::string::npos);
+}
+
+/// Distances of the nodes from the centre and areas of the grains, each sorted: what turning leaves, whatever the order.
+std::vector<double> turned_invariants(const Specimen& s) {
+    std::vector<double> radii;
+    for (const auto& [x, y] : s.node_position) radii.push_back(std::hypot(x, y));
+    std::sort(radii.begin(), radii.end());
+    std::vector<double> areas = s.grain_area;
+    std::sort(areas.begin(), areas.end());
+    radii.insert(radii.end(), areas.begin(), areas.end());
+    return radii;
+}
+
+// The same grains, turned: every diameter ends in facets that lie on the platens, centred.
+TEST(SpecimenMaker, ADiscIsLoadedAlongEachOfItsDiameters) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet};
+    request.shape.diameters = 6;
+    request.grains = 452;
+    const std::vector<double> first = turned_invariants(make_specimen(request));
+    double moment_before = 0;
+    for (int turn = 0; turn < 6; ++turn) {
+        request.shape.loaded_diameter = turn;
+        const Specimen turned = make_specimen(request);
+        EXPECT_EQ(turned.n_grains(), 452U);
+        const std::vector<double> now = turned_invariants(turned);
+        ASSERT_EQ(now.size(), first.size());
+        for (std::size_t i = 0; i < first.size(); ++i) EXPECT_NEAR(now[i], first[i], 1e-16);  // round-off of 0.04 m
+        for (const double platen : {0.04, -0.04}) {
+            double left = 0;
+            double right = 0;
+            double inside = 0;
+            for (const auto& [x, y] : turned.node_position) {
+                if (y == platen) (x < 0 ? left : right) = x;
+                if (std::abs(y) < 0.03) inside += x * y;  // differs from turn to turn
+            }
+            EXPECT_LT(left, -0.002);  // half a facet of 5 mm
+            EXPECT_NEAR(left, -right, 1e-15);
+            EXPECT_NE(inside, moment_before);
+            if (platen < 0) moment_before = inside;
+        }
+    }
+    request.shape.loaded_diameter = 6;
+    EXPECT_THROW((void)plan_mesh(request), UsageError);
+    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 36, 0};
+    EXPECT_THROW((void)plan_mesh(request), UsageError);
 }
 
 TEST(SpecimenMaker, ProgressMayStopTheWork) {
