@@ -58,7 +58,7 @@ function rises(what, source, key) {
 function without_peak(key) { return capped[key] ? sprintf("; %d of %d runs end at the strain cap, without a peak", capped[key], runs[key]) : "" }
 # Changes of the mean over the levels of a series between two bounds, on the same specimens: ratios to the level 1 (or the
 # highest) of the same seed, whose mean must stay within the tolerance at every level.
-function flat(what, test, series, low, high, tolerance, explanation,    i, s, l, base, worst, half, m, h, verdict, key) {
+function flat(what, test, series, low, high, tolerance, explanation,    i, s, l, base, worst, half, m, h, verdict, key, at_level) {
     for (i = 1; i <= n_levels[series]; ++i) {
         l = levels[series, i]
         if (l >= low && l <= high && (base == "" || nearer(l, base, high))) base = l
@@ -73,14 +73,13 @@ function flat(what, test, series, low, high, tolerance, explanation,    i, s, l,
         if (!count(key)) continue
         m = mean(key)
         h = half_interval(key)
-        if (verdict == "" || abs(m) > abs(worst)) { worst = m; half = h }
-        if (abs(m) <= tolerance) { if (verdict == "") verdict = "holds" }
-        else if (h == "" || abs(m) - h > tolerance) verdict = "differs"
-        else if (verdict != "differs") verdict = "open"
+        if (worst == "" || abs(m) > abs(worst)) { worst = m; half = h }
+        at_level = judge(1 + m, h, 1, tolerance)
+        if (verdict == "" || at_level == "differs" || (at_level == "open" && verdict == "holds")) verdict = at_level
     }
     if (verdict == "") return
     claim(what, "equal", "at most " with_interval(100 * worst, half == "" ? "" : 100 * half, "%.1f") " %", sprintf("%+.1f %%", 100 * worst), verdict,
-        verdict == "open" ? "the interval reaches into ±5 %: more seeds would tell" : explanation)
+        verdict == "open" ? "the interval is too wide to tell: more seeds would" : explanation)
 }
 # Level 1 is the base where it is in the range, else the highest.
 function nearer(a, b, high) { return high >= 1 ? abs(a - 1) < abs(b - 1) : a > b }
