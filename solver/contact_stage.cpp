@@ -61,24 +61,28 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
 }
 
 /// What is known of the points of a block before they move.
-void sort_points(const State& s, Range range, Batch& b) {
+void sort_points(const Assemblage& a, const State& s, Range range, Batch& b) {
     const std::int32_t count = 2 * range.size();
-    const std::uint8_t* failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
-    const std::uint8_t* spent = &s.spent[2 * static_cast<std::size_t>(range.begin)];
-    const std::uint8_t* released = &s.touches.released[range.begin];
-    std::fill_n(b.intact, count, 1.0);
-    if (any(failed, count)) {
-        for (std::int32_t k = 0; k < count; ++k) {
-            b.intact[k] = failed[k] == 0 ? 1.0 : 0.0;
-        }
-    }
+    const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
+    const std::uint8_t* const spent = &s.spent[2 * static_cast<std::size_t>(range.begin)];
+    const std::uint8_t* const released = &s.touches.released[range.begin];
+    const bool any_failed = any(failed, count);
     b.any_spent = any(spent, count) || any(released, range.size());
-    if (b.any_spent) {
-        for (std::int32_t k = 0; k < count; ++k) {
-            b.gone[k] = released[k / 2] != 0 ? 1.0 : 0.0;
-            b.spent[k] = spent[k] != 0 && released[k / 2] == 0 ? 1.0 : 0.0;
-        }
+    if (!any_failed) {
+        std::fill_n(b.intact, count, 1.0);
     }
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        for (std::int32_t k = 0; any_failed && k < count; ++k) {
+            b.intact[k] = 1.0 - static_cast<double>(failed[k]);
+        }
+        for (std::int32_t i = 0; b.any_spent && 2 * i < count; ++i) {
+            const auto gone = static_cast<double>(released[i]);
+            b.gone[2 * i] = gone;
+            b.gone[2 * i + 1] = gone;
+            b.spent[2 * i] = (1.0 - gone) * static_cast<double>(spent[2 * i]);
+            b.spent[2 * i + 1] = (1.0 - gone) * static_cast<double>(spent[2 * i + 1]);
+        }
+    });
 }
 
 GRAINCRACK_INLINE void find_motions(std::int32_t count, Batch& b) {
@@ -303,7 +307,7 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
     ContactSums& sums = s.contact_sums[block];
     Batch batch;
     gather(a, s, range, batch);
-    sort_points(s, range, batch);
+    sort_points(a, s, range, batch);
     std::int32_t left_over = 0;
     contact_law::with_law(law.variant, [&](auto kind) {
         using Law = decltype(kind);
