@@ -62,7 +62,8 @@ std::vector<Cell> strength_row(const std::string& path) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
     const Strength strength = measure_strength(run);
-    const double grain_steps = static_cast<double>(run.header.steps) * static_cast<double>(run.specimen.grains);
+    const std::int64_t integrations = std::max(run.header.steps, run.header.integrations);
+    const double grain_steps = static_cast<double>(integrations) * static_cast<double>(run.specimen.grains);
     const bool timed = grain_steps > 0 && run.wall_time > 0;
     std::vector<Cell> row{run.name,
                           run.header.test,

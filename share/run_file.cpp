@@ -92,6 +92,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("time_step", h.time_step, Dimension::time);
     visit("stop_reason", h.stop_reason);
     visit("steps", h.steps);
+    visit.newer("integrations", h.integrations);
     visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
     visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
     visit("energy_scale", h.energy_scale, Dimension::energy);
@@ -110,6 +111,7 @@ struct HeaderWriter {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
     void newer(const char* name, const std::string& value) const { (*this)(name, value); }
+    void newer(const char* name, const std::int64_t& value) const { (*this)(name, value); }
     void newer(const char* name, const double& value, Dimension dimension) const { (*this)(name, value, dimension); }
 };
 
@@ -121,6 +123,9 @@ struct HeaderReader {
     }
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
+    }
+    void newer(const char* name, std::int64_t& value) const {
+        value = file.attribute_or<std::int64_t>(schema::run_group, name, value);
     }
     void newer(const char* name, std::string& value) const {
         value = file.attribute_or<std::string>(schema::run_group, name, value);

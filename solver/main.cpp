@@ -19,7 +19,7 @@ namespace {
 using namespace graincrack;
 
 void print_plan(const SimulationPlan& plan) {
-    constexpr double assumed_ns_per_grain_step = 60;
+    constexpr double assumed_ns_per_grain_step = 40;
     fmt::print("grains\t{}\nelements\t{}\nnodes\t{}\ncontacts\t{}\n", plan.grains, plan.elements, plan.nodes, plan.contacts);
     fmt::print("stable_time_step_s\t{:.4g}\ntime_step_s\t{:.4g}\nmax_steps\t{}\n", plan.stable_time_step, plan.time_step,
                plan.max_steps);

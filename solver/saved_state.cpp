@@ -113,6 +113,7 @@ template <class AnyState, class Visit>
 void visit_numbers(AnyState& s, Visit&& visit) {
     visit("step", s.step);
     visit("time", s.time);
+    visit("integrations", s.integrations);
     visit("origin_step", s.origin_step);
     visit("origin_time", s.origin_time);
     visit("touch_friction_before", s.touches.friction_before);

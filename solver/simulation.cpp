@@ -259,6 +259,7 @@ private:
 
     void finish_header() {
         header_.steps = state_.step;
+        header_.integrations = state_.integrations;
         driver_->complete(header_, state_.time);
         const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
         const std::size_t peak = peak_row(header_, history_);
@@ -333,7 +334,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     summary.header = simulation.run();
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
-        1e9 * summary.wall_time / (static_cast<double>(summary.header.steps) * static_cast<double>(specimen.n_grains()));
+        1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
     summary.tensile_cracks = simulation.catalogue().tensile_points() / 2;
     summary.shear_cracks = simulation.catalogue().shear_points() / 2;
     if (request.sensitivity) {

@@ -45,6 +45,7 @@ struct GrainSums {
 struct State {
     std::int64_t step = 0;
     double time = 0;
+    std::int64_t integrations = 0;        ///< steps, or parts of them where they are made of parts
     std::int64_t origin_step = 0;         ///< from which on the time step is what it is
     double origin_time = 0;               ///< of that step, s
     std::vector<Vector2> displacement;    ///< [n] m, at `time`

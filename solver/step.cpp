@@ -145,6 +145,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
     });
     clock_at_start = clock_at_end;
     s.step += n_steps;
+    s.integrations += n_steps * parts;
     s.time = time_of(s, s.step, static_cast<double>(parts) * parameters.time_step);
 }
 
@@ -175,7 +176,7 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
         const StepParameters& now = s.in_parts ? of_parts : parameters;
         const std::int64_t parts = s.in_parts ? parameters.parts : 1;
         if (s.step >= s.touches.next_check) {
-            if (look_after_touches(a, now, s)) {
+            if (look_after_touches(a, now, parts, s)) {
                 go_on_in_parts(a, boundary, parameters, of_parts, clock.now(), s);
                 clock.part(parameters.parts);
                 continue;

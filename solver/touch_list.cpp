@@ -18,8 +18,9 @@ constexpr double hand_over = 0.005;      // of a contact's length: sliding or op
 constexpr double loosening = 0.001;      // of a contact's length: a failed point that has moved so far ties no more
 constexpr std::int64_t most_steps = 64;  // between two looks
 constexpr std::int64_t least_steps = 4;
-constexpr double wary = 8;       // times as far as node and edge go until then, and
-constexpr double wary_rest = 2;  // times as far as the fastest node goes: so near a pair is watched
+constexpr double calm_reach = 1e-3;  // of the mean edge, that the fastest node may go between two looks where it can be had
+constexpr double wary = 8;           // times as far as node and edge go until then, and
+constexpr double wary_rest = 2;      // times as far as the fastest node goes: so near a pair is watched
 constexpr std::int32_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
@@ -363,7 +364,7 @@ TouchList make_touch_list(const Assemblage& a) {
     return list;
 }
 
-bool look_after_touches(const Assemblage& a, const StepParameters& parameters, State& s) {
+bool look_after_touches(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
     TouchList& list = s.touches;
     const ContactLaw& law = parameters.law;
     const bool scaled = parameters.mass_scaling.is_on();
@@ -393,7 +394,10 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, S
         refresh_forces(a, law, s);
         gone = 0;
     }
-    wake(a, static_cast<double>(most_steps) * parameters.time_step, std::sqrt(fastest), s);
+    // Soon again where nodes are so fast that they would have to be watched from far off.
+    const auto calm = static_cast<std::int64_t>(std::min(calm_reach * a.outline.mean_length / std::max(step_way, 1e-300), 1e6));
+    const std::int64_t longest = std::max(std::clamp(calm, least_steps, most_steps), shortest);
+    wake(a, static_cast<double>(longest) * parameters.time_step, std::sqrt(fastest), s);
     find_room(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
@@ -402,7 +406,7 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, S
         list.blocks.clear();
     }
     const double steps = step_way > 0 ? 0.5 * (allowed - std::sqrt(gone)) / step_way : static_cast<double>(most_steps);
-    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), least_steps, most_steps);
+    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(least_steps, longest), longest);
     return scaled && std::any_of(list.touches.begin(), list.touches.end(), [](const Touch& touch) { return touch.active; });
 }
 

@@ -77,7 +77,8 @@ TouchList make_touch_list(const Assemblage& assemblage);
 /// anew where that or the way the nodes have gone since the last search asks for it, and says when to look again
 /// (`next_check`). With mass scaling there are no touches: it changes nothing but the list and returns true when one begins, or a
 /// contact is to be released, and is to be called again with masses as they are. Serial; what it does depends on the state only.
-bool look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, State& state);
+/// \param shortest steps there are to the next look at least
+bool look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
 
 /// Moves the touches of a block to the present displacements: forces into the slots, friction into the sums.
 void advance_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);

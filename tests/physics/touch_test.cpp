@@ -119,7 +119,7 @@ TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
             s.displacement[i] += upper ? by : Vector2{};
         }
         ++s.step;
-        look_after_touches(run.assemblage, run.parameters, s);
+        look_after_touches(run.assemblage, run.parameters, 1, s);
         Vector2 force;
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
             advance_touches(run.assemblage, run.parameters, block, s);
@@ -177,7 +177,7 @@ struct Led {
             s.displacement[i] += is_led ? by : Vector2{};
         }
         ++s.step;
-        look_after_touches(run.assemblage, run.parameters, s);
+        look_after_touches(run.assemblage, run.parameters, 1, s);
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
             advance_touches(run.assemblage, run.parameters, block, s);
         }
@@ -242,7 +242,7 @@ TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
         const Energies e = run.measured().energies;
         largest = std::max(largest, length(before));
         // What the step's own look after the list does, seen from outside.
-        look_after_touches(run.assemblage, run.parameters, run.state);
+        look_after_touches(run.assemblage, run.parameters, 1, run.state);
         const Vector2 after = force_on_grain();
         const Energies f = run.measured().energies;
         expect_close(after.x, before.x, 1e-9, std::max(length(before), 1.0));
