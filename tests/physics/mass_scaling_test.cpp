@@ -186,8 +186,9 @@ TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
             EXPECT_GE(e.damping, last_shed - 1e-9 * start.kinetic);  // no local damping here: what groups shed, never given back
             last_shed = e.damping;
             // Undamped, laws lose up to 1.6 % of it to the step where they jump at zero opening; `consistent`, which has no
-            // jump of stiffness, 0.07 %.
-            const double tolerance = law.variant == LawVariant::consistent ? 3e-3 : 0.05;
+            // jump of stiffness, 0.11 % while masses are scaled, and 0.5 % when grains then knock together at 20 m/s.
+            const double of_consistent = run.state.in_parts ? 1e-2 : 2e-3;
+            const double tolerance = law.variant == LawVariant::consistent ? of_consistent : 0.05;
             expect_close(e.imbalance(), start.imbalance(), tolerance, start.kinetic);
         }
         EXPECT_GT(run.failed_points(), 10U);
