@@ -16,7 +16,7 @@
 namespace graincrack {
 
 /// Most contacts in a block.
-inline constexpr std::int32_t contacts_per_block = 128;
+inline constexpr std::int32_t contacts_per_block = 64;
 
 /// A half-open range of indices.
 struct Range {

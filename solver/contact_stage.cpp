@@ -52,6 +52,37 @@ void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
     }
 }
 
+template <class T>
+void prefetch(const T* data, std::size_t count) {
+    constexpr std::size_t line = 64;  // bytes
+    const auto* const bytes = reinterpret_cast<const char*>(data);
+    for (std::size_t i = 0; i < count * sizeof(T); i += line) {
+        __builtin_prefetch(bytes + i);
+    }
+}
+
+/// Asks for what the next block will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
+/// so they are asked for a block earlier.
+void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t block) {
+    const auto n_blocks = static_cast<std::int32_t>(a.contact_blocks.size());
+    if (block + 2 < n_blocks) {
+        const Range later = a.contact_blocks[block + 2];
+        prefetch(&a.contacts[later.begin], static_cast<std::size_t>(later.size()));
+    }
+    if (block + 1 < n_blocks) {
+        const Range next = a.contact_blocks[block + 1];
+        const auto first = 2 * static_cast<std::size_t>(next.begin);
+        for (const auto* values : {&s.opening, &s.sliding, &s.cohesion_left, &s.fracture_energy}) {
+            prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
+        }
+        for (std::int32_t c = next.begin; c < next.end; ++c) {
+            for (const std::int32_t node : a.contacts[c].nodes) {
+                __builtin_prefetch(&s.displacement[node]);
+            }
+        }
+    }
+}
+
 bool any(const std::uint8_t* flags, std::int32_t count) {
     std::uint8_t found = 0;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -307,6 +338,7 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
     ContactSums& sums = s.contact_sums[block];
     Batch batch;
     gather(a, s, range, batch);
+    prefetch_ahead(a, s, block);
     sort_points(a, s, range, batch);
     std::int32_t left_over = 0;
     contact_law::with_law(law.variant, [&](auto kind) {

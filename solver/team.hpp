@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    static constexpr int patient_spins = 4000;  // some 50 µs: most of what two threads differ by within a step
+    static constexpr int patient_spins = 20000;  // some 250 µs: what one thread may do alone between two pieces of work
     static constexpr int impatient_spins = 100;
     static constexpr std::uint32_t waits_between_trials = 64;
     const int n_threads_;
