@@ -49,7 +49,7 @@ struct RunHeader {
     // set when the run ends
     std::string stop_reason;  ///< "peak drop" | "strain cap" | "signal"
     std::int64_t steps = 0;
-    std::int64_t integrations = 0;  ///< steps, with each that was made of parts counted as many times; 0 in older files
+    std::int64_t integrations = 0;       ///< steps, with each that was made of parts counted as many times; 0 in older files
     double isotropic_end_time = 0;       ///< end of the isotropic stage (triaxial), s; 0 without one
     double peak_axial_stress = 0;        ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
     double energy_scale = 0;             ///< largest stored energy (strain + contact) of the run, J: the scale of the ledger

@@ -21,16 +21,25 @@ constexpr double settled_balance = 2e-3;   // wanted unbalanced ratio there
 constexpr double history_rows = 8000;      // to the strain cap
 constexpr std::int64_t least_steps = 20;   // between two rows at a speed that changes: a row costs some two steps
 constexpr double most_transits = 0.5;      // and at most: what happens within a transit is to be seen
-constexpr double counting_load = 3;    // axial stress over the rock's tensile strength from which on it is a load for the rate
-constexpr double rest_transits = 400;  // that a block may take to come to rest
+constexpr double rest_transits = 400;      // that a block may take to come to rest
 
 double smooth_step(double x) {
     const double y = std::clamp(x, 0.0, 1.0);
     return y * y * (3 - 2 * y);
 }
 
-RateScales rate_scales(const Specimen& s, const Rock& rock, double transit_time) {
-    const double stress = counting_load * rock.tensile_strength;
+/// Axial stress from which on it is a load for the rate: about a fifth of what the test may bear. In compression some fifteen
+/// times the tensile strength, in the disc, as load over diameter, π/2 times.
+double counting_load(TestKind test, const Rock& rock) {
+    switch (test) {
+        case TestKind::tension: return 0.2 * rock.tensile_strength;
+        case TestKind::brazilian: return 0.3 * rock.tensile_strength;
+        default: return 3 * rock.tensile_strength;
+    }
+}
+
+RateScales rate_scales(TestKind test, const Specimen& s, const Rock& rock, double transit_time) {
+    const double stress = counting_load(test, rock);
     const double area = std::accumulate(s.grain_area.begin(), s.grain_area.end(), 0.0);
     return {s.height, transit_time, stress / rock.young_modulus, 0.5 * stress * stress / rock.young_modulus * area};
 }
@@ -67,7 +76,7 @@ Loading::Loading(const LoadingRequest& request, const Specimen& specimen, const 
                                 ? (1 + rock.poisson_ratio) * (1 - 2 * rock.poisson_ratio) / rock.young_modulus
                                 : (1 - rock.poisson_ratio) / rock.young_modulus),
       isotropic_(request.confining_pressure > 0),
-      control_(request.rate_tolerance, rate_scales(specimen, rock, transit_time_)),
+      control_(request.rate_tolerance, rate_scales(request.test, specimen, rock, transit_time_)),
       blocks_(request.platen_speed, request.rate_tolerance, rest_transits * transit_time_) {
     const double as_fast_as_the_test = request.confining_pressure / young_modulus_ * height_ / (2 * request.platen_speed);
     ramp_time_ = request.rate == RateKind::automatic ? ramp_transits * transit_time_

@@ -406,7 +406,8 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
         list.blocks.clear();
     }
     const double steps = step_way > 0 ? 0.5 * (allowed - std::sqrt(gone)) / step_way : static_cast<double>(most_steps);
-    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(least_steps, longest), longest);
+    list.next_check =
+        s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(least_steps, longest), longest);
     return scaled && std::any_of(list.touches.begin(), list.touches.end(), [](const Touch& touch) { return touch.active; });
 }
 

@@ -28,8 +28,8 @@ private:
 struct Optimum {
     std::vector<double> coded;
     double desirability = 0;
-    /// Factors that the goals leave free: with fewer targets than factors all goals are met along a line or more, of which this is
-    /// the place nearest to the centre.
+    /// Factors that the goals leave free: with fewer targets than factors all goals are met along a line or more, of which this
+    /// is the place nearest to the centre.
     std::size_t free_factors = 0;
 };
 

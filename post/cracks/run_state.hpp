@@ -11,7 +11,8 @@ namespace graincrack {
 
 /// The catalogue. \throws InputError if a row names a contact or point that the specimen does not have
 std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen);
-/// A frame without opening, sliding and traction, which no map shows: a third of its size. \throws InputError if its arrays do not fit the specimen
+/// A frame without opening, sliding and traction, which no map shows: a third of its size. \throws InputError if its arrays do
+/// not fit the specimen
 Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t index);
 /// The cracks that are there at a time.
 std::vector<Crack> cracks_until(const std::vector<Crack>& cracks, double time);

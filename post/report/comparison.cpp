@@ -29,7 +29,8 @@ std::vector<double> collect(const std::vector<TestReport>& tests, const Value& v
 class Column {
 public:
     explicit Column(const std::optional<Material>& material)
-        : material_(material), table_({"quantity", "model\u00a0(s.d.;\u00a0n)\n95\u00a0%\u00a0interval", "laboratory", "difference"}) {}
+        : material_(material),
+          table_({"quantity", "model\u00a0(s.d.;\u00a0n)\n95\u00a0%\u00a0interval", "laboratory", "difference"}) {}
 
     /// A sample over runs. \param key of [laboratory], "" for none \param factor from SI to the unit of the row
     void add(const std::string& words, const std::vector<double>& values, const std::string& key, double factor) {

@@ -42,7 +42,7 @@ struct TestReport {
     CrackBalance at_end;
     FailureBranches branches;
     std::vector<SensitivityRow> sensitivity;  ///< empty if the run was not asked for it
-    double contact_zone_length = 0;  ///< m
+    double contact_zone_length = 0;           ///< m
     ProvenanceWords provenance;
 };
 
