@@ -32,8 +32,10 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const auto law = fit_power_law_log(s.edge, s.strength);
     chart.legend(marker, name);
     if (!law) return;
-    const auto [low, high] = padded_range(edge, 0);
-    draw_law(chart, low / 1.1, high * 1.1, law->coefficient * 1e-6, law->exponent.value, Stroke{colour, 4});
+    const auto range = padded_range(edge, 0);
+    const double low = range.first / 1.1;
+    const double high = range.second * 1.1;
+    draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, Stroke{colour, 4});
     std::string words = fmt::format("n = {:.2f}", law->exponent.value);
     if (law->exponent.low) words += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
     chart.legend(Stroke{colour, 4}, words);
@@ -46,7 +48,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
         y += std::log(s.strength[i] * 1e-6) / static_cast<double>(edge.size());
     }
     const auto compare = [&](const std::string& who, double exponent, const Stroke& stroke) {
-        draw_law(chart, low / 1.1, high * 1.1, std::exp(y - exponent * x), exponent, stroke);
+        draw_law(chart, low, high, std::exp(y - exponent * x), exponent, stroke);
         chart.legend(stroke, fmt::format("{}, n = {}", who, exponent));
     };
     compare("theory", theory_exponent, Stroke{colour, 2.5, true});
