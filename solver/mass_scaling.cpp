@@ -69,6 +69,7 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         g.component[i] = i;
         g.inverse_mass[i] = 0;
+        g.holder[i] = 0;
     }
     for (std::int32_t t = ties.begin; t < ties.end; ++t) {
         if (g.tied[t] != 0) {
@@ -88,6 +89,7 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         if (g.supported[i] != 0) {
             g.inverse_mass[g.component[i]] = 0;
+            g.holder[g.component[i]] = g.supported[i];
         }
         if (g.component[i] != members.begin) {
             g.whole[group] = 0;
@@ -95,11 +97,24 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
     }
 }
 
-/// The mean velocity of those a member is held together with; 0 if that is a platen.
+/// Velocities of the platens, by `GroupState::holder`.
+class PlatenVelocities {
+public:
+    /// As node velocities: half a step before now.
+    PlatenVelocities(const StepLoading& loading, double time_step)
+        : velocity_{Vector2{}, {0, loading.increment_before[0] / time_step}, {0, loading.increment_before[1] / time_step}} {}
+    [[nodiscard]] const Vector2& operator[](std::uint8_t holder) const { return velocity_[holder]; }
+
+private:
+    std::array<Vector2, 3> velocity_;
+};
+
+/// The mean velocity of those a member is held together with.
 /// \param is_with (i, j): members i and j are held together
+/// \param platen what it is if there are none: the velocity of the platen that holds it
 template <class IsWith>
 Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range members, std::int32_t i, const State& s,
-                      IsWith&& is_with) {
+                      const Vector2& platen, IsWith&& is_with) {
     Vector2 momentum;
     double mass = 0;
     for (std::int32_t j = members.begin; j < members.end; ++j) {
@@ -109,18 +124,20 @@ Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range mem
             mass += a.mass[node];
         }
     }
-    return (mass > 0 ? 1 / mass : 0.0) * momentum;
+    return mass > 0 ? (1 / mass) * momentum : platen;
 }
 
 /// Kinetic energy ½ vᵀM' v of a group, J, with `own` times that of its masses as they are.
-double kinetic_energy(const Assemblage& a, const MassScaling& scaling, std::int32_t group, const State& s, double own) {
+double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group,
+                      const State& s, double own) {
     const Range members = scaling.groups[group];
     const GroupState& g = s.groups;
     double sum = 0;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         const std::int32_t node = scaling.members[i];
-        const Vector2 mean = mean_velocity(a, scaling, members, i, s, [&g](std::int32_t k, std::int32_t j) {
-            return g.component[j] == g.component[k] && g.inverse_mass[g.component[k]] > 0;
+        const std::uint8_t holder = g.holder[g.component[i]];
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[holder], [&](std::int32_t k, std::int32_t j) {
+            return g.component[j] == g.component[k] && holder == 0;
         });
         const Vector2 relative = s.velocity[node] - mean;
         sum += a.mass[node] * (own * dot(s.velocity[node], s.velocity[node]) + scaling.factor * dot(relative, relative));
@@ -138,8 +155,9 @@ double half_impulse_work(const StepParameters& parameters, Range members, const 
     return 0.5 * parameters.time_step * sum;
 }
 
-/// Gives those that part their velocities and those that meet their momentum: neither makes energy.
-void regroup(const Assemblage& a, const MassScaling& scaling, std::int32_t group, State& s) {
+/// Gives those that part their velocities and those that meet their momentum: neither makes energy, seen from the platen where
+/// one holds them.
+void regroup(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group, State& s) {
     GroupState& g = s.groups;
     const Range members = scaling.groups[group];
     const Range ties = scaling.ties_of_group[group];
@@ -147,7 +165,7 @@ void regroup(const Assemblage& a, const MassScaling& scaling, std::int32_t group
         return std::vector(all.begin() + members.begin, all.begin() + members.end);
     };
     const std::vector<std::int32_t> old_component = of_group(g.component);
-    const std::vector<double> old_inverse_mass = of_group(g.inverse_mass);
+    const std::vector<std::uint8_t> old_holder = of_group(g.holder);
     for (std::int32_t t = ties.begin; t < ties.end; ++t) {
         g.tied[t] = holds(scaling.ties[t], s) ? 1 : 0;
     }
@@ -156,15 +174,13 @@ void regroup(const Assemblage& a, const MassScaling& scaling, std::int32_t group
     }
     find_components(a, scaling, group, g);
     // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
-    const auto was_supported = [&](std::int32_t i) {
-        return old_inverse_mass[old_component[i - members.begin] - members.begin] == 0;
-    };
-    const auto is_supported = [&](std::int32_t i) { return g.inverse_mass[g.component[i]] == 0; };
+    const auto held_by = [&](std::int32_t i) { return old_holder[old_component[i - members.begin] - members.begin]; };
+    const auto holder_now = [&](std::int32_t i) { return g.holder[g.component[i]]; };
     std::vector<Vector2> specific_momentum;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const Vector2 mean = mean_velocity(a, scaling, members, i, s, [&](std::int32_t k, std::int32_t j) {
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[held_by(i)], [&](std::int32_t k, std::int32_t j) {
             return old_component[j - members.begin] == old_component[k - members.begin] && g.component[j] == g.component[k] &&
-                   !(was_supported(k) && is_supported(k));
+                   !(held_by(k) != 0 && holder_now(k) != 0);
         });
         specific_momentum.push_back((1 + scaling.factor) * s.velocity[scaling.members[i]] - scaling.factor * mean);
     }
@@ -173,9 +189,9 @@ void regroup(const Assemblage& a, const MassScaling& scaling, std::int32_t group
     }
     std::vector<Vector2> velocity;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const Vector2 mean = mean_velocity(a, scaling, members, i, s, [&](std::int32_t k, std::int32_t j) {
-            return g.component[j] == g.component[k] && !is_supported(k);
-        });
+        const Vector2 mean =
+            mean_velocity(a, scaling, members, i, s, platens[holder_now(i)],
+                          [&](std::int32_t k, std::int32_t j) { return g.component[j] == g.component[k] && holder_now(k) == 0; });
         const Vector2 own = s.velocity[scaling.members[i]];
         velocity.push_back(mean + (1 / (1 + scaling.factor)) * (own - mean));
     }
@@ -245,6 +261,7 @@ GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, con
     GroupState g;
     g.component.resize(scaling.members.size());
     g.inverse_mass.resize(scaling.members.size());
+    g.holder.resize(scaling.members.size());
     g.whole.resize(scaling.groups.size());
     g.sums.resize(scaling.blocks.size());
     for (const MassScaling::Tie& tie : scaling.ties) {
@@ -262,6 +279,11 @@ void complete_group_state(const MassScaling& scaling, State& s) {
     std::vector<bool> may_touch(s.touching.size(), false);
     for (const PlatenPoint& point : s.platen_points) {
         may_touch[point.node] = true;
+    }
+    g.holder.assign(scaling.members.size(), 0);
+    for (std::size_t i = 0; i < scaling.members.size(); ++i) {
+        std::uint8_t& holder = g.holder[g.component[i]];
+        holder = std::max(holder, g.supported[i]);
     }
     g.whole.assign(scaling.groups.size(), 1);
     g.cracked.assign(scaling.blocks.size(), 0);
@@ -300,12 +322,14 @@ bool may_change(const MassScaling& scaling, std::int32_t block, const State& s) 
 
 }  // namespace
 
-void update_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+void update_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                   State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     GroupState& g = s.groups;
     if (!may_change(scaling, block, s)) {
         return;
     }
+    const PlatenVelocities platens(loading, parameters.time_step);
     for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
         const Range ties = scaling.ties_of_group[group];
         const Range members = scaling.groups[group];
@@ -319,18 +343,22 @@ void update_groups(const Assemblage& a, const StepParameters& parameters, std::i
         if (!changes) {
             continue;
         }
-        const double before = kinetic_energy(a, scaling, group, s, 1) + half_impulse_work(parameters, members, s);
-        regroup(a, scaling, group, s);
-        g.sums[block].shed += before - (kinetic_energy(a, scaling, group, s, 1) + half_impulse_work(parameters, members, s));
+        const auto energy = [&] {
+            return kinetic_energy(a, scaling, platens, group, s, 1) + half_impulse_work(parameters, members, s);
+        };
+        const double before = energy();
+        regroup(a, scaling, platens, group, s);
+        g.sums[block].shed += before - energy();
     }
 }
 
-void shed_added_mass(const Assemblage& a, const StepParameters& parameters, double time_step, State& s) {
+void shed_added_mass(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, double time_step,
+                     State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     const double shorter = 1 - time_step / parameters.time_step;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        s.groups.sums[block].shed +=
-            added_kinetic_energy(a, scaling, block, s) + shorter * half_impulse_work(parameters, scaling.members_of(block), s);
+        s.groups.sums[block].shed += added_kinetic_energy(a, parameters, loading, block, s) +
+                                     shorter * half_impulse_work(parameters, scaling.members_of(block), s);
     }
 }
 
@@ -460,14 +488,32 @@ GRAINCRACK_INLINE void damp_mean_motion(const double* mass, double alpha, std::i
     }
 }
 
-/// Everything up to the drags of a block.
-void damp(const Assemblage& a, const StepParameters& parameters, std::int32_t block, const State& s, Batch& b) {
+/// Calls `act(i, holder)` for every member of a block that a platen holds; places within the block.
+template <class Act>
+void for_each_held(const MassScaling& scaling, std::int32_t block, const GroupState& g, Act&& act) {
+    if (g.platen_members[block].empty()) {
+        return;
+    }
+    const Range members = scaling.members_of(block);
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::uint8_t holder = g.holder[g.component[i]];
+        if (holder != 0) {
+            act(i - members.begin, holder);
+        }
+    }
+}
+
+/// Everything up to the drags of a block. The mean motion of those that a platen holds is the platen's, and is not damped.
+void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t block,
+          const State& s, Batch& b) {
     const MassScaling& scaling = parameters.mass_scaling;
     const Range members = scaling.members_of(block);
     const std::int32_t count = 2 * members.size();
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
     gather(scaling, members, s, b);
     find_means(scaling, block, s.groups, b);
+    for_each_held(scaling, block, s.groups,
+                  [&](std::int32_t i, std::uint8_t holder) { set_pair(b.mean_velocity, i, platens[holder]); });
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damping, count, b); });
     find_mean_drags(scaling, block, s.groups, b);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damping, count, b); });
@@ -493,28 +539,46 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
            ((absorbed[4] + absorbed[5]) + (absorbed[6] + absorbed[7]));
 }
 
+/// Of the platen that holds a component, m/s².
+Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t holder) {
+    const std::size_t platen = holder - 1U;
+    return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};
+}
+
 }  // namespace
 
-void damp_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+void damp_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                 State& s) {
     Batch b;
-    damp(a, parameters, block, s, b);
+    damp(a, parameters, PlatenVelocities(loading, parameters.time_step), block, s, b);
     const Range members = parameters.mass_scaling.members_of(block);
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         s.drag[parameters.mass_scaling.members[i]] = pair_at(b.drag, i - members.begin);
     }
 }
 
-void integrate_groups(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+void integrate_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                      State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
+    const double dt = parameters.time_step;
     Batch b;
-    damp(a, parameters, block, s, b);
+    damp(a, parameters, PlatenVelocities(loading, dt), block, s, b);
+    for_each_held(scaling, block, s.groups, [&](std::int32_t i, std::uint8_t holder) {
+        set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, holder));
+    });
     const Range members = scaling.members_of(block);
     const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
-    const double dt = parameters.time_step;
     double absorbed = 0;
     run_on(a.vector_target,
            [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
     s.groups.sums[block].damping += 0.5 * dt * absorbed;
+    for_each_held(scaling, block, s.groups, [&](std::int32_t i, std::uint8_t holder) {
+        const Vector2 against_platen =
+            (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) - platen_acceleration(loading, dt, holder);
+        const double force = -scaling.factor * scaling.mass[2 * (members.begin + i)] * against_platen.y;  // of the added mass
+        s.groups.sums[block].platen_work +=
+            0.5 * force * (loading.increment_before[holder - 1U] + loading.increment_after[holder - 1U]);
+    });
     Vector2* const velocity = s.velocity.data();
     Vector2* const displacement = s.displacement.data();
     for (std::int32_t i = 0; i < members.size(); ++i) {
@@ -525,10 +589,13 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, std
     }
 }
 
-double added_kinetic_energy(const Assemblage& a, const MassScaling& scaling, std::int32_t block, const State& s) {
+double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                            const State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    const PlatenVelocities platens(loading, parameters.time_step);
     double sum = 0;
     for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
-        sum += kinetic_energy(a, scaling, group, s, 0);
+        sum += kinetic_energy(a, scaling, platens, group, s, 0);
     }
     return sum;
 }

@@ -12,7 +12,8 @@
 // A contact point holds its two nodes together while it carries something or soon may: until it has separated and opened by
 // `group_reach`, and again when it comes as close. Groups are what is connected by such points, so fragments fly free of each
 // other. Where they are to meet others than their first partners (`StepParameters::parts`) mass scaling is over. A group that
-// touches a platen, or comes as close to one, is held by it as by a mass without limit: ā = 0.
+// touches a platen, or comes as close to one, is held by it as by a mass without limit: ā is the platen's. What that mass takes
+// to be moved along with the platen is the platen's work.
 //
 // When groups change, nodes that part keep their velocities, and nodes that meet their momentum M' v (kept velocities would make
 // energy there). Both lose kinetic energy, never gain any; what is lost is booked.
@@ -28,6 +29,7 @@
 namespace graincrack {
 
 struct State;
+struct StepLoading;
 struct StepParameters;
 
 /// Opening of a separated contact at which its nodes part, over its length. What moves freely has its own mass, and would run
@@ -65,13 +67,15 @@ MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 /// Energies summed over a block of groups since the start, J.
 struct GroupSums {
     double damping = 0;
-    double shed = 0;  ///< kinetic energy that changes of groups took away
+    double shed = 0;         ///< kinetic energy that changes of groups took away
+    double platen_work = 0;  ///< done on the added mass that platens hold
 };
 
 /// Who is held together now.
 struct GroupState {
     std::vector<std::uint8_t> tied;       ///< [tie] 1 while the point holds its nodes together
-    std::vector<std::uint8_t> supported;  ///< [member] 1 while the node touches a platen
+    std::vector<std::uint8_t> supported;  ///< [member] `State::touching` of the node
+    std::vector<std::uint8_t> holder;     ///< [member] of the component it is the first of: 1 + its platen, 0 if none holds it
     std::vector<std::int32_t> component;  ///< [member] first member of those it is held together with
     std::vector<double> inverse_mass;     ///< [member] of the component it is the first of; 0 if a platen holds that, 1/kg
     std::vector<std::uint8_t> whole;      ///< [group] 1 while all of its members are held together
@@ -96,21 +100,26 @@ void complete_group_state(const MassScaling& scaling, State& state);
 
 /// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
 /// books what they shed.
-void update_groups(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+void update_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                   State& state);
 
 /// Local damping of a block of groups, into `state.drag`: of the mean motion of those held together against the force on all of
 /// them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it: the forces
 /// in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
-void damp_groups(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+void damp_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                 State& state);
 
 /// Takes the added mass away for good, at the present velocities and `state.force`, and books what it sheds.
 /// \param time_step of the steps to come, s
-void shed_added_mass(const Assemblage& assemblage, const StepParameters& parameters, double time_step, State& state);
+void shed_added_mass(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, double time_step,
+                     State& state);
 
 /// Damps and integrates the nodes of a block of groups: v += Δt M'⁻¹ (F + Fd), u += Δt v.
-void integrate_groups(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+void integrate_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
+                      std::int32_t block, State& state);
 
-/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a block of groups, J.
-double added_kinetic_energy(const Assemblage& assemblage, const MassScaling& scaling, std::int32_t block, const State& state);
+/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a block of groups, v against the platen where one holds them, J.
+double added_kinetic_energy(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
+                            std::int32_t block, const State& state);
 
 }  // namespace graincrack

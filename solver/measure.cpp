@@ -55,8 +55,8 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 void find_drag(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        update_groups(a, parameters, block, s);
-        damp_groups(a, parameters, block, s);
+        update_groups(a, parameters, s.loading, block, s);
+        damp_groups(a, parameters, s.loading, block, s);
     }
     for (std::size_t i = 0; i < s.drag.size() && !scaling.is_on(); ++i) {
         s.drag[i] = damping_force(parameters.damping, s.force[i], s.velocity[i]);
@@ -185,10 +185,11 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
-        m.energies.kinetic += added_kinetic_energy(a, parameters.mass_scaling, block, s);
+        m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
     for (const GroupSums& sums : s.groups.sums) {
         m.energies.damping += sums.damping + sums.shed;
+        m.energies.external += sums.platen_work;
     }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
     add_contact_energies(a, parameters.law, s, m.energies);

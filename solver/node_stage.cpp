@@ -107,7 +107,7 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
         if (platen.bonded || penetration > -group_reach * point.tributary) {
-            s.touching[point.node] = 1;
+            s.touching[point.node] = static_cast<std::uint8_t>(1 + point.platen);
         }
         if (commit) {
             point.anchor = r.anchor;

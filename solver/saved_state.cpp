@@ -66,7 +66,7 @@ void visit_members(T& s, Act&& act) {
 }
 template <Is<GroupSums> T, class Act>
 void visit_members(T& s, Act&& act) {
-    visit_all(act, s.damping, s.shed);
+    visit_all(act, s.damping, s.shed, s.platen_work);
 }
 
 /// Every array of a state that the next step needs and cannot find anew.
@@ -105,7 +105,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("group_supported", s.groups.supported);
     visit("group_component", s.groups.component);
     visit("group_inverse_mass", s.groups.inverse_mass);
-    visit("group_sums", s.groups.sums);
+    visit("group_energies", s.groups.sums);
 }
 
 /// And every single number.

@@ -122,8 +122,8 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             team.wait();
             if (scaled) {
                 for (std::int32_t block = group_blocks.begin; block < group_blocks.end; ++block) {
-                    update_groups(a, parameters, block, s);
-                    integrate_groups(a, parameters, block, s);
+                    update_groups(a, parameters, clock.now(), block, s);
+                    integrate_groups(a, parameters, clock.now(), block, s);
                 }
                 team.wait();
                 for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
@@ -157,7 +157,7 @@ void go_on_in_parts(const Assemblage& a, const Boundary& boundary, const StepPar
         sum_nodal_forces(a, boundary, loading, block, false, s);
         book_half_work(a, boundary, block, whole.time_step - of_parts.time_step, s);
     }
-    shed_added_mass(a, whole, of_parts.time_step, s);
+    shed_added_mass(a, whole, loading, of_parts.time_step, s);
     s.in_parts = true;
     s.touches.next_check = s.step;
 }

@@ -38,8 +38,8 @@ void nodes(LoadedSpecimen& l) {
 void groups(LoadedSpecimen& l) {
     const double time_step = std::exchange(l.parameters.time_step, 0.0);
     for_each_block(l.parameters.mass_scaling.blocks.size(), [&](std::int32_t block) {
-        update_groups(l.assemblage, l.parameters, block, l.state);
-        integrate_groups(l.assemblage, l.parameters, block, l.state);
+        update_groups(l.assemblage, l.parameters, l.state.loading, block, l.state);
+        integrate_groups(l.assemblage, l.parameters, l.state.loading, block, l.state);
     });
     l.parameters.time_step = time_step;
 }

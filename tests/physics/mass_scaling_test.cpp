@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numeric>
 
 #include "share/h5_file.hpp"
 #include "solver/simulation.hpp"
@@ -306,6 +307,37 @@ struct Compression {
         now = run.measured();
     }
 };
+
+// Platens that speed up carry a specimen along: they push its mass as it is, not what they hold of the added one.
+TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
+    const Specimen specimen = test::jittered_grid(6, 8, 0.02, 0.03, 0.25);
+    SmallRun run(specimen, augig_law());
+    LoadingRequest request;
+    request.test = TestKind::tension;  // glued caps
+    run.parameters.mass_scaling = make_mass_scaling(run.assemblage, 100);
+    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request, augig_contact()), 0.5);
+    run.begin();
+    const double mass = std::accumulate(run.assemblage.mass.begin(), run.assemblage.mass.end(), 0.0);
+    const double acceleration = 1e4;  // m/s²; a stress of ½ ρ a h = 0.4 MPa
+    const double sample = 20 * run.parameters.time_step;
+    const int samples = 1000;
+    double impulse = 0;
+    double worst = 0;
+    BatchLoading batch;
+    for (int i = 0; i < samples; ++i) {
+        batch.velocity_begin = batch.velocity_end;
+        batch.velocity_end[bottom_platen] = batch.velocity_end[top_platen] = (i + 1) * sample * acceleration;
+        run.steps(20, batch);
+        const Measurement now = run.measured();
+        impulse += sample * (now.force_top + now.force_bottom);
+        worst = std::max(worst, std::abs(now.energies.imbalance()) / now.energies.external);
+    }
+    EXPECT_EQ(run.failed_points(), 0U);
+    // It rings undamped, some 40 periods of it: their share of the mean is a few thousandths.
+    verify("dynamics: impulse of platens that speed up, with mass scaling, over that of the mass as it is",
+           impulse / (mass * samples * sample * acceleration), 1, 0.01, "Newton", 1);
+    verify("dynamics: ledger residual of platens that speed up, with mass scaling", worst, 0, 1e-4, "each term by itself", 1);
+}
 
 // A state at rest without mass scaling is at rest with it.
 TEST(MassScaling, BalanceAtRestIsTheSame) {
