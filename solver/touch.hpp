@@ -22,6 +22,7 @@
 
 #include "solver/contact_law.hpp"
 #include "solver/vector2.hpp"
+#include "solver/vector_targets.hpp"
 
 namespace graincrack {
 
@@ -33,13 +34,15 @@ struct TouchGeometry {
     double place = 0;       ///< s along the edge, 0 to 1 over it
     double depth = 0;       ///< d behind the edge, m
 };
-inline TouchGeometry touch_geometry(const Vector2& node, const Vector2& first, const Vector2& second) {
-    const Vector2 edge = second - first;
+/// \param edge from its first node to its second, m \param from_first to the node, m
+GRAINCRACK_INLINE TouchGeometry touch_geometry(const Vector2& edge, const Vector2& from_first) {
     const double inv_length = 1 / length(edge);
     const Vector2 t = inv_length * edge;
     const Vector2 n{t.y, -t.x};
-    const Vector2 from_first = node - first;
     return {t, n, inv_length, inv_length * dot(from_first, t), -dot(from_first, n)};
+}
+inline TouchGeometry touch_geometry(const Vector2& node, const Vector2& first, const Vector2& second) {
+    return touch_geometry(second - first, node - first);
 }
 
 /// What a touch remembers.
@@ -50,7 +53,7 @@ struct Touch {
     double allowance = 0;    ///< m
     double pressing = 0;     ///< e at the last update, m
     double stretch = 0;      ///< q, m
-    double pull = 0;         ///< in the step after it ends, as a depth: ½ e o/(e + o), m
+    double pull = 0;         ///< as a depth, ½ e o/(e + o), m: of one that has ended, its forces in the step after
 };
 
 /// Forces of a touch.
@@ -68,7 +71,7 @@ inline double touch_energy(const ContactLaw& law, const Touch& touch) {
     return 0.5 * touch.area * (law.kt * touch.pressing * touch.pressing + law.ks * touch.stretch * touch.stretch);
 }
 
-inline TouchForces touch_forces(const ContactLaw& law, const Touch& touch, const TouchGeometry& g) {
+GRAINCRACK_INLINE TouchForces touch_forces(const ContactLaw& law, const Touch& touch, const TouchGeometry& g) {
     const double pressure = touch.area * law.kt * (touch.pressing - touch.pull);
     const double drag = touch.area * law.ks * touch.stretch;
     const Vector2 on_node = pressure * g.normal - drag * g.tangent;
@@ -79,26 +82,25 @@ inline TouchForces touch_forces(const ContactLaw& law, const Touch& touch, const
 /// Moves an active touch to a new place.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
-inline TouchResponse move_touch(const ContactLaw& law, const Touch& old, const TouchGeometry& g, double sliding) {
+GRAINCRACK_INLINE TouchResponse move_touch(const ContactLaw& law, const Touch& old, const TouchGeometry& g, double sliding) {
     TouchResponse r{old, {}, 0};
     Touch& touch = r.touch;
     touch.near_first = g.place < 0.5;
     touch.allowance = std::min(old.allowance, std::max(g.depth, 0.0));
     touch.pressing = std::max(g.depth - touch.allowance, 0.0);
     const double past = old.allowance - g.depth;
-    touch.pull = past > 0 && old.pressing > 0 ? 0.5 * old.pressing * past / (old.pressing + past) : 0.0;
+    const bool ends = (past > 0) & (old.pressing > 0);  // no branch: touches are moved side by side
+    touch.pull = ends ? 0.5 * old.pressing * past / (ends ? old.pressing + past : 1.0) : 0.0;
     const double limit = law.kt * touch.pressing * law.tan_phi / law.ks;
     const double trial = old.stretch + sliding;
     touch.stretch = std::clamp(trial, -limit, limit);
-    if (touch.stretch != trial) {
-        r.friction = 0.5 * touch.area * law.ks * (old.stretch + touch.stretch) * (trial - touch.stretch);
-    }
+    r.friction = 0.5 * touch.area * law.ks * (old.stretch + touch.stretch) * (trial - touch.stretch);
     r.forces = touch_forces(law, touch, g);
     return r;
 }
 
 /// Sliding of a node along an edge over a step, from the displacements of the step; in the frame that turns with the edge.
-inline double sliding_along(const TouchGeometry& g, const Vector2& node, const Vector2& first, const Vector2& second) {
+GRAINCRACK_INLINE double sliding_along(const TouchGeometry& g, const Vector2& node, const Vector2& first, const Vector2& second) {
     const Vector2 turn = second - first;
     const Vector2 relative = node - first - g.place * turn;
     return dot(relative, g.tangent) - g.depth * g.inv_length * dot(turn, g.normal);

@@ -9,6 +9,7 @@
 
 #include "solver/state.hpp"
 #include "solver/step.hpp"
+#include "solver/touch_geometries.hpp"
 
 namespace graincrack {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::int64_t least_steps = 4;
 constexpr double calm_reach = 1e-3;  // of the mean edge, that the fastest node may go between two looks where it can be had
 constexpr double wary = 8;           // times as far as node and edge go until then, and
 constexpr double wary_rest = 2;      // times as far as the fastest node goes: so near a pair is watched
-constexpr std::int32_t groups_per_block = 32;
+constexpr std::size_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
 
@@ -66,10 +67,13 @@ std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law
 /// Touches of the pairs that were listed before; one whose pair is listed no more (its node flew off) ends.
 std::vector<Touch> keep_touches(const std::vector<TouchPair>& pairs, const ContactLaw& law, TouchList& list) {
     std::vector<Touch> touches(pairs.size());
+    std::size_t at = 0;  // both are ascending
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        const auto it = std::lower_bound(pairs.begin(), pairs.end(), list.pairs[i]);
-        if (it != pairs.end() && *it == list.pairs[i]) {
-            touches[it - pairs.begin()] = list.touches[i];
+        while (at < pairs.size() && pairs[at] < list.pairs[i]) {
+            ++at;
+        }
+        if (at < pairs.size() && pairs[at] == list.pairs[i]) {
+            touches[at] = list.touches[i];
         } else if (list.touches[i].active) {
             list.friction_before += touch_energy(law, list.touches[i]);
         }
@@ -122,24 +126,24 @@ public:
         }
     }
 
-    /// Appends the pairs of a node that touch, may begin to, or may be passed on to, before the next look.
+    /// Finds where the pairs of some nodes stand, for `add_awake`.
+    void look_at(Range pairs) {
+        begin_ = pairs.begin;
+        geometry_.find(assemblage_, state_, pairs.size(), [&](std::int32_t i) { return pairs.begin + i; });
+    }
+    /// Appends the pairs of a node, of those looked at, that touch, may begin to, or may be passed on to, before the next look.
     void add_awake(Range pairs, std::vector<std::int32_t>& awake) {
         const TouchList& list = state_.touches;
-        const Vector2 node = place_of(assemblage_, state_, list.pairs[pairs.begin].node);
-        geometry_.clear();
         active_.clear();
         pressing_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            const OutlineEdge& edge = edge_of(p);
-            geometry_.push_back(
-                touch_geometry(node, place_of(assemblage_, state_, edge.nodes[0]), place_of(assemblage_, state_, edge.nodes[1])));
             if (list.touches[p].active) {
-                active_.push_back({list.pairs[p].edge, geometry_.back().depth});
+                active_.push_back({list.pairs[p].edge, geometry_.depth(p - begin_)});
                 pressing_ = std::max(pressing_, list.touches[p].pressing);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (list.touches[p].active || still_pulls(p) || matters(p, geometry_[p - pairs.begin])) {
+            if (list.touches[p].active || still_pulls(p) || matters(p, geometry_[p - begin_])) {
                 awake.push_back(p);
             }
         }
@@ -150,10 +154,7 @@ private:
         return assemblage_.outline.edges[state_.touches.pairs[pair].edge];
     }
     /// Whether a touch that has just ended gives back in the next step.
-    [[nodiscard]] bool still_pulls(std::int32_t pair) const {
-        const Vector2& force = state_.touches.forces[3 * static_cast<std::size_t>(pair)];
-        return force.x != 0 || force.y != 0;
-    }
+    [[nodiscard]] bool still_pulls(std::int32_t pair) const { return state_.touches.touches[pair].pull != 0; }
     [[nodiscard]] double reach(std::int32_t pair) const {
         const OutlineEdge& edge = edge_of(pair);
         const double closing = speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
@@ -186,7 +187,8 @@ private:
     const Assemblage& assemblage_;
     const State& state_;
     double duration_, fastest_;
-    std::vector<TouchGeometry> geometry_;
+    std::int32_t begin_ = 0;
+    TouchGeometries geometry_;  ///< from pair `begin_` on
     struct Active {
         std::int32_t edge;
         double depth;  ///< m
@@ -202,7 +204,13 @@ void find_awake(const Assemblage& a, double duration, double fastest, State& s) 
     list.awake.clear();
     list.awake_groups.clear();
     Watch watch(a, duration, fastest, s);
-    for (const Range& pairs : list.groups) {
+    Range seen;
+    for (std::size_t i = 0; i < list.groups.size(); ++i) {
+        const Range pairs = list.groups[i];
+        if (pairs.begin == seen.end) {
+            seen = {pairs.begin, list.groups[std::min(i + groups_per_block, list.groups.size()) - 1].end};
+            watch.look_at(seen);
+        }
         const auto begin = static_cast<std::int32_t>(list.awake.size());
         watch.add_awake(pairs, list.awake);
         const auto end = static_cast<std::int32_t>(list.awake.size());
@@ -214,22 +222,27 @@ void find_awake(const Assemblage& a, double duration, double fastest, State& s) 
 
 /// Where the forces of the awake pairs on each node are found.
 void arrange_gathers(const Assemblage& a, TouchList& list) {
-    std::vector<std::pair<std::int32_t, std::int32_t>> slots;  // node, slot
+    std::vector<std::uint64_t> slots;  // node, slot
+    slots.reserve(3 * list.awake.size());
+    const auto add = [&slots](std::int32_t node, std::int32_t slot) {
+        slots.push_back(static_cast<std::uint64_t>(node) << 32U | static_cast<std::uint32_t>(slot));
+    };
     for (const std::int32_t i : list.awake) {
         const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
-        slots.emplace_back(list.pairs[i].node, 3 * i);
-        slots.emplace_back(edge.nodes[0], 3 * i + 1);
-        slots.emplace_back(edge.nodes[1], 3 * i + 2);
+        add(list.pairs[i].node, 3 * i);
+        add(edge.nodes[0], 3 * i + 1);
+        add(edge.nodes[1], 3 * i + 2);
     }
     std::sort(slots.begin(), slots.end());
     list.gathers.clear();
     list.gathered_slots.clear();
-    for (const auto& [node, slot] : slots) {
+    for (const std::uint64_t key : slots) {
+        const auto node = static_cast<std::int32_t>(key >> 32U);
         if (list.gathers.empty() || list.gathers.back().node != node) {
             const auto at = static_cast<std::int32_t>(list.gathered_slots.size());
             list.gathers.push_back({node, {at, at}});
         }
-        list.gathered_slots.push_back(slot);
+        list.gathered_slots.push_back(static_cast<std::int32_t>(key & 0xffffffffU));
         ++list.gathers.back().slots.end;
     }
     list.gathers_of_block.clear();
@@ -252,9 +265,9 @@ void wake(const Assemblage& a, double duration, double fastest, State& s) {
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
     find_awake(a, duration, fastest, s);
     list.blocks.clear();
-    const auto n = static_cast<std::int32_t>(list.awake_groups.size());
-    for (std::int32_t i = 0; i < n; i += groups_per_block) {
-        list.blocks.push_back({i, std::min(i + groups_per_block, n)});
+    for (std::size_t i = 0; i < list.awake_groups.size(); i += groups_per_block) {
+        const std::size_t end = std::min(i + groups_per_block, list.awake_groups.size());
+        list.blocks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
     }
     list.friction.assign(list.blocks.size(), 0.0);
     arrange_gathers(a, list);
@@ -284,7 +297,7 @@ void find_room(const Assemblage& a, TouchList& list) {
 /// Forces of all touches in the present displacements, without moving them.
 void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
     for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
-        if (s.touches.touches[i].active) {
+        if (s.touches.touches[i].active || s.touches.touches[i].pull != 0) {
             const OutlineEdge& edge = a.outline.edges[s.touches.pairs[i].edge];
             const TouchGeometry g = touch_geometry(place_of(a, s, s.touches.pairs[i].node), place_of(a, s, edge.nodes[0]),
                                                    place_of(a, s, edge.nodes[1]));
