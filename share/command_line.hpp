@@ -83,9 +83,6 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv);
 /// The effective options as TOML that --config loads again. Options that have no value stand there as comments.
 std::string effective_configuration(const CLI::App& app);
 
-/// Processors this process may use: its affinity, and the quota of its control group if that is less.
-int available_processors();
-
 namespace detail {
 
 /// "--edge" of "-e,--edge"; the name of a positional argument as it is.

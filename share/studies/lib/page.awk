@@ -12,7 +12,7 @@ BEGIN {
         close(file)
     }
 }
-function title(name) { sub(/\.[a-z]+$/, "", name); gsub(/-/, " ", name); return toupper(substr(name, 1, 1)) substr(name, 2) }
+function title(name) { sub(/\.[a-z]+$/, "", name); gsub(/[-_]/, " ", name); return toupper(substr(name, 1, 1)) substr(name, 2) }
 function print_table(file, name,    row, rule, j) {
     printf "## %s\n\n", title(name)
     while ((getline line < file) > 0) {

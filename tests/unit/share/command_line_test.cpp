@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "share/processors.hpp"
+
 namespace graincrack {
 namespace {
 

@@ -1,0 +1,54 @@
+// The applications, options and keys of a command line by their names; for command_line.cpp and configuration_file.cpp.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+
+/// The name of an option in a configuration file: "edge" of "-e,--edge".
+inline std::string key_of(const CLI::Option& option) {
+    if (!option.get_lnames().empty()) return option.get_lnames().front();
+    if (option.get_positional()) return option.get_name(true);
+    return option.get_snames().front();
+}
+
+inline bool in_environment(const std::string& name) {
+    const char* value = name.empty() ? nullptr : std::getenv(name.c_str());
+    return value != nullptr && *value != '\0';
+}
+
+/// The application and the subcommands that run, from the top.
+template <class App>
+std::vector<App*> running(App& app) {
+    std::vector<App*> chain{&app};
+    while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
+    return chain;
+}
+
+/// An option by its key in a file, "" prefix allowed; nullptr if there is none.
+inline CLI::Option* find_key(CLI::App& app, const std::string& key) {
+    for (CLI::Option* option : app.get_options()) {
+        if (key_of(*option) == key) return option;
+    }
+    return nullptr;
+}
+
+inline std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_word(word, known);
+    return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+}
+
+inline std::vector<std::string> subcommand_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+    return names;
+}
+
+}  // namespace graincrack
