@@ -34,7 +34,7 @@ END {
     for (i = 1; i <= n; ++i)
         claim(p[i] == 0 ? "§6.1: tensile cracks dominate at the uniaxial peak" : "§6.1: shear cracks dominate at the peak at " p[i] " MPa", p[i] == 0 ? "tensile" : "shear",
             sprintf("tensile %.0f : shear %.0f", tensile[i], shear[i]), sprintf("tensile share %.2f", share[i]), dominance(i),
-            p[i] == 0 ? "two thirds of the failed contacts are under compression and slide; those that open slide too (share/doc/readings.md)" : "tensile cracks dominate")
+            p[i] == 0 ? "the failed contacts that are under compression and slide are more than those that open, and these slide too (share/doc/readings.md)" : "tensile cracks dominate")
     if (n > 1) {
         trend("§6.1: the share of shear cracks rises with σ3", "rises", 1 - share[1], 1 - share[n], share_half[1], share_half[n], "share of shear %.2f at %s MPa, %.2f at %s MPa")
         trend("§6.1: more micro-failures at the peak with σ3", "rises", all[1], all[n], all_half[1], all_half[n], "%.0f at %s MPa, %.0f at %s MPa")
