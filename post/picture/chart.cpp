@@ -49,11 +49,31 @@ std::vector<double> ticks_of(const Axis& axis, int wanted) {
     return ticks;
 }
 
-/// Words in lines that are no wider than `room`, broken at blanks; a single word may be wider.
+/// A word with its middle left out if it is wider than `room`, as names of files may be: they differ at either end.
+std::string shortened(std::string word, double size, double room) {
+    if (text_width(word, size) <= room) return word;
+    std::size_t keep = word.size();
+    std::string shorter;
+    do {
+        --keep;
+        std::size_t front = (keep + 1) / 2;
+        std::size_t back = word.size() - keep / 2;
+        const auto inside = [&word](std::size_t at) {
+            return at < word.size() && (static_cast<unsigned char>(word[at]) & 0xc0U) == 0x80U;
+        };
+        while (front > 0 && inside(front)) --front;  // not within a character
+        while (inside(back)) ++back;
+        shorter = word.substr(0, front) + "…" + word.substr(back);
+    } while (keep > 1 && text_width(shorter, size) > room);
+    return shorter;
+}
+
+/// Words in lines that are no wider than `room`, broken at blanks.
 std::vector<std::string> broken_lines(const std::string& words, double size, double room) {
     std::vector<std::string> lines(1);
     std::istringstream in(words);
-    for (std::string word; in >> word;) {
+    for (std::string next; in >> next;) {
+        const std::string word = shortened(next, size, room);
         const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
         if (!lines.back().empty() && text_width(longer, size) > room) {
             lines.push_back(word);

@@ -115,6 +115,25 @@ TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
     }
 }
 
+TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
+    Chart chart = unit_chart();
+    std::string name = "φ-first";
+    for (int i = 0; i < 20; ++i) name += "_several°";
+    chart.legend(Stroke{pen, 2}, name + "_last.h5: peak");
+    int found = 0;
+    const Drawing page = chart.finish();
+    for (const Drawing::Shape& shape : page.shapes()) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (text == nullptr || text->words.find("several") == std::string::npos) continue;
+        ++found;
+        EXPECT_LE(text->at.x + text_width(text->words, text->size), page.width());
+        EXPECT_EQ(text->words.find("φ-first_"), 0U) << text->words;
+        EXPECT_NE(text->words.find("…"), std::string::npos) << text->words;
+        EXPECT_NE(text->words.find("_last.h5:"), std::string::npos) << text->words;
+    }
+    EXPECT_EQ(found, 1);
+}
+
 TEST(Chart, LegendWrapsAndThePageGrows) {
     Chart few = unit_chart();
     few.legend(Stroke{pen, 2}, "one");
