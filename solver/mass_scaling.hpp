@@ -19,17 +19,18 @@
 // energy there). Both lose kinetic energy, never gain any; what is lost is booked.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "solver/assemblage.hpp"
+#include "solver/boundary.hpp"
 
 namespace graincrack {
 
 struct State;
-struct StepLoading;
 struct StepParameters;
 
 /// Opening of a separated contact at which its nodes part, over its length. What moves freely has its own mass, and would run
@@ -97,6 +98,18 @@ GroupState make_group_state(const Assemblage& assemblage, const MassScaling& sca
 
 /// Finds what follows from the rest of the state: `whole` and where groups may change.
 void complete_group_state(const MassScaling& scaling, State& state);
+
+/// Velocities of the platens, by `GroupState::holder`.
+class PlatenVelocities {
+public:
+    /// As node velocities: half a step before now.
+    PlatenVelocities(const StepLoading& loading, double time_step)
+        : velocity_{Vector2{}, {0, loading.increment_before[0] / time_step}, {0, loading.increment_before[1] / time_step}} {}
+    [[nodiscard]] const Vector2& operator[](std::uint8_t holder) const { return velocity_[holder]; }
+
+private:
+    std::array<Vector2, 3> velocity_;
+};
 
 /// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
 /// books what they shed.
