@@ -86,7 +86,7 @@ struct Assemblage {
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
 
     /// Of contact forces: all blocks, and a slot that stays zero.
-    [[nodiscard]] std::size_t n_slot_values() const { return contact_blocks.size() * slot_stride + 2 * contacts_per_block; }
+    [[nodiscard]] std::size_t n_slot_values() const { return contact_blocks.size() * slot_stride + 2UL * contacts_per_block; }
     [[nodiscard]] std::int32_t n_nodes() const { return static_cast<std::int32_t>(position.size()); }
     [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contacts.size()); }
     [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }

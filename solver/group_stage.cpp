@@ -3,6 +3,7 @@
 // is for vector units.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "solver/mass_scaling.hpp"
 #include "solver/state.hpp"
@@ -24,8 +25,8 @@ struct Batch {
     alignas(64) double drag[size];
 };
 
-Vector2 pair_at(const double* values, std::int32_t i) { return {values[2 * i], values[2 * i + 1]}; }
-void set_pair(double* values, std::int32_t i, const Vector2& pair) {
+Vector2 pair_at(const double* values, std::ptrdiff_t i) { return {values[2 * i], values[2 * i + 1]}; }
+void set_pair(double* values, std::ptrdiff_t i, const Vector2& pair) {
     values[2 * i] = pair.x;
     values[2 * i + 1] = pair.y;
 }
