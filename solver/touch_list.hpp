@@ -32,7 +32,8 @@ struct StepParameters;
 struct TouchPair {
     std::int32_t node;
     std::int32_t edge;  ///< of the outline
-    friend auto operator<=>(const TouchPair&, const TouchPair&) = default;  // NOLINT(modernize-use-nullptr): it is none
+    // NOLINTNEXTLINE(modernize-use-nullptr): it is none
+    friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
 };
 
 /// Forces on a node that come from awake pairs, found by node.
