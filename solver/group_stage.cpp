@@ -138,21 +138,6 @@ GRAINCRACK_INLINE void damp_mean_motion(const double* mass, double alpha, std::i
     }
 }
 
-/// Calls `act(i, holder)` for every member of a block that a platen holds; places within the block.
-template <class Act>
-void for_each_held(const MassScaling& scaling, std::int32_t block, const GroupState& g, Act&& act) {
-    if (g.platen_members[block].empty()) {
-        return;
-    }
-    const Range members = scaling.members_of(block);
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::uint8_t holder = g.holder[g.component[i]];
-        if (holder != 0) {
-            act(i - members.begin, holder);
-        }
-    }
-}
-
 /// Everything up to the drags of a block. The mean motion of those that a platen holds is the platen's, and is not damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t block,
           const State& s, Batch& b) {
@@ -162,8 +147,9 @@ void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVel
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
     gather(scaling, members, s, b);
     find_means(scaling, block, s.groups, b);
-    for_each_held(scaling, block, s.groups,
-                  [&](std::int32_t i, std::uint8_t holder) { set_pair(b.mean_velocity, i, platens[holder]); });
+    for (const auto& [i, holder] : s.groups.held[block]) {
+        set_pair(b.mean_velocity, i, platens[holder]);
+    }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damping, count, b); });
     find_mean_drags(scaling, block, s.groups, b);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damping, count, b); });
@@ -213,22 +199,22 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, con
     const double dt = parameters.time_step;
     Batch b;
     damp(a, parameters, PlatenVelocities(loading, dt), block, s, b);
-    for_each_held(scaling, block, s.groups, [&](std::int32_t i, std::uint8_t holder) {
+    for (const auto& [i, holder] : s.groups.held[block]) {
         set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, holder));
-    });
+    }
     const Range members = scaling.members_of(block);
     const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
     double absorbed = 0;
     run_on(a.vector_target,
            [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
     s.groups.sums[block].damping += 0.5 * dt * absorbed;
-    for_each_held(scaling, block, s.groups, [&](std::int32_t i, std::uint8_t holder) {
+    for (const auto& [i, holder] : s.groups.held[block]) {
         const Vector2 against_platen =
             (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) - platen_acceleration(loading, dt, holder);
         const double force = -scaling.factor * scaling.mass[2 * (members.begin + i)] * against_platen.y;  // of the added mass
         s.groups.sums[block].platen_work +=
             0.5 * force * (loading.increment_before[holder - 1U] + loading.increment_after[holder - 1U]);
-    });
+    }
     Vector2* const velocity = s.velocity.data();
     Vector2* const displacement = s.displacement.data();
     for (std::int32_t i = 0; i < members.size(); ++i) {

@@ -60,6 +60,17 @@ bool holds(const MassScaling::Tie& tie, const State& s) {
     return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
 }
 
+/// Lists the members of a block that platens hold.
+void find_held(const MassScaling& scaling, std::int32_t block, GroupState& g) {
+    const Range members = scaling.members_of(block);
+    g.held[block].clear();
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        if (const std::uint8_t holder = g.holder[g.component[i]]; holder != 0) {
+            g.held[block].push_back({i - members.begin, holder});
+        }
+    }
+}
+
 /// Finds the components of a group by its ties, and whether a platen holds them.
 void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, GroupState& g) {
     const Range members = scaling.groups[group];
@@ -274,7 +285,9 @@ void complete_group_state(const MassScaling& scaling, State& s) {
     g.whole.assign(scaling.groups.size(), 1);
     g.cracked.assign(scaling.blocks.size(), 0);
     g.platen_members.assign(scaling.blocks.size(), {});
+    g.held.resize(scaling.blocks.size());
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        find_held(scaling, block, g);
         const Range groups = scaling.blocks[block];
         for (std::int32_t group = groups.begin; group < groups.end; ++group) {
             for (std::int32_t i = scaling.groups[group].begin; i < scaling.groups[group].end; ++i) {
@@ -335,6 +348,7 @@ void update_groups(const Assemblage& a, const StepParameters& parameters, const 
         const double before = energy();
         regroup(a, scaling, platens, group, s);
         g.sums[block].shed += before - energy();
+        find_held(scaling, block, g);
     }
 }
 

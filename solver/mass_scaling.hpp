@@ -72,6 +72,12 @@ struct GroupSums {
     double platen_work = 0;  ///< done on the added mass that platens hold
 };
 
+/// A member that a platen holds.
+struct HeldMember {
+    std::int32_t place;   ///< within the block
+    std::uint8_t holder;  ///< see `GroupState::holder`
+};
+
 /// Who is held together now.
 struct GroupState {
     std::vector<std::uint8_t> tied;       ///< [tie] 1 while the point holds its nodes together
@@ -82,7 +88,8 @@ struct GroupState {
     std::vector<std::uint8_t> whole;      ///< [group] 1 while all of its members are held together
     std::vector<GroupSums> sums;          ///< by block
 
-    // Where groups may change; found by `complete_group_state`.
+    // Found by `complete_group_state`: who is held, and where groups may change.
+    std::vector<std::vector<HeldMember>> held;              ///< by block
     std::vector<std::int32_t> block_of_point;               ///< [2 c]
     std::vector<std::uint8_t> cracked;                      ///< by block: 1 once a point of it has failed
     std::vector<std::vector<std::int32_t>> platen_members;  ///< by block: members that platens may touch
@@ -96,7 +103,7 @@ struct GroupState {
 /// The groups of the state as it is, away from platens.
 GroupState make_group_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
 
-/// Finds what follows from the rest of the state: `whole` and where groups may change.
+/// Finds what follows from the rest of the state: `whole`, `held` and where groups may change.
 void complete_group_state(const MassScaling& scaling, State& state);
 
 /// Velocities of the platens, by `GroupState::holder`.
