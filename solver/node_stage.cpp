@@ -91,7 +91,7 @@ void add_touches(std::int32_t block, State& s) {
     for (std::int32_t i = gathers.begin; i < gathers.end; ++i) {
         const TouchGather& gather = list.gathers[i];
         for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
-            s.force[gather.node] += list.forces[list.gathered_slots[k]];
+            s.force[gather.node] += list.moving.forces[list.gathered_slots[k]];
         }
     }
 }

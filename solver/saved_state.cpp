@@ -48,10 +48,6 @@ template <Is<TouchPair> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.edge);
 }
-template <Is<TouchGather> T, class Act>
-void visit_members(T& g, Act&& act) {
-    visit_all(act, g.node, g.slots.begin, g.slots.end);
-}
 template <Is<PlatenPoint> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.platen, p.tributary, p.gap, p.anchor, p.shear, p.on_boundary);
@@ -96,9 +92,6 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("touch_awake_groups", s.touches.awake_groups);
     visit("touch_blocks", s.touches.blocks);
     visit("touch_friction", s.touches.friction);
-    visit("touch_gathers", s.touches.gathers);
-    visit("touch_gathered_slots", s.touches.gathered_slots);
-    visit("touch_gathers_of_block", s.touches.gathers_of_block);
     visit("touch_displacement_at_search", s.touches.displacement_at_search);
     visit("touch_room", s.touches.room);
     visit("group_tied", s.groups.tied);
@@ -118,6 +111,9 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("origin_time", s.origin_time);
     visit("touch_friction_before", s.touches.friction_before);
     visit("touch_next_check", s.touches.next_check);
+    visit("touch_wants_search", s.touches.wants_search);
+    visit("touch_way_unsearched", s.touches.way_unsearched);
+    visit("touch_review_interval", s.touches.review_interval);
     visit("in_parts", s.in_parts);
     visit("platen_displacement_bottom", s.loading.platen_displacement[bottom_platen]);
     visit("platen_displacement_top", s.loading.platen_displacement[top_platen]);
@@ -250,6 +246,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     });
     visit_arrays(s, [&](const char* name, auto& items) { read_array(file, name, items); });
     complete_group_state(setup.parameters.mass_scaling, s);
+    take_up_touches(setup.assemblage, s.touches);
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     const RunHeader& old = run.header();

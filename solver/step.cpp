@@ -98,6 +98,12 @@ private:
     StepLoading now_;
 };
 
+/// Whether the last review found other touches than there were before.
+bool have_changed(const TouchList& list) {
+    return std::any_of(list.moving.changed.begin(), list.moving.changed.begin() + static_cast<std::ptrdiff_t>(list.blocks.size()),
+                       [](std::uint8_t changed) { return changed != 0; });
+}
+
 /// Steps between two looks after the touches, each of so many parts, with a team of threads.
 void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
                    std::int64_t parts, Team& team, LoadingClock& clock_at_start, State& s) {
@@ -134,10 +140,20 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             for (std::int32_t block = contact_blocks.begin; block < contact_blocks.end; ++block) {
                 advance_contacts(a, parameters.law, block, first_step + k / parts + 1, s);
             }
+            const bool is_review = (s.integrations + k) % s.touches.review_interval == 0;
             for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
-                advance_touches(a, parameters, block, s);
+                (is_review ? review_touches : move_touches)(a, parameters, block, s);
             }
             team.wait();
+            if (is_review && have_changed(s.touches)) {
+                if (thread == 0) {
+                    arrange_gathers(a, s.touches);
+                }
+                team.wait();
+            }
+        }
+        for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
+            settle_touches(block, s.touches);
         }
         if (thread == 0) {
             clock_at_end = clock;

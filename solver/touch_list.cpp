@@ -17,8 +17,10 @@ namespace {
 constexpr double buffer = 0.04;          // of the mean edge: pairs nearer than this are listed
 constexpr double hand_over = 0.005;      // of a contact's length: sliding or opening from which on it is released
 constexpr double loosening = 0.001;      // of a contact's length: a failed point that has moved so far ties no more
-constexpr std::int64_t most_steps = 64;  // between two looks
+constexpr std::int64_t most_steps = 128;  // between two looks
 constexpr std::int64_t least_steps = 4;
+constexpr std::int64_t reviews_between_looks = 8;
+constexpr double postponed = 1e-3;   // of the mean edge: a search waits until the fastest node may have gone so far
 constexpr double calm_reach = 1e-3;  // of the mean edge, that the fastest node may go between two looks where it can be had
 constexpr double wary = 8;           // times as far as node and edge go until then, and
 constexpr double wary_rest = 2;      // times as far as the fastest node goes: so near a pair is watched
@@ -220,43 +222,6 @@ void find_awake(const Assemblage& a, double duration, double fastest, State& s) 
     }
 }
 
-/// Where the forces of the awake pairs on each node are found.
-void arrange_gathers(const Assemblage& a, TouchList& list) {
-    std::vector<std::uint64_t> slots;  // node, slot
-    slots.reserve(3 * list.awake.size());
-    const auto add = [&slots](std::int32_t node, std::int32_t slot) {
-        slots.push_back(static_cast<std::uint64_t>(node) << 32U | static_cast<std::uint32_t>(slot));
-    };
-    for (const std::int32_t i : list.awake) {
-        const OutlineEdge& edge = a.outline.edges[list.pairs[i].edge];
-        add(list.pairs[i].node, 3 * i);
-        add(edge.nodes[0], 3 * i + 1);
-        add(edge.nodes[1], 3 * i + 2);
-    }
-    std::sort(slots.begin(), slots.end());
-    list.gathers.clear();
-    list.gathered_slots.clear();
-    for (const std::uint64_t key : slots) {
-        const auto node = static_cast<std::int32_t>(key >> 32U);
-        if (list.gathers.empty() || list.gathers.back().node != node) {
-            const auto at = static_cast<std::int32_t>(list.gathered_slots.size());
-            list.gathers.push_back({node, {at, at}});
-        }
-        list.gathered_slots.push_back(static_cast<std::int32_t>(key & 0xffffffffU));
-        ++list.gathers.back().slots.end;
-    }
-    list.gathers_of_block.clear();
-    std::int32_t at = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
-        Range range{at, at};
-        while (range.end < static_cast<std::int32_t>(list.gathers.size()) && list.gathers[range.end].node < block.nodes.end) {
-            ++range.end;
-        }
-        at = range.end;
-        list.gathers_of_block.push_back(range);
-    }
-}
-
 /// Chooses what the steps up to the next look work on.
 /// \param duration to the next look, at most, s
 /// \param fastest speed of all nodes, m/s
@@ -270,20 +235,25 @@ void wake(const Assemblage& a, double duration, double fastest, State& s) {
         list.blocks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
     }
     list.friction.assign(list.blocks.size(), 0.0);
-    arrange_gathers(a, list);
+    take_up_touches(a, list);
 }
 
 /// The area each listed node can still take: what its bonds had at the start, which the stable step knows of, less what its
 /// bonds and touches take now. Many corners on the end of one edge would be stiffer together than any bond was.
 void find_room(const Assemblage& a, TouchList& list) {
     list.room.resize(a.position.size());
-    for (const TouchGather& gather : list.gathers) {
-        double room = 2 * a.outline.tributary[gather.node];
-        for (std::int32_t k = a.outline.edge_begin[gather.node]; k < a.outline.edge_begin[gather.node + 1]; ++k) {
+    const auto set_room = [&](std::int32_t node) {
+        double room = 2 * a.outline.tributary[node];
+        for (std::int32_t k = a.outline.edge_begin[node]; k < a.outline.edge_begin[node + 1]; ++k) {
             const std::int32_t contact = a.outline.edges[a.outline.edges_of_node[k]].contact;
             room -= contact >= 0 && list.released[contact] == 0 ? a.contacts[contact].point_area : 0.0;
         }
-        list.room[gather.node] = room;
+        list.room[node] = room;
+    };
+    for (const std::int32_t pair : list.awake) {
+        set_room(list.pairs[pair].node);
+        set_room(a.outline.edges[list.pairs[pair].edge].nodes[0]);
+        set_room(a.outline.edges[list.pairs[pair].edge].nodes[1]);
     }
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.touches[i].active) {
@@ -381,17 +351,17 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
     TouchList& list = s.touches;
     const ContactLaw& law = parameters.law;
     const bool scaled = parameters.mass_scaling.is_on();
-    bool must_search = find_loose(a, law, s);
+    const bool came_loose = find_loose(a, law, s);
     const std::vector<std::int32_t> movers = find_movers(a, law, s);
     if (scaled && !movers.empty()) {
         return true;
     }
-    must_search = must_search || !movers.empty() || list.displacement_at_search.empty();
+    const bool is_first = list.displacement_at_search.empty();
     // How far nodes have gone since the last search, and how fast they go now.
     double gone = 0;
     double fastest = 0;
     for (std::size_t i = 0; i < s.velocity.size(); ++i) {
-        if (!must_search) {
+        if (!is_first) {
             const Vector2 way = s.displacement[i] - list.displacement_at_search[i];
             gone = std::max(gone, dot(way, way));
         }
@@ -399,22 +369,28 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
     }
     const double step_way = std::sqrt(fastest) * parameters.time_step;
     const double allowed = 0.5 * buffer * a.outline.mean_length;  // two nodes may go towards each other
-    must_search = must_search || std::sqrt(gone) + static_cast<double>(most_steps) * step_way > allowed;
-    if (must_search) {
+    // What came loose may wait for a search as long as nothing has gone far since.
+    list.wants_search = list.wants_search || came_loose || !movers.empty();
+    list.way_unsearched += list.wants_search ? static_cast<double>(most_steps) * step_way : 0.0;
+    if (is_first || std::sqrt(gone) + static_cast<double>(most_steps) * step_way > allowed ||
+        list.way_unsearched > postponed * a.outline.mean_length) {
         const std::vector<HandOver> carried = take_over(law, movers, s);
         search(a, law, s);
         hand_on(a, carried, s);
         refresh_forces(a, law, s);
+        list.wants_search = false;
+        list.way_unsearched = 0;
         gone = 0;
     }
     // Soon again where nodes are so fast that they would have to be watched from far off.
     const auto calm = static_cast<std::int64_t>(std::min(calm_reach * a.outline.mean_length / std::max(step_way, 1e-300), 1e6));
     const std::int64_t longest = std::max(std::clamp(calm, least_steps, most_steps), shortest);
+    list.review_interval = std::max<std::int64_t>(longest / reviews_between_looks, 1);
     wake(a, static_cast<double>(longest) * parameters.time_step, std::sqrt(fastest), s);
     find_room(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-            advance_touches(a, parameters, block, s);
+            review_touches(a, parameters, block, s);
         }
         list.blocks.clear();
     }

@@ -7,6 +7,7 @@
 // released: its tractions pass to touches, and from there on its nodes and edges are met like all others.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <vector>
@@ -36,10 +37,21 @@ struct TouchPair {
     friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
 };
 
-/// Forces on a node that come from awake pairs, found by node.
+/// Forces on a node that come from moving touches, found by node.
 struct TouchGather {
     std::int32_t node;
     Range slots;  ///< into `TouchList::gathered_slots`
+};
+
+/// Touches side by side: all that most steps work on. What becomes of them is decided at reviews only.
+struct MovingTouches {
+    std::vector<std::int32_t> pair;                                       ///< in the list
+    std::vector<std::array<std::int32_t, 3>> nodes;                       ///< the node, first and second of the edge
+    std::vector<double> live;                                             ///< 1; 0 from the step in which it ended
+    std::vector<double> area, allowance, pressing, stretch, pull, place;  ///< of `Touch`, `TouchGeometry`
+    std::vector<Vector2> forces;                                          ///< [3] on the nodes, N
+    std::vector<std::int32_t> count;    ///< by block; those of a block lie from its first awake pair on
+    std::vector<std::uint8_t> changed;  ///< by block: the last review found others than were there before
 };
 
 struct TouchList {
@@ -52,14 +64,23 @@ struct TouchList {
     std::vector<std::int32_t> awake;     ///< pairs that matter before the next look, ascending; the others have no forces
     std::vector<Range> awake_groups;     ///< of them, of one node each
     std::vector<Range> blocks;           ///< of `awake_groups`, that one thread works on at a time
-    std::vector<double> friction;        ///< [blocks] dissipated since the last look, J
-    double friction_before = 0;          ///< and before it, J
-    std::vector<TouchGather> gathers;    ///< ascending by node
-    std::vector<std::int32_t> gathered_slots;
+    std::int64_t review_interval = 1;    ///< steps, or parts of them, from one review to the next
+    MovingTouches moving;
+    std::vector<double> friction;                 ///< [blocks] dissipated since the last look, J
+    double friction_before = 0;                   ///< and before it, J
+    std::vector<TouchGather> gathers;             ///< ascending by node
+    std::vector<std::int32_t> gathered_slots;     ///< into `MovingTouches::forces`
     std::vector<Range> gathers_of_block;          ///< by block of grains
+    std::vector<std::int32_t> gather_scratch;     ///< [n]
     std::vector<Vector2> displacement_at_search;  ///< [n] m
+    bool wants_search = false;                    ///< something came loose or moved far since the last search
+    double way_unsearched = 0;                    ///< that the fastest node has gone since then at most, m
     std::vector<double> room;                     ///< [n] contact area a node can still take, see `find_room`, m²
     std::int64_t next_check = 0;                  ///< step
+
+    [[nodiscard]] std::int32_t first_awake(std::int32_t block) const { return awake_groups[blocks[block].begin].begin; }
+    /// Adds a pair of the list to the moving ones of its block.
+    void append_moving(const Outline& outline, std::int32_t block, std::int32_t index);
 };
 
 /// Whether a node behind an edge is by more than `margin` (m) in front of the face on the other side of a convex corner of the
@@ -81,8 +102,20 @@ TouchList make_touch_list(const Assemblage& assemblage);
 /// \param shortest steps there are to the next look at least
 bool look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
 
-/// Moves the touches of a block to the present displacements: forces into the slots, friction into the sums.
-void advance_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+/// Moves the touches of a block to the present displacements: their forces, friction into the sums.
+void move_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+
+/// Does so too, and decides before it which touches end or pass on to another edge, and after it which begin.
+void review_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+
+/// Writes what the moving touches of a block have become into the list.
+void settle_touches(std::int32_t block, TouchList& list);
+
+/// Makes the touches of the list that go on into moving ones, after a look or where a run goes on from a saved state.
+void take_up_touches(const Assemblage& assemblage, TouchList& list);
+
+/// Finds by node where the forces of the moving touches are; to be called where a review has changed them.
+void arrange_gathers(const Assemblage& assemblage, TouchList& list);
 
 /// Stored in all touches, J.
 double stored_in_touches(const ContactLaw& law, const TouchList& list);

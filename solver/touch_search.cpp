@@ -57,6 +57,10 @@ Box around(const Vector2& p, const Vector2& q, double margin) {
             {std::max(p.x, q.x) + margin, std::max(p.y, q.y) + margin}};
 }
 
+bool holds(const Box& box, const Vector2& p) {
+    return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+}
+
 /// Square cells that hold the exposed edges near them. The origin is the lower left corner of all edges.
 class Cells {
 public:
@@ -144,7 +148,7 @@ std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const Stat
         const Vector2 p = place_of(a, s, node);
         cells.visit_near(p, [&](std::int32_t box) {
             const OutlineEdge& edge = outline.edges[edges[box]];
-            if (edge.grain == outline.grain_of_node[node]) {
+            if (!holds(boxes[box], p) || edge.grain == outline.grain_of_node[node]) {
                 return;
             }
             const Vector2 first = place_of(a, s, edge.nodes[0]);

@@ -122,7 +122,7 @@ TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
         look_after_touches(run.assemblage, run.parameters, 1, s);
         Vector2 force;
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
-            advance_touches(run.assemblage, run.parameters, block, s);
+            review_touches(run.assemblage, run.parameters, block, s);
         }
         for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
             force += s.touches.pairs[i].node == node ? s.touches.forces[3 * i] : Vector2{};
@@ -179,7 +179,7 @@ struct Led {
         ++s.step;
         look_after_touches(run.assemblage, run.parameters, 1, s);
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
-            advance_touches(run.assemblage, run.parameters, block, s);
+            review_touches(run.assemblage, run.parameters, block, s);
         }
         Vector2 force;
         for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {

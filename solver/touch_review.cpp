@@ -1,5 +1,5 @@
-// The touch stage of a step: every listed node against the edges near it. A block of nodes is worked on in passes: where they are
-// (side by side), what becomes of their touches (one by one), how these move (side by side), and which begin.
+// The review of touches: every awake pair of a node and an edge. A block of nodes is worked on in passes: where they are (side by
+// side), what becomes of their touches (one by one), how these move (side by side), and which begin.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,27 +21,14 @@ constexpr double least_area = 0.1;   // of what a node stands for, in a crowd
 constexpr double aligned = 0.5;      // cosine of two normals up to which two edges count as one surface
 constexpr double corner = 0.05;      // sine of a turn of the outline from which on its two edges are two faces
 
-/// A touch that goes on.
-struct Moving {
-    std::int32_t at;    ///< in the block
-    std::int32_t pair;  ///< in the list
-    bool is_last;       ///< the node is out and nothing presses: it gives back what it owes (`Touch::pull`) and ends
-};
-
 /// What a block of nodes is worked on with.
 struct Block {
     const Assemblage& assemblage;
     const StepParameters& parameters;
     State& state;
     TouchGeometries& geometry;  ///< by place among the block's awake pairs
-    std::vector<Moving>& moving;
+    std::int32_t index;
     double friction = 0;
-};
-
-/// Room for a block's work, kept from call to call.
-struct Scratch {
-    TouchGeometries geometry;
-    std::vector<Moving> moving;
 };
 
 /// Asks for what a block of awake pairs remembers: the list is long, and they lie scattered in it.
@@ -133,9 +120,6 @@ void pass_on(Group& group, std::int32_t from, std::int32_t to) {
     clear(group, from);
 }
 
-/// Whether nothing presses any more at the depth of a node that is out: the touch ends with this step.
-bool has_left(const Touch& touch, double depth) { return depth <= 0 && depth <= std::min(touch.allowance, 0.0); }
-
 /// The edge on which touch `i` goes on; −1 if it ends.
 std::int32_t carry_on(Group& group, std::int32_t i) {
     std::int32_t on = i;
@@ -152,7 +136,7 @@ std::int32_t carry_on(Group& group, std::int32_t i) {
     return on;
 }
 
-/// Decides how the touches of a node go on; `moving` are those that do.
+/// Decides how the touches of a node go on; those that do move.
 void carry_on(Group& group) {
     std::array<std::int32_t, 16> active{};
     std::size_t count = 0;
@@ -166,93 +150,8 @@ void carry_on(Group& group) {
     }
     for (std::size_t k = 0; k < count; ++k) {
         if (const std::int32_t on = carry_on(group, active[k]); on >= 0) {
-            group.block.moving.push_back({group.at(on), group.pair(on), has_left(group.touch(on), group.depth(on))});
+            group.block.state.touches.append_moving(group.block.assemblage.outline, group.block.index, group.pair(on));
         }
-    }
-}
-
-/// Touches side by side.
-struct Batch {
-    static constexpr std::int32_t size = 64;
-    alignas(64) double tangent_x[size], tangent_y[size], inv_length[size], place[size], depth[size];
-    alignas(64) double node_x[size], node_y[size], first_x[size], first_y[size], second_x[size], second_y[size];  // of the step
-    alignas(64) double area[size], allowance[size], pressing[size], stretch[size], pull[size], friction[size];
-    alignas(64) double force_x[3][size], force_y[3][size];
-};
-
-GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Batch& b) {
-    const ContactLaw law = constants;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const Vector2 t{b.tangent_x[i], b.tangent_y[i]};
-        const TouchGeometry g{t, {t.y, -t.x}, b.inv_length[i], b.place[i], b.depth[i]};
-        const double sliding =
-            sliding_along(g, {b.node_x[i], b.node_y[i]}, {b.first_x[i], b.first_y[i]}, {b.second_x[i], b.second_y[i]});
-        const TouchResponse r =
-            move_touch(law, {true, true, b.area[i], b.allowance[i], b.pressing[i], b.stretch[i], 0}, g, sliding);
-        b.allowance[i] = r.touch.allowance;
-        b.pressing[i] = r.touch.pressing;
-        b.stretch[i] = r.touch.stretch;
-        b.pull[i] = r.touch.pull;
-        b.friction[i] = r.friction;
-        b.force_x[0][i] = r.forces.on_node.x;
-        b.force_y[0][i] = r.forces.on_node.y;
-        b.force_x[1][i] = r.forces.on_first.x;
-        b.force_y[1][i] = r.forces.on_first.y;
-        b.force_x[2][i] = r.forces.on_second.x;
-        b.force_y[2][i] = r.forces.on_second.y;
-    }
-}
-
-void gather(const Block& block, std::span<const Moving> moving, Batch& b) {
-    const TouchList& list = block.state.touches;
-    const Vector2* const velocity = block.state.velocity.data();
-    const double dt = block.parameters.time_step;
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        const TouchPair& pair = list.pairs[moving[i].pair];
-        const auto [first, second] = block.assemblage.outline.edges[pair.edge].nodes;
-        const TouchGeometry g = block.geometry[moving[i].at];
-        const Touch& touch = list.touches[moving[i].pair];
-        b.tangent_x[i] = g.tangent.x;
-        b.tangent_y[i] = g.tangent.y;
-        b.inv_length[i] = g.inv_length;
-        b.place[i] = g.place;
-        b.depth[i] = g.depth;
-        b.node_x[i] = dt * velocity[pair.node].x;
-        b.node_y[i] = dt * velocity[pair.node].y;
-        b.first_x[i] = dt * velocity[first].x;
-        b.first_y[i] = dt * velocity[first].y;
-        b.second_x[i] = dt * velocity[second].x;
-        b.second_y[i] = dt * velocity[second].y;
-        b.area[i] = touch.area;
-        b.allowance[i] = touch.allowance;
-        b.pressing[i] = touch.pressing;
-        b.stretch[i] = touch.stretch;
-    }
-}
-
-void scatter(Block& block, std::span<const Moving> moving, const Batch& b) {
-    TouchList& list = block.state.touches;
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        const std::int32_t pair = moving[i].pair;
-        list.touches[pair] = {!moving[i].is_last, b.place[i] < 0.5, b.area[i], b.allowance[i],
-                              b.pressing[i],      b.stretch[i],     b.pull[i]};
-        for (std::size_t k = 0; k < 3; ++k) {
-            list.forces[3 * static_cast<std::size_t>(pair) + k] = {b.force_x[k][i], b.force_y[k][i]};
-        }
-        block.friction += b.friction[i];
-    }
-}
-
-/// Moves the touches that go on to where their nodes are.
-void move(Block& block) {
-    Batch batch;
-    const std::span<const Moving> all = block.moving;
-    for (std::size_t begin = 0; begin < all.size(); begin += Batch::size) {
-        const auto part = all.subspan(begin, std::min<std::size_t>(Batch::size, all.size() - begin));
-        const auto count = static_cast<std::int32_t>(part.size());
-        gather(block, part, batch);
-        run_on(block.assemblage.vector_target, [&]() GRAINCRACK_KERNEL { move(block.parameters.law, count, batch); });
-        scatter(block, part, batch);
     }
 }
 
@@ -289,6 +188,7 @@ void begin_touches(Group& group) {
         if (may_begin(group, i)) {
             const TouchGeometry g = group.geometry(i);
             group.touch(i) = {true, g.place < 0.5, area_of(group, i), g.depth, 0, 0, 0};
+            group.block.state.touches.append_moving(group.block.assemblage.outline, group.block.index, group.pair(i));
         }
     }
 }
@@ -325,25 +225,31 @@ bool came_through_neighbour(const Assemblage& a, const State& s, const TouchPair
     return false;
 }
 
-void advance_touches(const Assemblage& a, const StepParameters& parameters, std::int32_t index, State& s) {
-    const Range groups = s.touches.blocks[index];
-    const std::int32_t origin = s.touches.awake_groups[groups.begin].begin;
-    const std::int32_t count = s.touches.awake_groups[groups.end - 1].end - origin;
-    prefetch(s.touches, {origin, origin + count});
-    static thread_local Scratch scratch;
-    scratch.moving.clear();
-    Block block{a, parameters, s, scratch.geometry, scratch.moving};
-    block.geometry.find(a, s, count, [&](std::int32_t i) { return s.touches.awake[origin + i]; });
+void review_touches(const Assemblage& a, const StepParameters& parameters, std::int32_t index, State& s) {
+    TouchList& list = s.touches;
+    const Range groups = list.blocks[index];
+    const std::int32_t origin = list.first_awake(index);
+    const std::int32_t count = list.awake_groups[groups.end - 1].end - origin;
+    prefetch(list, {origin, origin + count});
+    settle_touches(index, list);
+    static thread_local TouchGeometries geometry;
+    Block block{a, parameters, s, geometry, index};
+    geometry.find(a, s, count, [&](std::int32_t i) { return list.awake[origin + i]; });
     const auto for_groups = [&](auto&& act) {
         for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-            Group group{block, s.touches.awake_groups[i], origin};
+            Group group{block, list.awake_groups[i], origin};
             act(group);
         }
     };
+    const std::int32_t before = list.moving.count[index];
+    list.moving.count[index] = 0;
+    list.moving.changed[index] = 0;
     for_groups([](Group& group) { carry_on(group); });
-    move(block);
+    move_touches(a, parameters, index, s);
+    settle_touches(index, list);
     for_groups(begin_touches);
-    s.touches.friction[index] += block.friction;
+    list.moving.changed[index] = list.moving.changed[index] != 0 || list.moving.count[index] != before ? 1 : 0;
+    list.friction[index] += block.friction;
 }
 
 double stored_in_touches(const ContactLaw& law, const TouchList& list) {
