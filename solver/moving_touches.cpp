@@ -198,14 +198,11 @@ void take_up_touches(const Assemblage& a, TouchList& list) {
 void arrange_gathers(const Assemblage& a, TouchList& list) {
     const MovingTouches& moving = list.moving;
     const auto for_forces = [&](auto&& act) {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-            const std::int32_t begin = list.first_awake(block);
-            for (std::int32_t i = begin; i < begin + moving.count[block]; ++i) {
-                for (std::int32_t k = 0; k < 3; ++k) {
-                    act(moving.nodes[i][k], 3 * i + k);
-                }
+        list.for_moving([&](std::int32_t i) {
+            for (std::int32_t k = 0; k < 3; ++k) {
+                act(moving.nodes[i][k], 3 * i + k);
             }
-        }
+        });
     };
     std::vector<std::int32_t>& end_of_node = list.gather_scratch;  // where the next force of a node goes
     end_of_node.assign(a.position.size(), 0);

@@ -93,7 +93,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("touch_blocks", s.touches.blocks);
     visit("touch_friction", s.touches.friction);
     visit("touch_displacement_at_search", s.touches.displacement_at_search);
-    visit("touch_room", s.touches.room);
+    visit("touch_area_taken", s.touches.taken);
     visit("group_tied", s.groups.tied);
     visit("group_supported", s.groups.supported);
     visit("group_component", s.groups.component);

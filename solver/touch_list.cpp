@@ -14,9 +14,9 @@
 namespace graincrack {
 namespace {
 
-constexpr double buffer = 0.04;          // of the mean edge: pairs nearer than this are listed
-constexpr double hand_over = 0.005;      // of a contact's length: sliding or opening from which on it is released
-constexpr double loosening = 0.001;      // of a contact's length: a failed point that has moved so far ties no more
+constexpr double buffer = 0.04;           // of the mean edge: pairs nearer than this are listed
+constexpr double hand_over = 0.005;       // of a contact's length: sliding or opening from which on it is released
+constexpr double loosening = 0.001;       // of a contact's length: a failed point that has moved so far ties no more
 constexpr std::int64_t most_steps = 128;  // between two looks
 constexpr std::int64_t least_steps = 4;
 constexpr std::int64_t reviews_between_looks = 8;
@@ -126,6 +126,7 @@ public:
         for (const Vector2& v : s.velocity) {
             speed_.push_back(length(v));
         }
+        note_touches();
     }
 
     /// Finds where the pairs of some nodes stand, for `add_awake`.
@@ -139,24 +140,37 @@ public:
         active_.clear();
         pressing_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (list.touches[p].active) {
+            if (goes_on_[p] != 0 && list.touches[p].active) {
                 active_.push_back({list.pairs[p].edge, geometry_.depth(p - begin_)});
                 pressing_ = std::max(pressing_, list.touches[p].pressing);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (list.touches[p].active || still_pulls(p) || matters(p, geometry_[p - begin_])) {
+            if (goes_on_[p] != 0 || matters(p, geometry_[p - begin_])) {
                 awake.push_back(p);
             }
         }
     }
 
 private:
+    /// Touches are among the pairs that were awake; after a search, when none is yet, anywhere.
+    void note_touches() {
+        const TouchList& list = state_.touches;
+        goes_on_.assign(list.pairs.size(), 0);
+        const auto note = [&](std::int32_t pair) {
+            const Touch& touch = list.touches[pair];
+            goes_on_[pair] = touch.active || touch.pull != 0 ? 1 : 0;
+        };
+        if (list.awake.empty()) {
+            for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) {
+                note(pair);
+            }
+        }
+        std::for_each(list.awake.begin(), list.awake.end(), note);
+    }
     [[nodiscard]] const OutlineEdge& edge_of(std::int32_t pair) const {
         return assemblage_.outline.edges[state_.touches.pairs[pair].edge];
     }
-    /// Whether a touch that has just ended gives back in the next step.
-    [[nodiscard]] bool still_pulls(std::int32_t pair) const { return state_.touches.touches[pair].pull != 0; }
     [[nodiscard]] double reach(std::int32_t pair) const {
         const OutlineEdge& edge = edge_of(pair);
         const double closing = speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
@@ -195,7 +209,8 @@ private:
         std::int32_t edge;
         double depth;  ///< m
     };
-    std::vector<double> speed_;  ///< [n] m/s
+    std::vector<double> speed_;          ///< [n] m/s
+    std::vector<std::uint8_t> goes_on_;  ///< [pairs] 1 for a touch, or one that has just ended and gives back in the next step
     std::vector<Active> active_;
     double pressing_ = 0;  ///< of the touches of the node, at most, m
 };
@@ -203,9 +218,9 @@ private:
 /// Pairs that matter up to the next look, by node; the forces of the others are nil.
 void find_awake(const Assemblage& a, double duration, double fastest, State& s) {
     TouchList& list = s.touches;
+    Watch watch(a, duration, fastest, s);
     list.awake.clear();
     list.awake_groups.clear();
-    Watch watch(a, duration, fastest, s);
     Range seen;
     for (std::size_t i = 0; i < list.groups.size(); ++i) {
         const Range pairs = list.groups[i];
@@ -238,30 +253,15 @@ void wake(const Assemblage& a, double duration, double fastest, State& s) {
     take_up_touches(a, list);
 }
 
-/// The area each listed node can still take: what its bonds had at the start, which the stable step knows of, less what its
-/// bonds and touches take now. Many corners on the end of one edge would be stiffer together than any bond was.
-void find_room(const Assemblage& a, TouchList& list) {
-    list.room.resize(a.position.size());
-    const auto set_room = [&](std::int32_t node) {
-        double room = 2 * a.outline.tributary[node];
-        for (std::int32_t k = a.outline.edge_begin[node]; k < a.outline.edge_begin[node + 1]; ++k) {
-            const std::int32_t contact = a.outline.edges[a.outline.edges_of_node[k]].contact;
-            room -= contact >= 0 && list.released[contact] == 0 ? a.contacts[contact].point_area : 0.0;
-        }
-        list.room[node] = room;
-    };
-    for (const std::int32_t pair : list.awake) {
-        set_room(list.pairs[pair].node);
-        set_room(a.outline.edges[list.pairs[pair].edge].nodes[0]);
-        set_room(a.outline.edges[list.pairs[pair].edge].nodes[1]);
-    }
-    for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        if (list.touches[i].active) {
-            list.room[list.pairs[i].node] -= list.touches[i].area;
-            const auto& [first, second] = a.outline.edges[list.pairs[i].edge].nodes;
-            list.room[list.touches[i].near_first ? first : second] -= list.touches[i].area;
-        }
-    }
+/// The area that touches take of each node.
+void find_taken(const Assemblage& a, TouchList& list) {
+    list.taken.assign(a.position.size(), 0.0);
+    list.for_moving([&list](std::int32_t i) {
+        const auto& [node, first, second] = list.moving.nodes[i];
+        const double area = list.moving.live[i] * list.moving.area[i];
+        list.taken[node] += area;
+        list.taken[list.moving.place[i] < 0.5 ? first : second] += area;
+    });
 }
 
 /// Forces of all touches in the present displacements, without moving them.
@@ -387,7 +387,7 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
     const std::int64_t longest = std::max(std::clamp(calm, least_steps, most_steps), shortest);
     list.review_interval = std::max<std::int64_t>(longest / reviews_between_looks, 1);
     wake(a, static_cast<double>(longest) * parameters.time_step, std::sqrt(fastest), s);
-    find_room(a, list);
+    find_taken(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
             review_touches(a, parameters, block, s);

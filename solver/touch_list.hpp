@@ -18,7 +18,7 @@
 
 namespace graincrack {
 
-/// Where touches begin and how they pass on; see touch_stage.cpp and share/doc/touches.md.
+/// Where touches begin and how they pass on; see touch_review.cpp and share/doc/touches.md.
 namespace touch_rule {
 inline constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
 inline constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several
@@ -75,10 +75,20 @@ struct TouchList {
     std::vector<Vector2> displacement_at_search;  ///< [n] m
     bool wants_search = false;                    ///< something came loose or moved far since the last search
     double way_unsearched = 0;                    ///< that the fastest node has gone since then at most, m
-    std::vector<double> room;                     ///< [n] contact area a node can still take, see `find_room`, m²
+    std::vector<double> taken;                    ///< [n] area of a node that touches take, at the last look, m²
     std::int64_t next_check = 0;                  ///< step
 
     [[nodiscard]] std::int32_t first_awake(std::int32_t block) const { return awake_groups[blocks[block].begin].begin; }
+    /// Calls `visit` with the place of each moving touch.
+    template <class Visit>
+    void for_moving(Visit&& visit) const {
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(blocks.size()); ++block) {
+            const std::int32_t begin = first_awake(block);
+            for (std::int32_t i = begin; i < begin + moving.count[block]; ++i) {
+                visit(i);
+            }
+        }
+    }
     /// Adds a pair of the list to the moving ones of its block.
     void append_moving(const Outline& outline, std::int32_t block, std::int32_t index);
 };

@@ -155,12 +155,24 @@ void carry_on(Group& group) {
     }
 }
 
+/// The area a node can still take: what its bonds had at the start, which the stable step knows of, less what its bonds and
+/// touches take now. Many corners on the end of one edge would be stiffer together than any bond was.
+double room_of(const Outline& outline, const std::vector<ContactGeometry>& contacts, const TouchList& list, std::int32_t node) {
+    double room = 2 * outline.tributary[node] - list.taken[node];
+    for (std::int32_t k = outline.edge_begin[node]; k < outline.edge_begin[node + 1]; ++k) {
+        const std::int32_t contact = outline.edges[outline.edges_of_node[k]].contact;
+        room -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
+    }
+    return room;
+}
+
 /// Area of a new touch: what the node stands for, or less where node or edge are held by others already.
 double area_of(const Group& group, std::int32_t i) {
-    const std::vector<double>& room = group.block.state.touches.room;
-    const double tributary = group.block.assemblage.outline.tributary[group.node()];
+    const Assemblage& a = group.block.assemblage;
+    const auto room = [&](std::int32_t node) { return room_of(a.outline, a.contacts, group.block.state.touches, node); };
+    const double tributary = a.outline.tributary[group.node()];
     const std::int32_t end = group.edge(i).nodes[group.geometry(i).place < 0.5 ? 0 : 1];
-    return std::clamp(std::min(room[group.node()], room[end]), least_area * tributary, tributary);
+    return std::clamp(std::min(room(group.node()), room(end)), least_area * tributary, tributary);
 }
 
 /// Whether a touch may begin: the node is in the grain, and nothing else keeps it out of there.
@@ -254,9 +266,10 @@ void review_touches(const Assemblage& a, const StepParameters& parameters, std::
 
 double stored_in_touches(const ContactLaw& law, const TouchList& list) {
     double energy = 0;
-    for (const Touch& touch : list.touches) {
+    list.for_moving([&](std::int32_t i) {
+        const Touch& touch = list.touches[list.moving.pair[i]];
         energy += touch.active ? touch_energy(law, touch) : 0;
-    }
+    });
     return energy;
 }
 
