@@ -74,8 +74,8 @@ TEST(Touch, ACornerHitsAFace) {
     expect_close(after.linear.x, before.linear.x, 1e-12, before.scale);
     expect_close(after.linear.y, before.linear.y, 1e-12, before.scale);
     expect_close(after.angular, before.angular, 1e-12, before.scale * 1e-2);
-    // Second order in the step: a fifth of the stable one leaves 0.5 %, as the ledger of a run may.
-    EXPECT_LT(worst, 5e-3 * energy_before);
+    // A tenth of the 4.8e-3 that the knock gains at this step if a touch that ended gives nothing back.
+    EXPECT_LT(worst, 5e-4 * energy_before);
 }
 
 // A row of grains with a flat top, and a triangle whose corner is led along it at constant depth.
@@ -226,7 +226,7 @@ SmallRun sliding_blocks(double slide) {
 }
 
 TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
-    SmallRun run = sliding_blocks(20.0);
+    SmallRun run = sliding_blocks(120.0);  // so fast that the blocks are still pressed together when they have slid far
     const double energy = run.measured().energies.kinetic;
     const auto force_on_grain = [&run] {
         (void)run.measured();  // sums the forces
@@ -236,11 +236,11 @@ TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
         }
         return sum;
     };
-    double largest = 0;
+    double pressed = 0;
     while (released_contacts(run) == 0 && run.state.step < 20000) {
         const Vector2 before = force_on_grain();
         const Energies e = run.measured().energies;
-        largest = std::max(largest, length(before));
+        pressed = length(before);
         // What the step's own look after the list does, seen from outside.
         look_after_touches(run.assemblage, run.parameters, 1, run.state);
         const Vector2 after = force_on_grain();
@@ -251,7 +251,7 @@ TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
         run.steps(1);
     }
     ASSERT_EQ(released_contacts(run), 1U);
-    EXPECT_GT(largest, 1.0) << "they were never pressed together";
+    EXPECT_GT(pressed, 1.0) << "they were not pressed together at the release";
     run.steps(2000);
     const Energies last = run.measured().energies;
     EXPECT_GT(last.friction, 0.0);
