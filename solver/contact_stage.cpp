@@ -238,7 +238,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
                               const ContactMotion& to, const Vector2& tangent, std::int64_t step, State& s) {
     const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
     const ContactGeometry& g = a.contacts[c];
-    ContactHistory& history = s.points[point];
+    ContactHistory& history = s.points.of(point);
     history.motion = {s.opening[point], s.sliding[point]};
     history.cohesion_left = s.cohesion_left[point];
     history.slip = s.slip[point];

@@ -204,6 +204,11 @@ void arrange_gathers(const Assemblage& a, TouchList& list) {
             }
         });
     };
+    list.gathers.clear();
+    if (std::all_of(moving.count.begin(), moving.count.end(), [](std::int32_t count) { return count == 0; })) {
+        std::fill(list.gathers_of_block.begin(), list.gathers_of_block.end(), Range{});
+        return;
+    }
     std::vector<std::int32_t>& end_of_node = list.gather_scratch;  // where the next force of a node goes
     end_of_node.assign(a.position.size(), 0);
     std::int32_t total = 0;
@@ -211,7 +216,6 @@ void arrange_gathers(const Assemblage& a, TouchList& list) {
         ++end_of_node[node];
         ++total;
     });
-    list.gathers.clear();
     list.gathered_slots.resize(total);
     std::int32_t at = 0;
     for (std::size_t block = 0; block < a.grain_blocks.size(); ++block) {

@@ -77,7 +77,6 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("slip", s.slip);
     visit("failed", s.failed);
     visit("spent", s.spent);
-    visit("history", s.points);
     visit("fracture_energy", s.fracture_energy);
     visit("platen_points", s.platen_points);
     visit("grain_sums", s.grain_sums);
@@ -130,6 +129,16 @@ std::size_t width_of() {
     Item item{};
     visit_members(item, [&](auto& /*member*/) { ++width; });
     return width;
+}
+
+template <class Item>
+void write_array(H5Output& file, const std::string& name, const std::vector<Item>& items) {
+    std::vector<double> numbers;
+    for (const Item& item : items) {
+        visit_members(item, [&](const auto& member) { numbers.push_back(static_cast<double>(member)); });
+    }
+    file.write<double>(path_of(name), std::span<const double>(numbers), {items.size(), width_of<Item>()}, "1",
+                       "of the solver's state, in its own order, SI");
 }
 
 template <class Item>
@@ -215,15 +224,12 @@ void write_saved_state(H5Output& file, const State& state, const ConductorState&
     const std::string group = schema::state_group;
     file.create_group(group);
     visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
-    visit_arrays(state, [&](const char* name, const auto& items) {
-        using Item = typename std::decay_t<decltype(items)>::value_type;
-        std::vector<double> numbers;
-        for (const auto& item : items) {
-            visit_members(item, [&](const auto& member) { numbers.push_back(static_cast<double>(member)); });
-        }
-        file.write<double>(path_of(name), std::span<const double>(numbers), {items.size(), width_of<Item>()}, "1",
-                           "of the solver's state, in its own order, SI");
-    });
+    visit_arrays(state, [&](const char* name, const auto& items) { write_array(file, name, items); });
+    std::vector<ContactHistory> histories;
+    for (std::size_t point = 0; point < state.failed.size(); ++point) {
+        histories.push_back(state.points[point]);
+    }
+    write_array(file, "history", histories);
     file.attribute(group, "controls", leader.names);
     file.attribute(group, "control_values", leader.values);
     file.attribute(group, "platen_speed", leader.platen_speed);
@@ -245,6 +251,13 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         value = static_cast<std::decay_t<decltype(value)>>(file.attribute<double>(group, name));
     });
     visit_arrays(s, [&](const char* name, auto& items) { read_array(file, name, items); });
+    std::vector<ContactHistory> histories;
+    read_array(file, "history", histories);
+    for (std::size_t point = 0; point < histories.size(); ++point) {
+        if (histories[point] != ContactHistory{}) {
+            s.points.of(point) = histories[point];
+        }
+    }
     complete_group_state(setup.parameters.mass_scaling, s);
     take_up_touches(setup.assemblage, s.touches);
     take_over_platens(run.name(), s.platen_points, platen_points);

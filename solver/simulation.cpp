@@ -64,7 +64,7 @@ public:
           gauges_(make_gauges(assemblage_, specimen)),
           driver_(make_run_driver(request, assemblage_, specimen)),
           state_(make_state(assemblage_, boundary_, specimen)),
-          catalogue_(state_.points.size()),
+          catalogue_(state_.failed.size()),
           header_(make_header(request)),
           progress_(label, verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {

@@ -42,6 +42,30 @@ struct GrainSums {
     double platen_friction = 0;
 };
 
+/// What failed points remember. Kept for blocks of contacts of which a point has failed; all other points remember nothing.
+class PointMemories {
+public:
+    PointMemories() = default;
+    explicit PointMemories(std::size_t n_points) : blocks_((n_points + points_per_block - 1) / points_per_block) {}
+    const ContactHistory& operator[](std::size_t point) const {
+        const auto& block = blocks_[point / points_per_block];
+        return block.empty() ? nothing_ : block[point % points_per_block];
+    }
+    /// To be written to, by the thread that works on the block.
+    ContactHistory& of(std::size_t point) {
+        auto& block = blocks_[point / points_per_block];
+        if (block.empty()) {
+            block.resize(points_per_block);
+        }
+        return block[point % points_per_block];
+    }
+
+private:
+    static constexpr std::size_t points_per_block = 2UL * contacts_per_block;
+    static constexpr ContactHistory nothing_{};
+    std::vector<std::vector<ContactHistory>> blocks_;
+};
+
 struct State {
     std::int64_t step = 0;
     double time = 0;
@@ -61,7 +85,7 @@ struct State {
     std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
     std::vector<std::uint8_t> spent;      ///< [2 c] 1 once friction is all that is left of it (`is_spent`)
-    std::vector<ContactHistory> points;   ///< [2 c] what failed points remember besides; see `history_of`
+    PointMemories points;                 ///< [2 c] what failed points remember besides; see `history_of`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     TouchList touches;
     std::vector<PlatenPoint> platen_points;

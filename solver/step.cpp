@@ -14,7 +14,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.drag.resize(a.position.size());
     s.touching.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
-    s.points.resize(2 * a.contacts.size());
+    s.points = PointMemories(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());
     s.sliding.resize(2 * a.contacts.size());
     s.slip.resize(2 * a.contacts.size());
@@ -23,7 +23,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.cohesion_left.assign(2 * a.contacts.size(), 1);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
-            s.points[2 * c] = s.points[2 * c + 1] = broken_contact();
+            s.points.of(2 * c) = s.points.of(2 * c + 1) = broken_contact();
             s.failed[2 * c] = s.failed[2 * c + 1] = 1;  // and spent as soon as the law has seen them
             s.cohesion_left[2 * c] = s.cohesion_left[2 * c + 1] = 0;
         }

@@ -253,9 +253,9 @@ void wake(const Assemblage& a, double duration, double fastest, State& s) {
     take_up_touches(a, list);
 }
 
-/// The area that touches take of each node.
+/// The area that touches take of each node; nothing where no pair is awake.
 void find_taken(const Assemblage& a, TouchList& list) {
-    list.taken.assign(a.position.size(), 0.0);
+    list.taken.assign(list.awake.empty() ? 0 : a.position.size(), 0.0);
     list.for_moving([&list](std::int32_t i) {
         const auto& [node, first, second] = list.moving.nodes[i];
         const double area = list.moving.live[i] * list.moving.area[i];

@@ -40,6 +40,7 @@ struct LawDescription {
 struct ContactMotion {
     double opening = 0;  ///< δn, m
     double sliding = 0;  ///< δs, m
+    friend bool operator==(const ContactMotion&, const ContactMotion&) = default;
 };
 struct ContactTraction {
     double normal = 0;  ///< σn, Pa
@@ -62,6 +63,7 @@ struct ContactHistory {
     CrackMode first_mode = CrackMode::tensile;  ///< of the first failure
 
     [[nodiscard]] bool failed() const { return failed_open || failed_closed; }
+    friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
 };
 
 /// Energies per area booked in one update, J/m².

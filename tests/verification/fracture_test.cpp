@@ -61,8 +61,8 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
                    (e.external - e.strain - e.kinetic - e.damping - e.platen - e.contact) / area, law.gf, 0.01, "Gf");
             verify_between("specimens: straight interface, strength over tc", largest / area / law.tc, 0.98, 1.02,
                            "tc; what rings at this rate is 1 %");
-            for (const ContactHistory& point : run.state.points) {
-                EXPECT_TRUE(point.separated);
+            for (std::size_t point = 0; point < run.state.failed.size(); ++point) {
+                EXPECT_TRUE(run.state.points[point].separated);
             }
         }
     }
@@ -107,8 +107,11 @@ struct Cantilever {
         return s;
     }
     [[nodiscard]] std::size_t separated() const {
-        return static_cast<std::size_t>(
-            std::count_if(run.state.points.begin(), run.state.points.end(), [](const ContactHistory& p) { return p.separated; }));
+        std::size_t count = 0;
+        for (std::size_t point = 0; point < run.state.failed.size(); ++point) {
+            count += run.state.points[point].separated ? 1 : 0;
+        }
+        return count;
     }
     /// Length of the interface that has failed and not separated, m.
     [[nodiscard]] double zone() const { return 0.5 * cell * static_cast<double>(run.failed_points() - separated()); }
