@@ -136,6 +136,8 @@ inline constexpr Quantity mass_scaling_factor{"mass_scaling_factor",
                                               1e4,
                                               "added mass over mass, for the motion of nodes that contacts hold together",
                                               true};
+inline constexpr Quantity checkpoint_interval{
+    "checkpoint_interval", Dimension::time, 0, 1e7, "wall time between checkpoints", true};
 inline constexpr Quantity time_step_fraction{
     "time_step_fraction", Dimension::one, 0, 1.5, "time step over the stable step", true};
 

@@ -21,6 +21,12 @@ public:
     /// Speed of each platen at the end of the next part, which takes `duration` seconds, m/s.
     /// \throws NumericalError if the specimen does not come to rest
     double next(double unbalanced_ratio, double duration);
+    /// Calls `visit(name, member)` with all that changes.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit&& visit) {
+        visit("block.part", self.part_);
+        visit("block.stands", self.stands_);
+    }
 
 private:
     double speed_;

@@ -86,6 +86,19 @@ public:
     /// Mean speed of each platen since the axial loading began, m/s.
     [[nodiscard]] double mean_speed(double time) const;
     [[nodiscard]] double platen_speed() const { return speed_; }  ///< at the end of the last batch, approach positive, m/s
+    /// Calls `visit(name, member)` with all that changes.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit&& visit) {
+        visit("isotropic", self.isotropic_);
+        visit("isotropic_end_time", self.isotropic_end_time_);
+        visit("mean_compression", self.mean_compression_);
+        visit("start_time", self.start_time_);
+        visit("start_speed", self.start_speed_);
+        visit("speed", self.speed_);
+        visit("axial_strain", self.axial_strain_);
+        RateControl::visit_state(self.control_, visit);
+        BlockControl::visit_state(self.blocks_, visit);
+    }
 
 private:
     [[nodiscard]] double target_pressure(double time) const;

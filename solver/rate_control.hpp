@@ -53,6 +53,15 @@ public:
     [[nodiscard]] double allowed(double endangered) const;
     /// The fastest the platens ever go at a strain, m/s.
     [[nodiscard]] double most_speed(double strain) const;
+    /// Calls `visit(name, member)` with all that changes: a test that goes on needs it.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit&& visit) {
+        visit("rate.endangered", self.endangered_);
+        visit("rate.inertia", self.inertia_);
+        visit("rate.unbalanced_ratio", self.unbalanced_ratio_);
+        visit("rate.force_difference", self.force_difference_);
+        visit("rate.speed", self.speed_);
+    }
 
 private:
     double tolerance_;

@@ -1,8 +1,11 @@
 #include "solver/run_driver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "share/error.hpp"
 #include "solver/program/program_driver.hpp"
 
 namespace graincrack {
@@ -37,8 +40,24 @@ public:
             header.platen_speed = loading_.mean_speed(time);
         }
     }
-    [[nodiscard]] ConductorState saved(double /*time*/) const override { return {{}, {}, loading_.platen_speed(), 0}; }
-    void resume(const ConductorState& /*state*/) override {}  // only programs go on from another run
+    [[nodiscard]] ConductorState saved(double /*time*/) const override {
+        ConductorState state{{}, {}, loading_.platen_speed(), 0};
+        Loading::visit_state(loading_, [&state](const char* name, const auto& value) {
+            state.names.emplace_back(name);
+            state.values.push_back(static_cast<double>(value));
+        });
+        return state;
+    }
+    void resume(const ConductorState& state) override {
+        Loading::visit_state(loading_, [&state](const char* name, auto& value) {
+            const auto at = std::find(state.names.begin(), state.names.end(), name);
+            if (at == state.names.end()) {
+                throw InputError(
+                    fmt::format("the saved state of the loading lacks \"{}\"; only a test's own checkpoint has it", name));
+            }
+            value = static_cast<std::decay_t<decltype(value)>>(state.values[static_cast<std::size_t>(at - state.names.begin())]);
+        });
+    }
     void append(H5Output& /*file*/, std::size_t /*first*/) const override {}
     void write(H5Output& /*file*/) const override {}
 

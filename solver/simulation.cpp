@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "solver/catalogue.hpp"
+#include "solver/checkpoint.hpp"
 #include "solver/frame_keeper.hpp"
 #include "solver/measure.hpp"
 #include "solver/program/program_boundary.hpp"
@@ -72,11 +74,17 @@ public:
         header_.mass_scaling_factor = setup_.mass_scaling_factor;
         header_.stable_time_step = setup_.stable_time_step;
         header_.time_step = parameters_.time_step;
+        if (request.checkpoint_interval) {
+            checkpoint_clock_.emplace(*request.checkpoint_interval);
+        }
         if (request.program) {
             set_initial_velocities(*request.program, assemblage_, specimen, state_);
         }
         if (!request.restart.empty()) {
             take_over(read_saved_state(request.restart, specimen, request, setup_));
+            if (!request.program) {
+                go_on(request.restart);
+            }
         }
     }
 
@@ -86,6 +94,7 @@ public:
         const bool pipe = file.is_pipe();
         writer_.emplace(std::move(file), specimen_, header_);
         frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
+        checkpoint_ = checkpoint_of(output);
     }
 
     RunHeader run() {
@@ -101,6 +110,9 @@ public:
             record();
             show_progress();
             header_.stop_reason = driver_->stop_reason(view());
+            if (header_.stop_reason.empty() && checkpoint_clock_ && checkpoint_clock_->is_due()) {
+                write_checkpoint();
+            }
         }
         progress_.finish();
         finish_header();
@@ -116,12 +128,43 @@ public:
             write_saved_state(writer_->file(), state_, driver_->saved(state_.time), largest_imbalance_);
         }
         writer_->finish(header_, catalogue_.rows(state_), provenance, sensitivity);
+        if (checkpoint_clock_) {
+            std::remove(checkpoint_.c_str());
+        }
     }
     [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
     [[nodiscard]] TestOutcome outcome() const { return {header_, history_}; }
     [[nodiscard]] int threads() const { return team_.size(); }
 
 private:
+    /// A run file of its own, with all rows and cracks so far and the frame of now.
+    void write_checkpoint() const {
+        RunWriter writer(H5Output(checkpoint_, "run"), specimen_, header_);
+        writer.append_history(history_);
+        writer.add_frame(make_frame(assemblage_, parameters_.law, state_), true);
+        write_saved_state(writer.file(), state_, driver_->saved(state_.time), largest_imbalance_);
+        RunHeader header = header_;
+        header.stop_reason = "checkpoint";
+        header.steps = state_.step;
+        header.integrations = state_.integrations;
+        header.peak_axial_stress = peak_;
+        Provenance provenance;
+        provenance.tool = "graincrack-solve";
+        provenance.threads = team_.size();
+        writer.finish(header, catalogue_.rows(state_), provenance);
+    }
+
+    /// Goes on where a test was: its last row comes again, from the same state.
+    void go_on(const std::string& checkpoint) {
+        const RunReader run(checkpoint);
+        require_same_test(run.name(), run.header(), header_);
+        history_ = run.history();
+        for (std::vector<double>& column : history_.columns) {
+            column.pop_back();
+        }
+        peak_ = run.header().peak_axial_stress;
+    }
+
     void take_over(const SavedState& saved) {
         state_ = saved.state;
         catalogue_.restore(saved.cracks);
@@ -308,6 +351,8 @@ private:
     double peak_ = 0;               ///< of the driven stress, Pa
     std::optional<RunWriter> writer_;
     std::optional<FrameKeeper> frames_;
+    std::string checkpoint_;  ///< its file
+    std::optional<CheckpointClock> checkpoint_clock_;
 };
 
 }  // namespace

@@ -31,9 +31,10 @@ struct SimulationRequest {
     bool mass_scaling = false;                  ///< selective
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
-    bool save_state = false;   ///< at the end, for another run to go on from
-    std::string restart;       ///< run file of whose saved state a program goes on, or ""
-    bool sensitivity = false;  ///< run again with one thing changed at a time
+    bool save_state = false;                    ///< at the end, for another run to go on from
+    std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
+    std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
+    bool sensitivity = false;                   ///< run again with one thing changed at a time
     int frames = 20;
     int threads = 1;                            ///< at most
     std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given

@@ -108,6 +108,9 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
+    add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
+                 "wall time after which the test writes RUN.checkpoint, again and again; it is gone when the run is there");
+    command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
     command.add_flag("--sensitivity", request.sensitivity,
                      "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
                      "elements along an edge; print what moves, and keep it in the run");
@@ -217,6 +220,12 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
     }
     complete_request(options.request, raw);
+    if (options.request.checkpoint_interval && options.output == "-") {
+        throw UsageError("--checkpoint-every: a run that goes to stdout has no name for its checkpoints; -o run.h5 fits");
+    }
+    if (options.request.sensitivity && !options.request.restart.empty()) {
+        throw UsageError("--sensitivity: runs again from the start, --restart does not; leave out the one or the other");
+    }
     if (program->parsed()) {
         complete_program(options.request, raw);
     }

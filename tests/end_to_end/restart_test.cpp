@@ -78,6 +78,29 @@ TEST(Restart, GoesOnToTheByte) {
     }
 }
 
+TEST(Restart, ATestGoesOnFromItsCheckpoint) {
+    for (const std::string options : {"--mass-scaling selective --rate-tolerance 0.02 ", "--rate blocks --block-speed 0.5m/s "}) {
+        const Shell shell;
+        shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
+        const std::string test =
+            "graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 2MPa --quiet --frames 2 " +
+            options;
+        // The last checkpoint that there was while the test went on.
+        shell.must("(until test -e whole.h5; do cp whole.h5.checkpoint kept.h5 2>/dev/null; sleep 0.02; done) & " + test +
+                   "--checkpoint-every 1ms -o whole.h5; wait");
+        const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run); };
+        EXPECT_GT(n_lines(rows("kept.h5")), 10);
+        EXPECT_LT(n_lines(rows("kept.h5")), n_lines(rows("whole.h5")));
+        EXPECT_NE(shell.run("test -e whole.h5.checkpoint").exit_code, 0);
+        shell.must(test + "--restart kept.h5 --threads 2 -o again.h5");
+        EXPECT_EQ(rows("again.h5"), rows("whole.h5"));
+        expect_same_arrays(H5Input(shell.file("again.h5")), H5Input(shell.file("whole.h5")), "/cracks");
+        const Outcome outcome = shell.run(test + "--restart kept.h5 --damping 0.4 -o other.h5");
+        EXPECT_EQ(outcome.exit_code, 3);
+        EXPECT_NE(outcome.err.find("kept.h5: --damping was 0.8, not 0.4"), std::string::npos) << outcome.err;
+    }
+}
+
 TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
     const Shell shell;
     lay_out(shell);
