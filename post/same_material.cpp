@@ -14,7 +14,6 @@ bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); 
 }  // namespace
 
 std::string material_difference(const RunHeader& a, const RunHeader& b) {
-    if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
     if (a.contact_law != b.contact_law || a.coupling != b.coupling) return "the contact law";
     if (a.fracture_energy_choice != b.fracture_energy_choice) return "the choice of the fracture energy";
     if (a.rock.young_modulus != b.rock.young_modulus || a.rock.poisson_ratio != b.rock.poisson_ratio ||
@@ -45,6 +44,7 @@ std::string setting_difference(const RunHeader& a, const RunHeader& b) {
     if (a.rate != b.rate || a.rate_tolerance != b.rate_tolerance || (a.rate != "auto" && a.platen_speed != b.platen_speed)) {
         return "the rate";
     }
+    if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
     if (a.damping != b.damping) return "the damping";
     // Its factor follows the specimen.
     if (a.mass_scaling != b.mass_scaling) return "the mass scaling";

@@ -9,12 +9,12 @@
 namespace graincrack {
 
 /// What two runs differ in that makes them tests of different materials: contact law, coupling, choice of fracture energy,
-/// rock, contact parameters, peak drop; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
+/// rock, contact parameters; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
 /// compared in one plane condition only.
 std::string material_difference(const RunHeader& a, const RunHeader& b);
 
 /// What two runs of one test at one confining pressure differ in beside their seeds, so that their mean has no meaning: plane
-/// condition, rate, damping, mass scaling, friction of the platens; "" if nothing.
+/// condition, rate, peak drop, damping, mass scaling, friction of the platens; "" if nothing.
 std::string setting_difference(const RunHeader& a, const RunHeader& b);
 /// \throws InputError if a run of a test at one pressure differs in its settings from an earlier one of that test
 void require_same_settings(const std::vector<RunData>& runs, const std::string& what);
