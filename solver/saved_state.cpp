@@ -162,7 +162,7 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     const Rock& rock = request.material.rock;
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
     if (!run.file().has(schema::state_group)) {
-        refuse("keeps no state to start from; make it with --save-state");
+        refuse("keeps no state to start from; make it with --save-state or --checkpoint-every");
     }
     if (!same_mesh(run.specimen(), specimen)) {
         refuse("is a run of another specimen; give the one it was made from, or itself");
