@@ -1,6 +1,9 @@
 // Time of a step and of its stages, for each law and vector unit: `tests/run --benchmark`. Real time; items are grains.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <numeric>
+
 #include "tests/benchmark/stages.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -30,6 +33,27 @@ void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scal
         loaded.advance_by(steps, team);
     }
     count(timer, loaded, static_cast<double>(steps));
+}
+
+/// After failure: every contact is a crack, and each grain was pushed another way, so that they rub and turn.
+void run_loose_steps(::benchmark::State& timer, VectorTarget target, int threads) {
+    Specimen specimen = granite(few);
+    specimen.contact_kind.assign(specimen.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
+    LoadedSpecimen loaded(std::move(specimen), LawVariant::consistent, false, target);
+    constexpr double push = 2;  // m/s
+    for (std::size_t i = 0; i < loaded.state.velocity.size(); ++i) {
+        const double angle = 2.4 * loaded.assemblage.outline.grain_of_node[i];
+        loaded.state.velocity[i] += Vector2{push * std::cos(angle), push * std::sin(angle)};
+    }
+    Team team(threads);
+    loaded.advance_by(2000, team);
+    constexpr std::int64_t steps = 20;
+    for (auto _ : timer) {
+        loaded.advance_by(steps, team);
+    }
+    count(timer, loaded, static_cast<double>(steps));
+    const auto& moving = loaded.state.touches.moving.count;
+    timer.counters["touches"] = std::accumulate(moving.begin(), moving.end(), 0);
 }
 
 void run_stage(::benchmark::State& timer, std::size_t index, bool scaled, VectorTarget target) {
@@ -72,6 +96,10 @@ void add_all() {
                         [=](auto& timer) { run_steps(timer, columns, LawVariant::consistent, scaled, target, threads); });
                 }
             }
+        }
+        for (const int threads : {1, 2}) {
+            add("step/loose/1122/" + unit + "/threads:" + std::to_string(threads),
+                [=](auto& timer) { run_loose_steps(timer, target, threads); });
         }
         for (const LawDescription& law : all_contact_laws()) {
             add("law/" + std::string(law.name) + "/1122/" + unit,
