@@ -47,7 +47,7 @@ struct RunHeader {
     double stable_time_step = 0;  ///< s
     double time_step = 0;         ///< s
     // set when the run ends
-    std::string stop_reason;  ///< "peak drop" | "strain cap" | "signal"
+    std::string stop_reason;  ///< "peak drop" | "strain cap" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
     std::int64_t integrations = 0;       ///< steps, with each that was made of parts counted as many times; 0 in older files
     double isotropic_end_time = 0;       ///< end of the isotropic stage (triaxial), s; 0 without one

@@ -27,9 +27,9 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
             {"the fracture energy in shear", number(h.contact.mode_ii_fracture_energy)},
             {"--confining-pressure", number(h.confining_pressure)},
             {"--platen-friction", number(h.platen_friction)},
-            {"--rate", h.rate == "fixed" ? number(h.platen_speed) : h.rate},
+            {"--rate", h.rate},
             {"--rate-tolerance", number(h.rate_tolerance)},
-            {"--block-speed", number(h.platen_speed)},
+            {"the speed of the platens", number(h.platen_speed)},
             {"--damping", number(h.damping)},
             {"the time step", number(h.time_step)}};
 }
@@ -37,6 +37,9 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
 }  // namespace
 
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now) {
+    if (before.stop_reason != "checkpoint") {
+        throw InputError(name + ": is a run that has ended, no checkpoint; a test goes on from RUN.checkpoint");
+    }
     const auto old_options = options_of(before);
     const auto options = options_of(now);
     for (std::size_t i = 0; i < options.size(); ++i) {

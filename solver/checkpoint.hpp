@@ -30,7 +30,8 @@ private:
 };
 
 /// Whether a test as in `now` goes on from a checkpoint of one as in `before`: all that decides its course must be the same but
-/// for where it ends. \param name of the checkpoint \throws InputError naming the option that differs
+/// for where it ends. \param name of the checkpoint \throws InputError naming the option that differs, or for a run that has
+/// ended
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now);
 
 }  // namespace graincrack

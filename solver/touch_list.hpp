@@ -58,13 +58,13 @@ struct TouchList {
     std::vector<std::uint8_t> loose;     ///< [2 c] 1 once the point does not hold its nodes side by side any more
     std::vector<std::uint8_t> released;  ///< [c] 1 once it is no contact any more
     std::vector<TouchPair> pairs;        ///< ascending
-    std::vector<Touch> touches;          ///< [pairs]
-    std::vector<Vector2> forces;         ///< [3 pairs] on node, first and second node of the edge, N
-    std::vector<Range> groups;           ///< pairs of one node
-    std::vector<std::int32_t> awake;     ///< pairs that matter before the next look, ascending; the others have no forces
-    std::vector<Range> awake_groups;     ///< of them, of one node each
-    std::vector<Range> blocks;           ///< of `awake_groups`, that one thread works on at a time
-    std::int64_t review_interval = 1;    ///< steps, or parts of them, from one review to the next
+    std::vector<Touch> touches;       ///< [pairs] with their forces as of the last review or batch: `moving` is what steps change
+    std::vector<Vector2> forces;      ///< [3 pairs] on node, first and second node of the edge, N
+    std::vector<Range> groups;        ///< pairs of one node
+    std::vector<std::int32_t> awake;  ///< pairs that matter before the next look, ascending; the others have no forces
+    std::vector<Range> awake_groups;  ///< of them, of one node each
+    std::vector<Range> blocks;        ///< of `awake_groups`, that one thread works on at a time
+    std::int64_t review_interval = 1;  ///< steps, or parts of them, from one review to the next
     MovingTouches moving;
     std::vector<double> friction;                 ///< [blocks] dissipated since the last look, J
     double friction_before = 0;                   ///< and before it, J
