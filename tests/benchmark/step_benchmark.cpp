@@ -35,23 +35,31 @@ void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scal
     count(timer, loaded, static_cast<double>(steps));
 }
 
-/// After failure: every contact is a crack, and each grain was pushed another way, so that they rub and turn.
-void run_loose_steps(::benchmark::State& timer, VectorTarget target, int threads) {
+/// Every contact is a crack, and each grain was pushed another way, so that some two hundred nodes touch.
+LoadedSpecimen loose_grains(VectorTarget target) {
     Specimen specimen = granite(few);
     specimen.contact_kind.assign(specimen.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
     LoadedSpecimen loaded(std::move(specimen), LawVariant::consistent, false, target);
-    constexpr double push = 2;  // m/s
+    constexpr double push = 50;  // m/s
     for (std::size_t i = 0; i < loaded.state.velocity.size(); ++i) {
         const double angle = 2.4 * loaded.assemblage.outline.grain_of_node[i];
         loaded.state.velocity[i] += Vector2{push * std::cos(angle), push * std::sin(angle)};
     }
-    Team team(threads);
-    loaded.advance_by(2000, team);
-    constexpr std::int64_t steps = 20;
+    Team alone(1);
+    loaded.advance_by(2000, alone);
+    return loaded;
+}
+
+/// The touches alone, moved or reviewed where they are.
+void run_touches(::benchmark::State& timer, VectorTarget target, bool is_review) {
+    LoadedSpecimen loaded = loose_grains(target);
+    loaded.parameters.time_step = 0;
     for (auto _ : timer) {
-        loaded.advance_by(steps, team);
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(loaded.state.touches.blocks.size()); ++block) {
+            (is_review ? review_touches : move_touches)(loaded.assemblage, loaded.parameters, block, loaded.state);
+        }
     }
-    count(timer, loaded, static_cast<double>(steps));
+    count(timer, loaded, 1);
     const auto& moving = loaded.state.touches.moving.count;
     timer.counters["touches"] = std::accumulate(moving.begin(), moving.end(), 0);
 }
@@ -97,10 +105,8 @@ void add_all() {
                 }
             }
         }
-        for (const int threads : {1, 2}) {
-            add("step/loose/1122/" + unit + "/threads:" + std::to_string(threads),
-                [=](auto& timer) { run_loose_steps(timer, target, threads); });
-        }
+        add("stage/touches/1122/" + unit, [=](auto& timer) { run_touches(timer, target, false); });
+        add("stage/review of touches/1122/" + unit, [=](auto& timer) { run_touches(timer, target, true); });
         for (const LawDescription& law : all_contact_laws()) {
             add("law/" + std::string(law.name) + "/1122/" + unit,
                 [=, variant = law.variant](auto& timer) { run_steps(timer, few, variant, false, target, 1); });
