@@ -50,6 +50,8 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     CLI::App* rectangle_app = app.add_subcommand("rectangle", "a rectangle, loaded along its height");
     add_quantity(*rectangle_app, "--width", rectangle.width, quantity::width, "width, across the load")->required();
     add_quantity(*rectangle_app, "--height", rectangle.height, quantity::height, "height, along the load")->required();
+    add_quantity(*rectangle_app, "--notch", options.request.notch, quantity::notch,
+                 "length of a notch through the centre, across the load: grain boundaries broken from the start");
     add_mesh_options(*rectangle_app, options);
 
     Shape disc{ShapeKind::disc, 0, 0, Pole::facet};

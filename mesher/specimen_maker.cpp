@@ -8,6 +8,7 @@
 
 #include "mesher/edge_orientation.hpp"
 #include "mesher/mesh_statistics.hpp"
+#include "mesher/notch.hpp"
 #include "mesher/point_sampling.hpp"
 #include "share/error.hpp"
 #include "share/quantities.hpp"
@@ -92,6 +93,11 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
                          std::to_string(plan.n_boundary) + " edges on the rim; at most a quarter of these would do");
     }
+    if (request.notch && !(*request.notch >= 2 * plan.edge && *request.notch <= request.shape.width - 4 * plan.edge)) {
+        throw UsageError("--notch: must leave two grain edges of " + metres(plan.edge) +
+                         " at either side and be as long as two itself: " + metres(2 * plan.edge) + " to " +
+                         metres(request.shape.width - 4 * plan.edge) + " would do");
+    }
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - plan.n_boundary) / 2));
     return plan;
 }
@@ -167,6 +173,7 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     turn_to_load(request.shape, attempt.outline.points);
     turn_to_load(request.shape, attempt.mesh.points);
     Specimen specimen = build_assemblage(request.shape, attempt.outline, attempt.mesh, request.elements_per_edge);
+    if (request.notch) cut_notch(specimen, *request.notch);
     specimen.seed = request.seed;
     specimen.statistics = statistics;
     if (report != nullptr) *report = made;

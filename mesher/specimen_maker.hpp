@@ -17,6 +17,7 @@ struct SpecimenRequest {
     std::optional<double> edge;          ///< mean edge over all grain edges, rim included, m
     std::optional<std::int64_t> grains;  ///< exact number of grains
     double spread = 0.1;                 ///< coefficient of variation of the edges, 0 to 0.3
+    std::optional<double> notch;         ///< length of a notch across the middle of a rectangle, m
     std::uint64_t seed = 1;
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
 };

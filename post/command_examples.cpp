@@ -15,6 +15,7 @@ const std::map<std::string, Pair>& table_examples() {
         {"history", {"uniaxial.h5", "uniaxial.h5 --follow --format jsonl"}},
         {"strength", {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"}},
         {"moduli", {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}},
+        {"toughness", {"notched-tension.h5", "notched-tension.h5 --format jsonl"}},
         {"envelope", {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}},
         {"size-effect", {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --capped accept --format jsonl"}},
         {"trend",

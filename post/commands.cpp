@@ -22,6 +22,7 @@
 #include "post/size_effect.hpp"
 #include "post/strength.hpp"
 #include "post/strength_summary.hpp"
+#include "post/toughness.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 
@@ -98,6 +99,7 @@ void run_command(const PostOptions& options, std::ostream& out) {
         {"strength",
          [&] { (options.summary ? write_strength_summary : write_strength_table)(out, options.files, options.format); }},
         {"moduli", [&] { write_moduli_table(out, options.files, options.format); }},
+        {"toughness", [&] { write_toughness_table(out, options.files, options.format); }},
         {"envelope", [&] { write_envelope_table(out, options.files, options.format, options.capped_runs, remarks(options)); }},
         {"size-effect", [&] { write_size_effect_table(out, read_runs(options.files), options.format, options.capped_runs); }},
         {"trend", [&] { write_trend_table(out, options.files, options.trend, options.format, remarks(options)); }},

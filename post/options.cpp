@@ -37,6 +37,7 @@ void add_tables(CLI::App& app, PostOptions& options) {
     table("moduli",
           "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
           "and predicted from contact compliance");
+    table("toughness", "fracture toughness K_IC from tension of rectangles with a notch through the middle, a row a run");
     add_capped(table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals"), options);
     add_capped(table("size-effect", "power law of strength against mean edge, a fit for each test and confining pressure"),
                options);

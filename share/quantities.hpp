@@ -116,6 +116,7 @@ inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0
 inline constexpr Quantity width{"width", Dimension::length, 0, 1e4, "width of the specimen (x)", true};
 inline constexpr Quantity height{"height", Dimension::length, 0, 1e4, "height of the specimen (y)", true};
 inline constexpr Quantity diameter{"diameter", Dimension::length, 0, 1e4, "diameter of the disc", true};
+inline constexpr Quantity notch{"notch", Dimension::length, 0, 1e4, "length of a notch across the middle of a rectangle", true};
 inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
 inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
 

@@ -155,6 +155,16 @@ void MapView::draw_grains(const GrainColour& colour) {
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.6 * thin, palette::rim);
 }
 
+bool MapView::draw_pre_existing_cracks(double width) {
+    bool any = false;
+    for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
+        if (specimen_.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        draw_outline(specimen_.contact_nodes[c][0], specimen_.contact_nodes[c][1], width, palette::pre_existing);
+        any = true;
+    }
+    return any;
+}
+
 void MapView::draw_small_grains(const GrainColour& colour) {
     PixelFill fill(pixel({low_[0], high_[1]}), pixel({high_[0], low_[1]}));
     each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });

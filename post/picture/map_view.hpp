@@ -46,6 +46,8 @@ public:
 
     /// Fills the grains and draws their outlines, unless they are too small for that, and the rim.
     void draw_grains(const GrainColour& colour = {});
+    /// Contacts that start broken. \return whether there are any
+    bool draw_pre_existing_cracks(double width);
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// A rigid platen on the specimen's axis: a bar from −half_width to half_width, above or below the height y; m.

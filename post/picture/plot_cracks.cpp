@@ -90,8 +90,8 @@ std::size_t count(const std::vector<Crack>& cracks, CrackMode mode) {
         std::count_if(cracks.begin(), cracks.end(), [mode](const Crack& c) { return c.mode == mode; }));
 }
 
-/// Grains, platens and cracks of one frame.
-void draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
+/// Grains, platens and cracks of one frame. \return whether there are cracks from before the test
+bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
     const Specimen& specimen = scene.specimen;
     map.draw_grains();
     if (scene.data.header.test != "tension") {
@@ -102,11 +102,13 @@ void draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     }
     const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
     const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
+    const bool cracked_before = map.draw_pre_existing_cracks(width);
     for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
         for (const Crack& crack : present) {
             if (crack.mode == mode) draw_crack(map, specimen, crack, width);
         }
     }
+    return cracked_before;
 }
 
 /// What a map shows of a frame; the frame itself is let go.
@@ -130,9 +132,10 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
                  fmt::format("seed {}, {} grains, mean edge {:.3g} mm; law {}, {}", specimen.seed, specimen.n_grains(),
                              specimen.statistics.mean_edge * 1e3, header.contact_law, header.fracture_energy_choice),
                  standing_words(now, header.test == "brazilian", scene.options.magnification)});
-    draw_state(map, scene, now, present);
-    map.draw_legend({{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
-                     {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}});
+    std::vector<LegendEntry> legend{{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
+                                    {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
+    if (draw_state(map, scene, now, present)) legend.push_back({palette::pre_existing, 6, "pre-existing"});
+    map.draw_legend(legend);
     return std::move(map).drawing();
 }
 

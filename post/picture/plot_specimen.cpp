@@ -30,14 +30,7 @@ std::vector<std::string> title(const Specimen& specimen) {
 Drawing draw_specimen(const Specimen& specimen) {
     MapView map(specimen, specimen.node_position, title(specimen));
     map.draw_grains();
-    bool cracked = false;
-    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        if (specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
-        const auto& nodes = specimen.contact_nodes[c];
-        map.stroke(specimen.node_position[static_cast<std::size_t>(nodes[0])],
-                   specimen.node_position[static_cast<std::size_t>(nodes[1])], 4, palette::pre_existing);
-        cracked = true;
-    }
+    const bool cracked = map.draw_pre_existing_cracks(4);
     std::vector<LegendEntry> legend;
     if (specimen.phase_names.size() > 1) {
         for (std::size_t i = 0; i < specimen.phase_names.size(); ++i)

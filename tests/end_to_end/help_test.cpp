@@ -59,6 +59,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post history",
                                 "post strength",
                                 "post moduli",
+                                "post toughness",
                                 "post envelope",
                                 "post trend",
                                 "post fpz",
