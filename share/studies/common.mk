@@ -7,6 +7,7 @@
 #     uniaxial, brazilian, tension, triaxial8          the test; with the pressure in MPa
 #     rectangle80x160g1122-s2, disc80e4-s2             the specimen: mm; number of grains or mean edge in mm; seed
 #     disc80g452d1-s2                                  a disc of six diameters, loaded along the one at 30°
+#     rectangle80x160g1122n32-s2                       with a notch of 32 mm
 #     tc18 cc122 phic53 gf90 os7.7                     contact options in MPa, degrees and J/m²; gfmixed, gfmode-i
 #     law-NAME cap0.05 maps                            the law; --max-strain; with frames for crack maps
 #     rt0.006                                          --rate-tolerance of the automatic rate, of confined runs
@@ -137,7 +138,7 @@ position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(spa
 MESH = $(BIN)/graincrack-mesh
 POST = $(BIN)/graincrack-post
 # $(call sizes,80x160g1122-s2): 80 160 1122 2
-sizes = $(subst x, ,$(subst g, ,$(subst e, ,$(subst d, ,$(subst -s, ,$(1))))))
+sizes = $(subst x, ,$(subst g, ,$(subst e, ,$(subst d, ,$(subst n, ,$(subst -s, ,$(1)))))))
 size_option = $(if $(findstring g,$(1)),--grains $(2),--edge $(2)mm)
 # Several makes (a job array) may want the same specimen at the same time: one makes it.
 define mesh
@@ -145,7 +146,7 @@ define mesh
 @flock $(@D)/.lock bash -c 'test -e $@ || $(MESH) $(1) --seed $(lastword $(call sizes,$*)) --quiet -o $@'
 endef
 $(SPECIMENS)/rectangle%.h5:
-	$(call mesh,rectangle --width $(word 1,$(call sizes,$*))mm --height $(word 2,$(call sizes,$*))mm $(call size_option,$*,$(word 3,$(call sizes,$*))))
+	$(call mesh,rectangle --width $(word 1,$(call sizes,$*))mm --height $(word 2,$(call sizes,$*))mm $(call size_option,$*,$(word 3,$(call sizes,$*))) $(if $(findstring n,$*),--notch $(word 4,$(call sizes,$*))mm))
 $(SPECIMENS)/disc%.h5:
 	$(call mesh,disc --diameter $(word 1,$(call sizes,$*))mm $(call size_option,$*,$(word 2,$(call sizes,$*))) $(if $(findstring d,$*),--diameters 6 --loaded-diameter $(word 3,$(call sizes,$*))))
 

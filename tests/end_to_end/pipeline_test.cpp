@@ -1,4 +1,6 @@
 // The three tools one after the other, through files and through pipes.
+#include <cmath>
+
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -58,6 +60,22 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
                              "fragments.tsv", "fragment-counts.tsv"}) {
         EXPECT_NE(content_of(shell.file(std::string("maps/") + name)), "") << name;
     }
+}
+
+// A crack needs the energy of its length at least: a straight one √(E' Gf), one between grains more, by its detours and by sliding on
+// what does not face the load (1.03 to 1.24 times, here and in plates of 80 mm).
+TEST(Pipeline, ToughnessOfANotchedPlate) {
+    const Shell shell;
+    const std::string table = shell.must(
+        "graincrack-mesh rectangle --width 40mm --height 80mm --grains 700 --notch 16mm --quiet -o - | graincrack-solve tension - "
+        "--material augig-granite --fracture-energy 57.8J/m2 --mass-scaling selective --frames 0 --quiet -o - | "
+        "graincrack-post toughness -");
+    EXPECT_NEAR(std::atof(cell(table, "notch_mm").c_str()), 16, 4);
+    const double predicted = std::atof(cell(table, "predicted_mode_i_toughness_MPa.m^0.5").c_str());
+    EXPECT_NEAR(predicted, std::sqrt(57.8 * 24.7e9 / (1 - 0.24 * 0.24)) * 1e-6, 0.02);  // E, ν of assemblages: MODEL, compliance
+    const double ratio = std::atof(cell(table, "mode_i_toughness_MPa.m^0.5").c_str()) / predicted;
+    EXPECT_GT(ratio, 0.95);
+    EXPECT_LT(ratio, 1.4);
 }
 
 TEST(Threads, SameContentForAnyNumberPastThePeak) {

@@ -1,5 +1,6 @@
-# properties.tsv and moduli.tsv of the confirmation, predicted.tsv of further tests, to a row a property: what was fitted, what is
-# predicted, and whether it is within its bound. Set by -v: name, lever, cohesion, ucs, b, of the laboratory.
+# properties.tsv of the confirmation, predicted.tsv and toughness.tsv of further tests, moduli.tsv of the confirmation, to a row a property:
+# what was fitted, what is predicted, and whether it is within its bound. Set by -v: name, lever, cohesion, ucs, b, toughness, of the
+# laboratory.
 BEGIN {
     FS = "\t"
     print "property\tfrom\tlaboratory\tours\thalf_interval_percent\toff\tbound\tverdict"
@@ -20,6 +21,7 @@ file == 2 {
     row("s1_at_" p "_MPa", value("runs_without_peak") > 0 ? "predicted, " value("runs_without_peak") " of " value("runs") " without a peak" : "predicted", cohesion == "" ? ucs + b * p : 2 * cohesion * sqrt(b) + b * p, value("strength_MPa"), interval())
     next
 }
+file == 3 { add("toughness", value("mode_i_toughness_MPa.m^0.5")); next }
 test_of(value("file")) == "uniaxial" {
     if (value("crack_initiation_count_MPa") != "") add("crack_initiation_count_MPa", value("crack_initiation_count_MPa"))
     if (value("crack_damage_2d_MPa") != "") add("crack_damage_2d_MPa", value("crack_damage_2d_MPa"))
@@ -27,7 +29,7 @@ test_of(value("file")) == "uniaxial" {
 END {
     threshold("crack_initiation_count_MPa")
     threshold("crack_damage_2d_MPa")
-    printf "mode_i_toughness\tnot tested\t\t\t\t\t\tno specimen with a notch can be made yet\n"
+    row("mode_i_toughness_MPa.m^0.5", "predicted", toughness, mean("toughness"), count("toughness") > 1 ? sprintf("%.2f", 100 * half_interval("toughness") / mean("toughness")) : "")
 }
 function interval() { return value("strength_low_MPa") == "" ? "" : sprintf("%.2f", 50 * (value("strength_high_MPa") - value("strength_low_MPa")) / value("strength_MPa")) }
 function threshold(p) { if (count(p)) row(p, "predicted", "", mean(p), count(p) > 1 ? sprintf("%.2f", 100 * half_interval(p) / mean(p)) : "") }

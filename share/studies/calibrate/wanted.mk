@@ -1,6 +1,8 @@
-# Some runs and a table of them, for the driver: WANTED, entries TEST:TOKENS; SEEDS; COMMAND, of the postprocessor; TABLE, the file.
+# Some runs and a table of them, for the driver: WANTED, entries TEST:TOKENS; SIZE, if not the usual one; SEEDS; COMMAND, of the
+# postprocessor; TABLE, the file.
+SIZE ?=
 include ../common.mk
-runs := $(foreach w,$(WANTED),$(foreach s,$(SEEDS),$(call run,$(firstword $(subst :, ,$(w))),,$(s),$(lastword $(subst :, ,$(w))))))
+runs := $(foreach w,$(WANTED),$(foreach s,$(SEEDS),$(call run,$(firstword $(subst :, ,$(w))),$(SIZE),$(s),$(lastword $(subst :, ,$(w))))))
 all: $(TABLE)
 $(TABLE): $(runs) FORCE
 	$(call table,$(call of_runs,$(COMMAND)))
