@@ -36,6 +36,8 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
 
 }  // namespace
 
+bool is_checkpoint(const std::string& path) { return RunReader(path).header().stop_reason == "checkpoint"; }
+
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now) {
     if (before.stop_reason != "checkpoint") {
         throw InputError(name + ": is a run that has ended, no checkpoint; a test goes on from RUN.checkpoint");

@@ -29,6 +29,9 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// Whether a run file is a checkpoint, of a run that has not ended. \throws InputError if it is no run file
+bool is_checkpoint(const std::string& path);
+
 /// Whether a test as in `now` goes on from a checkpoint of one as in `before`: all that decides its course must be the same but
 /// for where it ends. \param name of the checkpoint \throws InputError naming the option that differs, or for a run that has
 /// ended

@@ -58,6 +58,7 @@ public:
             value = static_cast<std::decay_t<decltype(value)>>(state.values[static_cast<std::size_t>(at - state.names.begin())]);
         });
     }
+    void go_on(const ConductorState& state, const RunReader& /*checkpoint*/, double /*time_step*/) override { resume(state); }
     void append(H5Output& /*file*/, std::size_t /*first*/) const override {}
     void write(H5Output& /*file*/) const override {}
 

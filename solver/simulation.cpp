@@ -81,9 +81,12 @@ public:
             set_initial_velocities(*request.program, assemblage_, specimen, state_);
         }
         if (!request.restart.empty()) {
-            take_over(read_saved_state(request.restart, specimen, request, setup_));
-            if (!request.program) {
-                go_on(request.restart);
+            const SavedState saved = read_saved_state(request.restart, specimen, request, setup_);
+            take_over(saved);
+            if (request.program && !is_checkpoint(request.restart)) {
+                driver_->resume(saved.leader);
+            } else {
+                go_on(request.restart, saved.leader);
             }
         }
     }
@@ -101,7 +104,9 @@ public:
         if (request_.restart.empty()) {
             start(assemblage_, parameters_, state_);
         }
-        record();
+        if (!last_row_stands_) {
+            record();
+        }
         while (header_.stop_reason.empty()) {
             throw_if_interrupted();
             const std::int64_t steps = driver_->batch_steps(parameters_.time_step);
@@ -141,6 +146,8 @@ private:
     void write_checkpoint() const {
         RunWriter writer(H5Output(checkpoint_, "run"), specimen_, header_);
         writer.append_history(history_);
+        driver_->append(writer.file(), 0);
+        driver_->write(writer.file());
         writer.add_frame(make_frame(assemblage_, parameters_.law, state_), true);
         write_saved_state(writer.file(), state_, driver_->saved(state_.time), largest_imbalance_);
         RunHeader header = header_;
@@ -154,21 +161,25 @@ private:
         writer.finish(header, catalogue_.rows(state_), provenance);
     }
 
-    /// Goes on where a test was: its last row comes again, from the same state.
-    void go_on(const std::string& checkpoint) {
+    /// Goes on where this very run was. The last row of a test comes again, from the same state, and with it what the rate
+    /// follows; that of a program stands, with the loads of its time, which the state has not.
+    void go_on(const std::string& checkpoint, const ConductorState& leader) {
         const RunReader run(checkpoint);
         require_same_test(run.name(), run.header(), header_);
+        driver_->go_on(leader, run, parameters_.time_step);
         history_ = run.history();
         for (std::vector<double>& column : history_.columns) {
-            column.pop_back();
+            if (!request_.program) {
+                column.pop_back();
+            }
         }
+        last_row_stands_ = request_.program.has_value();
         peak_ = run.header().peak_axial_stress;
     }
 
     void take_over(const SavedState& saved) {
         state_ = saved.state;
         catalogue_.restore(saved.cracks);
-        driver_->resume(saved.leader);
         header_.energy_scale = saved.energy_scale;
         largest_imbalance_ = saved.energy_imbalance;
     }
@@ -351,7 +362,8 @@ private:
     double peak_ = 0;               ///< of the driven stress, Pa
     std::optional<RunWriter> writer_;
     std::optional<FrameKeeper> frames_;
-    std::string checkpoint_;  ///< its file
+    bool last_row_stands_ = false;  ///< of what it goes on from
+    std::string checkpoint_;        ///< its file
     std::optional<CheckpointClock> checkpoint_clock_;
 };
 

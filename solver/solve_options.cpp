@@ -8,6 +8,7 @@
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
+#include "solver/checkpoint.hpp"
 #include "solver/contact_options.hpp"
 
 namespace graincrack {
@@ -93,6 +94,11 @@ void add_method_options(CLI::App& command, SimulationRequest& request) {
         "vector unit to run on; auto: the widest there is");
 }
 
+void add_checkpoint_option(CLI::App& command, SimulationRequest& request) {
+    add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
+                 "wall time after which RUN.checkpoint is written, again and again; it is gone when the run is there");
+}
+
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
     LoadingRequest& loading = request.loading;
     if (confined) {
@@ -108,8 +114,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
-    add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
-                 "wall time after which the test writes RUN.checkpoint, again and again; it is gone when the run is there");
+    add_checkpoint_option(command, request);
     command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
     command.add_flag("--sensitivity", request.sensitivity,
                      "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
@@ -139,9 +144,10 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
                     "local damping instead of the program's own; it must have one of the two");
     add_method_options(*command, options.request);
+    add_checkpoint_option(*command, options.request);
     command
         ->add_option("--restart", options.request.restart,
-                     "run made with --save-state to go on from, before the program's start_from")
+                     "run made with --save-state to go on from, before the program's start_from; or checkpoint of this program")
         ->type_name("FILE");
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
@@ -161,7 +167,7 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
     if (request.restart.empty()) {
         request.restart = request.program->start_from;
     }
-    if (!request.restart.empty() && !request.program->initial_velocities.empty()) {
+    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(request.restart)) {
         throw UsageError(raw.program +
                          ": [initial] and a run to start from contradict each other; leave out the one or the other");
     }

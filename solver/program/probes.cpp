@@ -144,9 +144,20 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
     }
 }
 
-double Probes::last(const std::string& probe, std::size_t column) const {
+void Probes::restore(const H5Input& checkpoint) {
+    for (ProbeHistory& history : histories_) {
+        const ProbeHistory saved = read_probe(checkpoint, history.name);
+        for (std::size_t c = 0; c < history.columns.size(); ++c) {
+            const auto at = std::find_if(saved.columns.begin(), saved.columns.end(),
+                                         [&](const ProbeColumn& column) { return column.name == history.columns[c].name; });
+            history.values[c] = saved.values.at(static_cast<std::size_t>(at - saved.columns.begin()));
+        }
+    }
+}
+
+const std::vector<double>& Probes::column_of(const std::string& probe, std::size_t column) const {
     const auto found = std::find_if(histories_.begin(), histories_.end(), [&](const ProbeHistory& h) { return h.name == probe; });
-    return found->values[column].back();
+    return found->values[column];
 }
 
 }  // namespace graincrack

@@ -19,8 +19,13 @@ public:
     /// Adds a row of the state after `measure`, which leaves the forces of its time in it.
     void record(const Assemblage& assemblage, const Boundary& boundary, const State& state);
     [[nodiscard]] const std::vector<ProbeHistory>& histories() const { return histories_; }
-    /// The last value of a column.
-    [[nodiscard]] double last(const std::string& probe, std::size_t column) const;
+    /// Takes over the rows of a checkpoint.
+    void restore(const H5Input& checkpoint);
+    /// A value of a column, and the last one.
+    [[nodiscard]] double value(const std::string& probe, std::size_t column, std::size_t row) const {
+        return column_of(probe, column)[row];
+    }
+    [[nodiscard]] double last(const std::string& probe, std::size_t column) const { return column_of(probe, column).back(); }
 
 private:
     struct Point {
@@ -28,6 +33,7 @@ private:
         std::array<double, 3> weights;
     };
     void push(std::size_t probe, const std::vector<double>& row);
+    [[nodiscard]] const std::vector<double>& column_of(const std::string& probe, std::size_t column) const;
 
     std::vector<std::vector<std::int32_t>> nodes_of_control_;
     std::vector<Point> points_;                             ///< of point probes

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
+#include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
 
@@ -23,6 +25,26 @@ std::vector<std::string> words_of(const std::vector<StageRecord>& records, std::
     std::vector<std::string> words;
     std::transform(records.begin(), records.end(), std::back_inserter(words), [&](const StageRecord& r) { return r.*member; });
     return words;
+}
+
+/// What a program began with that went on from another run.
+void write_start(H5Output& file, const ConductorState& start) {
+    const std::string group = schema::program_group;
+    file.attribute(group, "start_controls", start.names);
+    file.attribute(group, "start_control_values", start.values);
+    file.attribute(group, "start_platen_speed", start.platen_speed);
+    file.attribute(group, "start_mean_compression", start.mean_compression);
+}
+
+std::optional<ConductorState> read_start(const H5Input& file) {
+    const std::string group = schema::program_group;
+    const double speed = file.attribute_or<double>(group, "start_platen_speed", NAN);
+    if (std::isnan(speed)) {
+        return std::nullopt;
+    }
+    return ConductorState{file.attribute<std::vector<std::string>>(group, "start_controls"),
+                          file.attribute<std::vector<double>>(group, "start_control_values"), speed,
+                          file.attribute<double>(group, "start_mean_compression")};
 }
 
 }  // namespace
@@ -59,6 +81,42 @@ void ProgramDriver::note(const RunView& view) {
     begun_ = true;
 }
 
+void ProgramDriver::resume(const ConductorState& state) {
+    conductor_.resume(state);
+    started_from_ = state;
+}
+
+void ProgramDriver::go_on(const ConductorState& /*state*/, const RunReader& checkpoint, double time_step) {
+    const H5Input& file = checkpoint.file();
+    if (file.attribute_or<std::string>(schema::program_group, "text", "") != program_.text) {
+        throw InputError(checkpoint.name() + ": is the checkpoint of another program than " + program_.file +
+                         "; it goes on with its own");
+    }
+    if (const auto start = read_start(file)) {
+        resume(*start);
+    }
+    probes_.restore(file);
+    const History rows = checkpoint.history();
+    const double duration = static_cast<double>(batch_steps(time_step)) * time_step;
+    History so_far;
+    std::size_t row = 0;
+    const std::function<double(const std::string&, std::size_t)> probe = [&](const std::string& name, std::size_t column) {
+        return probes_.value(name, column, row);
+    };
+    for (; row < rows.size(); ++row) {
+        for (std::size_t c = 0; c < so_far.columns.size(); ++c) {
+            so_far.columns[c].push_back(rows.columns[c][row]);
+        }
+        const ConductorFeedback feedback{rows[HistoryColumn::time][row], so_far, probe};
+        row == 0 ? conductor_.begin(feedback) : conductor_.judge(feedback);
+        if (row + 1 < rows.size()) {
+            conductor_.next(feedback, duration);
+        }
+    }
+    begun_ = true;
+    begin_ = rows[HistoryColumn::time].front();
+}
+
 std::string ProgramDriver::stop_reason(const RunView& view) const {
     if (conductor_.finished()) {
         return "end of the program";
@@ -81,6 +139,9 @@ void ProgramDriver::write(H5Output& file) const {
     file.create_group(group);
     file.attribute(group, "name", program_.name);
     file.attribute(group, "text", program_.text);
+    if (started_from_) {
+        write_start(file, *started_from_);
+    }
     file.attribute(group, "stages", words_of(records, &StageRecord::name));
     file.attribute(group, "ended_by", words_of(records, &StageRecord::ended_by));
     const auto times = [&](const char* name, double StageRecord::*member, std::string_view description) {

@@ -1,6 +1,8 @@
 // A program as the leader of a run: its conductor, its probes, and what the run file keeps of both.
 #pragma once
 
+#include <optional>
+
 #include "solver/program/probes.hpp"
 #include "solver/run_driver.hpp"
 
@@ -19,7 +21,9 @@ public:
     [[nodiscard]] double progress(const RunView& view) const override;
     void complete(RunHeader& header, double time) override;
     [[nodiscard]] ConductorState saved(double time) const override { return conductor_.state(time); }
-    void resume(const ConductorState& state) override { conductor_.resume(state); }
+    void resume(const ConductorState& state) override;
+    /// Leads the conductor through the checkpoint's rows again: what it decides follows from them alone.
+    void go_on(const ConductorState& state, const RunReader& checkpoint, double time_step) override;
     void append(H5Output& file, std::size_t first) const override;
     void write(H5Output& file) const override;
 
@@ -30,6 +34,7 @@ private:
     const Program& program_;
     Conductor conductor_;
     Probes probes_;
+    std::optional<ConductorState> started_from_;
     bool begun_ = false;
     double begin_ = 0;  ///< s
 };

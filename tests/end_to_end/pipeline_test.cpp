@@ -62,12 +62,13 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
     }
 }
 
-// A crack needs the energy of its length at least: a straight one √(E' Gf), one between grains more, by its detours and by sliding on
-// what does not face the load (1.03 to 1.24 times, here and in plates of 80 mm).
+// A crack needs the energy of its length at least: a straight one √(E' Gf), one between grains more, by its detours and by
+// sliding on what does not face the load (1.03 to 1.24 times, here and in plates of 80 mm).
 TEST(Pipeline, ToughnessOfANotchedPlate) {
     const Shell shell;
     const std::string table = shell.must(
-        "graincrack-mesh rectangle --width 40mm --height 80mm --grains 700 --notch 16mm --quiet -o - | graincrack-solve tension - "
+        "graincrack-mesh rectangle --width 40mm --height 80mm --grains 700 --notch 16mm --quiet -o - | graincrack-solve tension "
+        "- "
         "--material augig-granite --fracture-energy 57.8J/m2 --mass-scaling selective --frames 0 --quiet -o - | "
         "graincrack-post toughness -");
     EXPECT_NEAR(std::atof(cell(table, "notch_mm").c_str()), 16, 4);

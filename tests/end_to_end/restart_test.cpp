@@ -101,6 +101,32 @@ TEST(Restart, ATestGoesOnFromItsCheckpoint) {
     }
 }
 
+// In its second stage, or its third, or as a program that went on from another run.
+TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
+    for (const std::string program : {"--program whole.toml ", "--program second.toml --restart first.h5 "}) {
+        const Shell shell;
+        lay_out(shell);
+        shell.must(solve + "--program first.toml -o first.h5");
+        shell.must("(until test -e whole.h5; do cp whole.h5.checkpoint kept.h5 2>/dev/null; sleep 0.02; done) & " + solve +
+                   program + "--checkpoint-every 1ms -o whole.h5; wait");
+        const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run); };
+        EXPECT_GT(n_lines(rows("kept.h5")), 10);
+        EXPECT_LT(n_lines(rows("kept.h5")), n_lines(rows("whole.h5")));
+        EXPECT_NE(shell.run("test -e whole.h5.checkpoint").exit_code, 0);
+        const std::string own = program.substr(0, program.find("toml") + 5);
+        shell.must(solve + own + "--restart kept.h5 --threads 2 -o again.h5");
+        EXPECT_EQ(rows("again.h5"), rows("whole.h5"));
+        EXPECT_EQ(rows("again.h5 --stages"), rows("whole.h5 --stages"));
+        EXPECT_EQ(rows("again.h5 --probe membrane"), rows("whole.h5 --probe membrane"));
+        expect_same_arrays(H5Input(shell.file("again.h5")), H5Input(shell.file("whole.h5")), "/state");
+        expect_same_arrays(H5Input(shell.file("again.h5")), H5Input(shell.file("whole.h5")), "/cracks");
+        const Outcome outcome = shell.run(solve + "--program first.toml --restart kept.h5 -o other.h5");
+        EXPECT_EQ(outcome.exit_code, 3);
+        EXPECT_NE(outcome.err.find("kept.h5: is the checkpoint of another program than first.toml"), std::string::npos)
+            << outcome.err;
+    }
+}
+
 TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
     const Shell shell;
     lay_out(shell);
