@@ -116,6 +116,9 @@ TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
                "\ngraincrack-solve uniaxial rectangle.h5 -o uniaxial.h5" + test +
                "\ngraincrack-solve uniaxial rectangle.h5 -o weak.h5 --contact-cohesion 60MPa" + test +
                "\ngraincrack-solve triaxial rectangle.h5 -o triaxial.h5 --confining-pressure 1MPa" + test +
+               "\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --notch 6mm --quiet -o notched.h5"
+               "\ngraincrack-solve tension notched.h5 -o notched-tension.h5" +
+               test +
                "\ngraincrack-post strength brazilian.h5 brazilian-coarse.h5 uniaxial.h5 weak.h5 >strength.tsv\n"
                "cp " GRAINCRACK_TEST_DATA
                "/table7.csv .\n"
