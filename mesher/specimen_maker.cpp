@@ -93,6 +93,10 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
                          std::to_string(plan.n_boundary) + " edges on the rim; at most a quarter of these would do");
     }
+    if (request.notch && request.shape.width < 6 * plan.edge) {
+        throw UsageError("--notch: there is no room for one; six grain edges of " + metres(plan.edge) +
+                         " across the specimen would do");
+    }
     if (request.notch && !(*request.notch >= 2 * plan.edge && *request.notch <= request.shape.width - 4 * plan.edge)) {
         throw UsageError("--notch: must leave two grain edges of " + metres(plan.edge) +
                          " at either side and be as long as two itself: " + metres(2 * plan.edge) + " to " +

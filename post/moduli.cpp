@@ -185,11 +185,7 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
 }
 
 void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
-    std::vector<std::vector<Cell>> rows;
-    rows.reserve(runs.size());
-    for (const std::string& path : runs) rows.push_back(moduli_row(path));
-    TableWriter table(out, columns, format);
-    for (const auto& row : rows) table.row(row);
+    write_file_rows(out, columns, runs, moduli_row, format);
 }
 
 }  // namespace graincrack

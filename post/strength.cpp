@@ -133,11 +133,7 @@ bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_r
 }
 
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
-    std::vector<std::vector<Cell>> rows;
-    rows.reserve(runs.size());
-    for (const std::string& path : runs) rows.push_back(strength_row(path));
-    TableWriter table(out, columns, format);
-    for (const auto& row : rows) table.row(row);
+    write_file_rows(out, columns, runs, strength_row, format);
 }
 
 }  // namespace graincrack

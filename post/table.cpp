@@ -72,4 +72,13 @@ void TableWriter::row(const std::vector<Cell>& cells) {
     out_ << (json ? "}\n" : "\n");
 }
 
+void write_file_rows(std::ostream& out, const std::vector<std::string>& columns, const std::vector<std::string>& files,
+                     const std::function<std::vector<Cell>(const std::string&)>& row_of, TableFormat format) {
+    std::vector<std::vector<Cell>> rows;
+    rows.reserve(files.size());
+    for (const std::string& file : files) rows.push_back(row_of(file));
+    TableWriter table(out, columns, format);
+    for (const auto& row : rows) table.row(row);
+}
+
 }  // namespace graincrack

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -47,5 +48,9 @@ private:
     std::vector<std::string> columns_;
     TableFormat format_;
 };
+
+/// A table of one row a file; all rows are made before the first is written.
+void write_file_rows(std::ostream& out, const std::vector<std::string>& columns, const std::vector<std::string>& files,
+                     const std::function<std::vector<Cell>(const std::string&)>& row_of, TableFormat format);
 
 }  // namespace graincrack

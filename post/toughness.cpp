@@ -80,11 +80,7 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
                                                   "strength_MPa",
                                                   "mode_i_toughness_MPa.m^0.5",
                                                   "predicted_mode_i_toughness_MPa.m^0.5"};
-    std::vector<std::vector<Cell>> rows;
-    rows.reserve(runs.size());
-    for (const std::string& path : runs) rows.push_back(toughness_row(path));
-    TableWriter table(out, columns, format);
-    for (const auto& row : rows) table.row(row);
+    write_file_rows(out, columns, runs, toughness_row, format);
 }
 
 }  // namespace graincrack

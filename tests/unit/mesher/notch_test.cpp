@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "mesher/specimen_maker.hpp"
 #include "share/error.hpp"
@@ -59,6 +60,15 @@ TEST(Notch, ChangesNothingElse) {
 TEST(Notch, TooShortOrTooLongIsRefused) {
     EXPECT_THROW(plan_mesh(notched(0.005)), UsageError);
     EXPECT_THROW(plan_mesh(notched(0.075)), UsageError);
+    SpecimenRequest narrow = notched(0.011);
+    narrow.shape.width = 0.02;
+    narrow.grains = 100;  // edges of about 8.5 mm
+    try {
+        plan_mesh(narrow);
+        FAIL() << "a notch in two edges' width";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("no room"), std::string::npos) << error.what();
+    }
     EXPECT_NO_THROW(plan_mesh(notched(0.011)));
     EXPECT_NO_THROW(plan_mesh(notched(0.059)));
 }
