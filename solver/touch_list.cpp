@@ -20,10 +20,12 @@ constexpr double loosening = 0.001;       // of a contact's length: a failed poi
 constexpr std::int64_t most_steps = 128;  // between two looks
 constexpr std::int64_t least_steps = 4;
 constexpr std::int64_t reviews_between_looks = 8;
-constexpr double postponed = 1e-3;   // of the mean edge: a search waits until the fastest node may have gone so far
-constexpr double calm_reach = 1e-3;  // of the mean edge, that the fastest node may go between two looks where it can be had
-constexpr double wary = 8;           // times as far as node and edge go until then, and
-constexpr double wary_rest = 2;      // times as far as the fastest node goes: so near a pair is watched
+constexpr std::size_t brisk_one_in = 20;  // nodes are brisk: what flies by itself must not hurry all others
+constexpr double postponed = 1e-3;        // of the mean edge: a search waits until brisk nodes may have gone so far
+constexpr double calm_reach = 1e-3;       // of the mean edge, that brisk nodes may go between two looks where it can be had,
+constexpr double wild_reach = 1e-2;       // and that the fastest may
+constexpr double wary = 8;                // times as far as node and edge go until then, and
+constexpr double wary_rest = 2;           // times as far as brisk nodes go: so near a pair is watched
 constexpr std::size_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
@@ -119,9 +121,9 @@ double way_to_begin(const TouchGeometry& g, double mean_length) {
 class Watch {
 public:
     /// \param duration to the next look, at most, s
-    /// \param fastest speed of all nodes, m/s
-    Watch(const Assemblage& a, double duration, double fastest, const State& s)
-        : assemblage_(a), state_(s), duration_(duration), fastest_(fastest) {
+    /// \param brisk speed of few nodes, m/s
+    Watch(const Assemblage& a, double duration, double brisk, const State& s)
+        : assemblage_(a), state_(s), duration_(duration), brisk_(brisk) {
         speed_.reserve(s.velocity.size());
         for (const Vector2& v : s.velocity) {
             speed_.push_back(length(v));
@@ -174,7 +176,7 @@ private:
     [[nodiscard]] double reach(std::int32_t pair) const {
         const OutlineEdge& edge = edge_of(pair);
         const double closing = speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
-        return duration_ * (wary * closing + wary_rest * fastest_);
+        return duration_ * (wary * closing + wary_rest * brisk_);
     }
     [[nodiscard]] bool matters(std::int32_t pair, const TouchGeometry& g) const {
         const double near = reach(pair);
@@ -202,7 +204,7 @@ private:
 
     const Assemblage& assemblage_;
     const State& state_;
-    double duration_, fastest_;
+    double duration_, brisk_;
     std::int32_t begin_ = 0;
     TouchGeometries geometry_;  ///< from pair `begin_` on
     struct Active {
@@ -216,9 +218,9 @@ private:
 };
 
 /// Pairs that matter up to the next look, by node; the forces of the others are nil.
-void find_awake(const Assemblage& a, double duration, double fastest, State& s) {
+void find_awake(const Assemblage& a, double duration, double brisk, State& s) {
     TouchList& list = s.touches;
-    Watch watch(a, duration, fastest, s);
+    Watch watch(a, duration, brisk, s);
     list.awake.clear();
     list.awake_groups.clear();
     Range seen;
@@ -239,11 +241,11 @@ void find_awake(const Assemblage& a, double duration, double fastest, State& s) 
 
 /// Chooses what the steps up to the next look work on.
 /// \param duration to the next look, at most, s
-/// \param fastest speed of all nodes, m/s
-void wake(const Assemblage& a, double duration, double fastest, State& s) {
+/// \param brisk speed of few nodes, m/s
+void wake(const Assemblage& a, double duration, double brisk, State& s) {
     TouchList& list = s.touches;
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
-    find_awake(a, duration, fastest, s);
+    find_awake(a, duration, brisk, s);
     list.blocks.clear();
     for (std::size_t i = 0; i < list.awake_groups.size(); i += groups_per_block) {
         const std::size_t end = std::min(i + groups_per_block, list.awake_groups.size());
@@ -337,6 +339,19 @@ void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s
     }
 }
 
+struct Speeds {
+    double brisk;  ///< that one node in `brisk_one_in` exceeds, m/s
+    double fastest;
+};
+Speeds find_speeds(const std::vector<Vector2>& velocity) {
+    std::vector<double> squared;
+    squared.reserve(velocity.size());
+    std::transform(velocity.begin(), velocity.end(), std::back_inserter(squared), [](const Vector2& v) { return dot(v, v); });
+    const auto brisk = squared.end() - static_cast<std::ptrdiff_t>(squared.size() / brisk_one_in) - 1;
+    std::nth_element(squared.begin(), brisk, squared.end());
+    return {std::sqrt(*brisk), std::sqrt(*std::max_element(brisk, squared.end()))};
+}
+
 }  // namespace
 
 TouchList make_touch_list(const Assemblage& a) {
@@ -359,20 +374,24 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
     const bool is_first = list.displacement_at_search.empty();
     // How far nodes have gone since the last search, and how fast they go now.
     double gone = 0;
-    double fastest = 0;
-    for (std::size_t i = 0; i < s.velocity.size(); ++i) {
-        if (!is_first) {
-            const Vector2 way = s.displacement[i] - list.displacement_at_search[i];
-            gone = std::max(gone, dot(way, way));
-        }
-        fastest = std::max(fastest, dot(s.velocity[i], s.velocity[i]));
+    for (std::size_t i = 0; i < s.velocity.size() && !is_first; ++i) {
+        const Vector2 way = s.displacement[i] - list.displacement_at_search[i];
+        gone = std::max(gone, dot(way, way));
     }
-    const double step_way = std::sqrt(fastest) * parameters.time_step;
+    gone = std::sqrt(gone);
+    const Speeds speeds = find_speeds(s.velocity);
+    const double step_way = speeds.fastest * parameters.time_step;
+    const double brisk_way = speeds.brisk * parameters.time_step;
+    // Soon again where nodes are so fast that they would have to be watched from far off.
+    const double calm =
+        a.outline.mean_length * std::min(calm_reach / std::max(brisk_way, 1e-300), wild_reach / std::max(step_way, 1e-300));
+    const std::int64_t longest =
+        std::max(std::clamp(static_cast<std::int64_t>(std::min(calm, 1e6)), least_steps, most_steps), shortest);
     const double allowed = 0.5 * buffer * a.outline.mean_length;  // two nodes may go towards each other
     // What came loose may wait for a search as long as nothing has gone far since.
     list.wants_search = list.wants_search || came_loose || !movers.empty();
-    list.way_unsearched += list.wants_search ? static_cast<double>(most_steps) * step_way : 0.0;
-    if (is_first || std::sqrt(gone) + static_cast<double>(most_steps) * step_way > allowed ||
+    list.way_unsearched += list.wants_search ? static_cast<double>(longest) * brisk_way : 0.0;
+    if (is_first || gone + static_cast<double>(longest) * step_way > allowed ||
         list.way_unsearched > postponed * a.outline.mean_length) {
         const std::vector<HandOver> carried = take_over(law, movers, s);
         search(a, law, s);
@@ -382,11 +401,8 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
         list.way_unsearched = 0;
         gone = 0;
     }
-    // Soon again where nodes are so fast that they would have to be watched from far off.
-    const auto calm = static_cast<std::int64_t>(std::min(calm_reach * a.outline.mean_length / std::max(step_way, 1e-300), 1e6));
-    const std::int64_t longest = std::max(std::clamp(calm, least_steps, most_steps), shortest);
     list.review_interval = std::max<std::int64_t>(longest / reviews_between_looks, 1);
-    wake(a, static_cast<double>(longest) * parameters.time_step, std::sqrt(fastest), s);
+    wake(a, static_cast<double>(longest) * parameters.time_step, speeds.brisk, s);
     find_taken(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
@@ -394,7 +410,7 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
         }
         list.blocks.clear();
     }
-    const double steps = step_way > 0 ? 0.5 * (allowed - std::sqrt(gone)) / step_way : static_cast<double>(most_steps);
+    const double steps = step_way > 0 ? 0.5 * (allowed - gone) / step_way : static_cast<double>(most_steps);
     list.next_check =
         s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(least_steps, longest), longest);
     return scaled && std::any_of(list.touches.begin(), list.touches.end(), [](const Touch& touch) { return touch.active; });
