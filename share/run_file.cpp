@@ -87,6 +87,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("max_strain", h.max_strain, Dimension::one);
     visit("mass_scaling", h.mass_scaling);
     visit.newer("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
+    visit.newer("added_mass", h.added_mass, Dimension::one);
     visit("vector_target", h.vector_target);
     visit("stable_time_step", h.stable_time_step, Dimension::time);
     visit("time_step", h.time_step, Dimension::time);

@@ -43,6 +43,7 @@ struct RunHeader {
     double max_strain = 0;
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, of motion over contacts
+    double added_mass = 0;              ///< with mass scaling: to the stiffest elements, of the mass of the specimen
     std::string vector_target = "plain";
     double stable_time_step = 0;  ///< s
     double time_step = 0;         ///< s

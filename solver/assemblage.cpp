@@ -31,6 +31,7 @@ void add_elements(Assemblage& a, const Specimen& s, double density) {
             a.mass[node] += density * g.area / 3;
         }
     }
+    a.rock_mass = a.mass;
     a.inverse_mass.resize(a.mass.size());
     std::transform(a.mass.begin(), a.mass.end(), a.inverse_mass.begin(), [](double m) { return m > 0 ? 1 / m : 0.0; });
 }

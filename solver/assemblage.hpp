@@ -73,6 +73,7 @@ struct Assemblage {
     std::vector<Vector2> position;                           ///< [n] reference, m
     std::vector<double> mass;                                ///< [n] kg per metre of thickness
     std::vector<double> inverse_mass;                        ///< [n]
+    std::vector<double> rock_mass;                           ///< [n] what gravity pulls: without mass that scaling adds
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e]
     TriangleTable element_geometry;                          ///< [e]
     std::vector<ContactGeometry> contacts;                   ///< [c]

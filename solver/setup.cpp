@@ -1,5 +1,6 @@
 #include "solver/setup.hpp"
 
+#include "solver/added_mass.hpp"
 #include "solver/program/program_boundary.hpp"
 #include "solver/time_step.hpp"
 
@@ -16,6 +17,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
                            : make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
     const ContactLaw& law = s.parameters.law;
     if (r.mass_scaling) {
+        s.added_mass = weigh_down_stiffest(s.assemblage, s.boundary, law, r.material.rock.density, most_added_mass);
         s.mass_scaling_factor =
             r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(s.assemblage, s.boundary, law);
     }

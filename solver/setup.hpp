@@ -13,6 +13,7 @@ struct Setup {
     Boundary boundary;
     StepParameters parameters;
     double mass_scaling_factor = 0;  ///< β, 0: none
+    double added_mass = 0;           ///< to the stiffest elements, of the mass of the specimen
     double stable_time_step = 0;     ///< s
 };
 Setup make_setup(const Specimen& specimen, const SimulationRequest& request);

@@ -72,6 +72,7 @@ public:
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         header_.vector_target = name_of(assemblage_.vector_target);
         header_.mass_scaling_factor = setup_.mass_scaling_factor;
+        header_.added_mass = setup_.added_mass;
         header_.stable_time_step = setup_.stable_time_step;
         header_.time_step = parameters_.time_step;
         if (request.checkpoint_interval) {

@@ -62,7 +62,8 @@ std::string rate_words(const RunHeader& h) {
 
 std::string scaling_words(const RunHeader& header) {
     if (header.mass_scaling == "none") return "none";
-    return header.mass_scaling + ", " + number(header.mass_scaling_factor);
+    return header.mass_scaling + ", " + number(header.mass_scaling_factor) + "; mass added " + number(100 * header.added_mass) +
+           " %";
 }
 
 /// What moves the peak most, if the run was asked.

@@ -26,6 +26,8 @@
 #     make CONFINED= UNIAXIAL=                        runs at the solver's own pace
 #     make -n                  what would be done        make clean           away with tables and pages; distclean: runs too
 #
+# Runs start in the order of `runs`: a study lists the longest first, so that no processor waits long for the last.
+#
 # A run or table appears whole or not at all. A failing run stops the study with the run's own message.
 SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c

@@ -72,7 +72,7 @@ void arrange_drives(const Assemblage& a, Drives& drives) {
 void add_drives(const Assemblage& a, const Drives& drives, const StepLoading& loading, std::int32_t block, State& s) {
     const Range nodes = a.grain_blocks[block].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        s.force[i] += a.mass[i] * drives.gravity;
+        s.force[i] += a.rock_mass[i] * drives.gravity;
     }
     const Range edges = drives.edges_of_block[block];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
@@ -99,7 +99,7 @@ double load_half_work(const Assemblage& a, const Drives& drives, std::int32_t bl
     Vector2 momentum;
     const Range nodes = a.grain_blocks[block].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        momentum += a.mass[i] * s.velocity[i];
+        momentum += a.rock_mass[i] * s.velocity[i];
     }
     return 0.5 * time_step * (work + dot(drives.gravity, momentum));
 }

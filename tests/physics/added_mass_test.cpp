@@ -1,0 +1,108 @@
+// Mass for the stiffest elements: as much as was asked for, where it is needed, and a longer step for it.
+#include "solver/added_mass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "mesher/specimen_maker.hpp"
+#include "solver/loading.hpp"
+#include "solver/time_step.hpp"
+#include "tests/support/small_run.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace graincrack {
+namespace {
+
+const Rock& rock() {
+    static const Rock granite = test::augig_granite().rock;
+    return granite;
+}
+
+struct Case {
+    Assemblage assemblage;
+    Boundary boundary;
+    double added = 0;
+};
+Case make_case(const Specimen& specimen, double share) {
+    Case c{make_assemblage(specimen, rock(), PlaneCondition::strain), {}};
+    LoadingRequest loading;
+    c.boundary = make_test_boundary(c.assemblage, specimen, loading, test::augig_contact());
+    c.added = weigh_down_stiffest(c.assemblage, c.boundary, test::augig_law(), rock().density, share);
+    return c;
+}
+Specimen rectangle(int elements_per_edge = 1) {
+    mesher::SpecimenRequest request;
+    request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
+    request.edge = 0.004;
+    request.elements_per_edge = elements_per_edge;
+    return mesher::make_specimen(request);
+}
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+TEST(AddedMass, IsWhatWasAskedForAndNoMore) {
+    const Specimen specimen = rectangle();
+    for (const double share : {0.005, 0.02, 0.1}) {
+        const Case c = make_case(specimen, share);
+        EXPECT_LE(c.added, share * (1 + 1e-6));
+        EXPECT_GE(c.added, 0.5 * share);  // half for each of two needs that may be the same
+        EXPECT_NEAR(sum(c.assemblage.mass) / sum(c.assemblage.rock_mass) - 1, c.added, 1e-12);
+        for (std::size_t i = 0; i < c.assemblage.mass.size(); ++i) {
+            EXPECT_GE(c.assemblage.mass[i], c.assemblage.rock_mass[i]);
+            EXPECT_DOUBLE_EQ(c.assemblage.inverse_mass[i] * c.assemblage.mass[i], 1);
+        }
+    }
+}
+
+TEST(AddedMass, NoneChangesNothing) {
+    const Case c = make_case(rectangle(), 0);
+    EXPECT_EQ(c.added, 0);
+    EXPECT_EQ(c.assemblage.mass, c.assemblage.rock_mass);
+}
+
+TEST(AddedMass, GoesToFew) {
+    const Case c = make_case(rectangle(), most_added_mass);
+    std::size_t heavier = 0;
+    for (std::size_t i = 0; i < c.assemblage.mass.size(); ++i) {
+        heavier += c.assemblage.mass[i] > c.assemblage.rock_mass[i] ? 1U : 0U;
+    }
+    EXPECT_GT(heavier, 0U);
+    EXPECT_LT(heavier, c.assemblage.mass.size() / 2);
+}
+
+// Grains of one triangle have three nodes of one mass each, before and after: so their centres of mass stay.
+TEST(AddedMass, KeepsCentresOfMass) {
+    const Case c = make_case(rectangle(), most_added_mass);
+    for (const auto& nodes : c.assemblage.element_nodes) {
+        EXPECT_DOUBLE_EQ(c.assemblage.mass[nodes[0]], c.assemblage.mass[nodes[1]]);
+        EXPECT_DOUBLE_EQ(c.assemblage.mass[nodes[0]], c.assemblage.mass[nodes[2]]);
+    }
+}
+
+TEST(AddedMass, MakesBothStepsLonger) {
+    for (const int elements_per_edge : {1, 2}) {
+        const Specimen specimen = rectangle(elements_per_edge);
+        const Case before = make_case(specimen, 0);
+        const Case after = make_case(specimen, most_added_mass);
+        for (const double factor : {0.0, 100.0}) {
+            const double gain = stable_time_step(after.assemblage, after.boundary, test::augig_law(), factor) /
+                                stable_time_step(before.assemblage, before.boundary, test::augig_law(), factor);
+            EXPECT_GT(gain, 1.02) << elements_per_edge << " elements an edge, factor " << factor;
+        }
+    }
+}
+
+// Equal grains would all have to be heavier: the mass is spread, and the step grows as its root.
+TEST(AddedMass, OfEqualGrainsIsSpread) {
+    Assemblage a = make_assemblage(test::union_jack_grid(4, 4, 0.02, 0.02), rock(), PlaneCondition::strain);
+    const std::vector<double> before = a.mass;
+    a.outline.edges.clear();  // nothing holds them
+    const double added = weigh_down_stiffest(a, {}, test::augig_law(), rock().density, 0.1);
+    EXPECT_NEAR(added, 0.05, 1e-6);  // both needs are the same
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_NEAR(a.mass[i], 1.05 * before[i], 1e-6 * before[i]);
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
