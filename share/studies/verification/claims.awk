@@ -61,7 +61,7 @@ function end_of_test(i,    name, key) {
     name = "s1_at_" p[i] "_MPa"
     key = "yield " p[i] + 0
     if (count(key) && ours[name] < laboratory[name] && ours[name] < 1.1 * mean(key))
-        return sprintf("strength here is still that of first yield, %.0f MPa, behind which %d of %d tests fall for good: what bonds hold rises by %.1f MPa for each of σ3, and what friction carries passes it only at a higher pressure; a straight line from UCS to there lies above both", mean(key), specimens[i] - without[i], specimens[i], (mean(key) - ours["s1_at_0_MPa"]) / p[i])
+        return sprintf("strength here is still that of first yield, %.0f MPa, with which %d of %d tests end: what bonds hold rises by %.1f MPa for each of σ3, and what friction carries passes it only at a higher pressure; a straight line from UCS to there lies above both", mean(key), specimens[i] - without[i], specimens[i], (mean(key) - ours["s1_at_0_MPa"]) / p[i])
     return without[i] ? sprintf("%d of %d tests have no peak before the strain cap: the specimen yields and hardens by dilation against the membrane, and strength depends on where the test ends", without[i], specimens[i]) : "from cc and φc"
 }
 function dominance(i,    more) {
