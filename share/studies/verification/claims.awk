@@ -17,7 +17,11 @@ file == 2 {
     next
 }
 file == 3 { if (value("tensile_share_within_30_deg") != "") add("excess", value("tensile_share_within_30_deg") - value("facet_share_within_30_deg")); next }
-value("test") == "triaxial" && value("first_yield_MPa") != "" { add("yield " value("confining_pressure_MPa") + 0, value("first_yield_MPa")) }
+value("test") == "triaxial" {
+    # A test whose stress falls for good at its first yield has no other: its strength is it.
+    yield = value("first_yield_MPa") == "" && value("peak_kind") == "drop" ? value("peak_compressive_stress_MPa") : value("first_yield_MPa")
+    if (yield != "") add("yield " value("confining_pressure_MPa") + 0, yield)
+}
 value("test") == "brazilian" {
     if (value("first_crack_radius_over_R") != "") add("radius", value("first_crack_radius_over_R"))
     ++discs
