@@ -18,8 +18,11 @@ inline constexpr double most_added_mass = 0.02;
 ///
 /// No frequency of an assembly is above the highest of its parts, for any split of the springs between them (B. M. Irons, 1970,
 /// Int J Numer Methods Eng 2; a spring between two nodes counts on each as one of twice its stiffness to the ground). The stable
-/// step itself is found as ever, by `stable_time_step`. \param density of the rock, kg/m³ \param share of the mass of the
-/// specimen to be added at most, ≥ 0 \return share that was added
+/// step itself is found as ever, by `stable_time_step`.
+///
+/// \param density of the rock, kg/m³
+/// \param share of the mass of the specimen to be added at most, ≥ 0
+/// \return share that was added
 double weigh_down_stiffest(Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double density, double share);
 
 }  // namespace graincrack
