@@ -33,7 +33,7 @@ const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)>
     {"energy_fracture_tension", Dimension::energy, "energy dissipated by contacts that failed in tension"},
     {"energy_fracture_shear", Dimension::energy, "energy dissipated by contacts that failed in shear, without friction"},
     {"energy_friction", Dimension::energy, "energy dissipated by friction in failed contacts"},
-    {"energy_damping", Dimension::energy, "energy absorbed by local damping"},
+    {"energy_damping", Dimension::energy, "energy absorbed by damping"},
     {"energy_platen", Dimension::energy, "energy stored in platen springs and dissipated by platen friction"},
     {"law_mismatch", Dimension::energy, "energy lost (positive) or made (negative) where the law has no potential"},
     {"ledger_residual", Dimension::one, "(external - sum of the others) / largest stored energy so far"},
@@ -41,6 +41,7 @@ const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)>
     {"tensile_cracks", Dimension::one, "contacts that failed in tension (points / 2)"},
     {"shear_cracks", Dimension::one, "contacts that failed in shear (points / 2)"},
     {"platen_speed", Dimension::speed, "speed of each platen, approach positive"},
+    {"damping_load", Dimension::one, "load that damping carries by holding the mean motion back, over that of the platens"},
 }};
 // clang-format on
 
@@ -83,6 +84,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit.newer("rate_tolerance", h.rate_tolerance, Dimension::one);
     visit("platen_speed", h.platen_speed, Dimension::speed);
     visit("damping", h.damping, Dimension::one);
+    visit.newer("damping_form", h.damping_form);
     visit("peak_drop", h.peak_drop, Dimension::one);
     visit("max_strain", h.max_strain, Dimension::one);
     visit("mass_scaling", h.mass_scaling);
@@ -102,6 +104,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("confinement_mean", h.confinement_mean, Dimension::stress);
     visit("confinement_deviation", h.confinement_deviation, Dimension::stress);
     visit("damping_share", h.damping_share, Dimension::one);
+    visit.newer("damping_load", h.damping_load, Dimension::one);
 }
 
 struct HeaderWriter {
@@ -353,7 +356,9 @@ const H5Input& RunReader::file() const { return state_->file; }
 History read_history(const H5Input& file) {
     History history;
     for (std::size_t i = 0; i < n_history_columns; ++i) {
-        history.columns[i] = file.read<double>(history_path(i));
+        const bool is_newer = i == static_cast<std::size_t>(HistoryColumn::damping_load);  // may be missing from older files
+        history.columns[i] = is_newer && !file.has(history_path(i)) ? std::vector<double>(history.columns[0].size())
+                                                                    : file.read<double>(history_path(i));
         if (history.columns[i].size() != history.columns[0].size()) {
             throw InputError(fmt::format("{}: columns of {} differ in length", file.name(), schema::history_group));
         }

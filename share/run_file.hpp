@@ -38,7 +38,8 @@ struct RunHeader {
     std::string rate = "fixed";     ///< "auto" | "fixed" | "blocks"
     double rate_tolerance = 0;      ///< of the measures that steer it; 0 with a fixed rate
     double platen_speed = 0;        ///< of each platen, m/s; where the rate is automatic, the mean of the axial loading
-    double damping = 0;             ///< local damping, 0 for none
+    double damping = 0;             ///< share of the unbalanced force, 0 for none
+    std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
     std::string mass_scaling = "none";  ///< "none" | "selective"
@@ -59,6 +60,7 @@ struct RunHeader {
     double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa
     double confinement_deviation = 0;
     double damping_share = 0;  ///< energy absorbed by damping / external work at the end
+    double damping_load = 0;   ///< part of the load that damping carries, mean over the travel from 0.9 of the strain at the peak
 };
 
 /// Columns of /history, in the order of `history_datasets`.
@@ -88,6 +90,7 @@ enum class HistoryColumn : std::size_t {
     tensile_cracks,
     shear_cracks,
     platen_speed,
+    damping_load,
     count
 };
 struct HistoryDataset {

@@ -19,8 +19,9 @@ static_assert(2 * members_per_block % lanes == 0);
 /// Members of a block.
 struct Batch {
     static constexpr std::int32_t size = 2 * members_per_block;
-    alignas(64) double force[size], velocity[size];                   ///< of the nodes
+    alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
     alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
+    alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
     alignas(64) double mean_drag[size];                               ///< drag of the mean less the mean of drags, per mass
     alignas(64) double drag[size];
 };
@@ -33,10 +34,12 @@ void set_pair(double* values, std::ptrdiff_t i, const Vector2& pair) {
 
 void gather(const MassScaling& scaling, Range members, const State& s, Batch& b) {
     const Vector2* const force = s.force.data();
+    const Vector2* const last_force = s.last_force.data();
     const Vector2* const velocity = s.velocity.data();
     for (std::int32_t i = 0; i < members.size(); ++i) {
         const std::int32_t node = scaling.members[members.begin + i];
         set_pair(b.force, i, force[node]);
+        set_pair(b.change, i, force[node] - last_force[node]);
         set_pair(b.velocity, i, velocity[node]);
     }
 }
@@ -52,7 +55,7 @@ void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupS
     }
 }
 
-/// Mean acceleration and velocity of those held together.
+/// Mean acceleration, its change and mean velocity of those held together.
 void find_means(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
     const std::int32_t origin = scaling.members_of(block).begin;
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
@@ -60,45 +63,50 @@ void find_means(const MassScaling& scaling, std::int32_t block, const GroupState
         scaling, block, g,
         [&](Range members) {
             Vector2 force;
+            Vector2 change;
             Vector2 momentum;
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 force += pair_at(b.force, i);
+                change += pair_at(b.change, i);
                 momentum += mass[2 * i] * pair_at(b.velocity, i);
             }
             const double share = g.inverse_mass[origin + members.begin];
             const Vector2 acceleration = share * force;
+            const Vector2 acceleration_change = share * change;
             const Vector2 velocity = share * momentum;
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_acceleration, i, acceleration);
+                set_pair(b.mean_change, i, acceleration_change);
                 set_pair(b.mean_velocity, i, velocity);
             }
         },
         [&](Range members) {
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_acceleration, i, {});
+                set_pair(b.mean_change, i, {});
                 set_pair(b.mean_velocity, i, {});
                 const std::int32_t first = g.component[origin + i] - origin;
                 const double share = g.inverse_mass[origin + first];
                 set_pair(b.mean_acceleration, first, pair_at(b.mean_acceleration, first) + share * pair_at(b.force, i));
+                set_pair(b.mean_change, first, pair_at(b.mean_change, first) + share * pair_at(b.change, i));
                 set_pair(b.mean_velocity, first,
                          pair_at(b.mean_velocity, first) + (share * mass[2 * i]) * pair_at(b.velocity, i));
             }
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 const std::int32_t first = g.component[origin + i] - origin;
                 set_pair(b.mean_acceleration, i, pair_at(b.mean_acceleration, first));
+                set_pair(b.mean_change, i, pair_at(b.mean_change, first));
                 set_pair(b.mean_velocity, i, pair_at(b.mean_velocity, first));
             }
         });
 }
 
-GRAINCRACK_INLINE double component_drag(double alpha, double force, double velocity) {
-    return velocity == 0 ? 0.0 : -std::copysign(alpha * std::abs(force), velocity);
-}
-
 /// Drag of the relative motion of each.
-GRAINCRACK_INLINE void damp_relative_motion(const double* mass, double alpha, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
+    const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
-        b.drag[k] = component_drag(alpha, b.force[k] - mass[k] * b.mean_acceleration[k], b.velocity[k] - b.mean_velocity[k]);
+        b.drag[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
+                                  b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
     }
 }
 
@@ -130,9 +138,10 @@ void find_mean_drags(const MassScaling& scaling, std::int32_t block, const Group
 }
 
 /// Drag of both motions into `drag`, and the damped acceleration of the mean.
-GRAINCRACK_INLINE void damp_mean_motion(const double* mass, double alpha, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
+    const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
-        const double mean = component_drag(alpha, b.mean_acceleration[k], b.mean_velocity[k]);
+        const double mean = damping_force(damping, b.mean_acceleration[k], b.mean_change[k], b.mean_velocity[k]);
         b.drag[k] += mass[k] * (mean - b.mean_drag[k]);
         b.mean_acceleration[k] += mean;
     }
@@ -150,9 +159,9 @@ void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVel
     for (const auto& [i, holder] : s.groups.held[block]) {
         set_pair(b.mean_velocity, i, platens[holder]);
     }
-    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damping, count, b); });
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
     find_mean_drags(scaling, block, s.groups, b);
-    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damping, count, b); });
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damps(), count, b); });
 }
 
 /// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
@@ -222,6 +231,7 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, con
         const Vector2 moved = pair_at(b.mean_velocity, i);
         velocity[node] = moved;
         displacement[node] += dt * moved;
+        s.last_force[node] = s.force[node];
     }
 }
 

@@ -79,8 +79,8 @@ Loading::Loading(const LoadingRequest& request, const Specimen& specimen, const 
       control_(request.rate_tolerance, rate_scales(request.test, specimen, rock, transit_time_)),
       blocks_(request.platen_speed, request.rate_tolerance, rest_transits * transit_time_) {
     const double as_fast_as_the_test = request.confining_pressure / young_modulus_ * height_ / (2 * request.platen_speed);
-    ramp_time_ = request.rate == RateKind::automatic ? ramp_transits * transit_time_
-                                                     : std::max(start_transits * transit_time_, as_fast_as_the_test);
+    const bool is_automatic = request.rate == RateKind::automatic || request.rate == RateKind::recorded;
+    ramp_time_ = is_automatic ? ramp_transits * transit_time_ : std::max(start_transits * transit_time_, as_fast_as_the_test);
 }
 
 double Loading::target_pressure(double time) const {
@@ -108,6 +108,11 @@ double Loading::axial_speed(const LoadingFeedback& feedback, double duration) {
             axial_strain_ += duration * (sense * speed_ + speed) / height_;
             return sense * speed;
         }
+        case RateKind::recorded: {
+            const double speed = request_.recorded.at(axial_strain_);
+            axial_strain_ += duration * (sense * speed_ + speed) / height_;
+            return sense * speed;
+        }
         case RateKind::blocks: return sense * blocks_.next(feedback.unbalanced_ratio, duration);
     }
     return 0;
@@ -130,19 +135,27 @@ double Loading::mean_speed(double time) const {
     return time > start_time_ ? 0.5 * height_ * axial_strain_ / (time - start_time_) : 0;
 }
 
+double Loading::slowest_speed(double strain) const {
+    switch (request_.rate) {
+        case RateKind::fixed: return request_.platen_speed;
+        case RateKind::automatic: return control_.least_speed(strain, request_.rate_tolerance);
+        case RateKind::blocks: return request_.platen_speed * moving_share_of_block;
+        case RateKind::recorded: return request_.recorded.at(strain);
+    }
+    return request_.platen_speed;
+}
+
 LoadingLength Loading::longest(double time_step) const {
     const double travel = request_.max_strain * height_ / 2;
     double time = 0;
     constexpr int parts = 1000;
     for (int i = 0; i < parts; ++i) {
-        const double slowest = request_.rate == RateKind::automatic
-                                   ? control_.least_speed(request_.max_strain * (i + 0.5) / parts, request_.rate_tolerance)
-                                   : request_.platen_speed * (request_.rate == RateKind::blocks ? moving_share_of_block : 1);
-        time += travel / parts / slowest;
+        time += travel / parts / slowest_speed(request_.max_strain * (i + 0.5) / parts);
     }
     const double steps = time / time_step;
-    const double rows = request_.rate == RateKind::automatic ? history_rows + time / (most_transits * transit_time_)
-                                                             : steps / static_cast<double>(batch_steps(time_step));
+    const bool is_even = request_.rate == RateKind::fixed || request_.rate == RateKind::blocks;
+    const double rows = is_even ? steps / static_cast<double>(batch_steps(time_step))
+                                : history_rows + time / (most_transits * transit_time_);
     return {static_cast<std::int64_t>(steps), static_cast<std::size_t>(rows)};
 }
 

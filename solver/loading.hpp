@@ -12,6 +12,7 @@
 #include "solver/block_control.hpp"
 #include "solver/boundary.hpp"
 #include "solver/rate_control.hpp"
+#include "solver/recorded_rate.hpp"
 
 namespace graincrack {
 
@@ -27,13 +28,14 @@ constexpr std::string_view name_of(TestKind test) {
     return "?";
 }
 
-/// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
-enum class RateKind : std::uint8_t { fixed, automatic, blocks };
+/// How the platens' speed is found: given, by the run's own measures, in blocks with rest between them, or from another run.
+enum class RateKind : std::uint8_t { fixed, automatic, blocks, recorded };
 constexpr std::string_view name_of(RateKind rate) {
     switch (rate) {
         case RateKind::fixed: return "fixed";
         case RateKind::automatic: return "auto";
         case RateKind::blocks: return "blocks";
+        case RateKind::recorded: return "recorded";
     }
     return "?";
 }
@@ -48,6 +50,7 @@ struct LoadingRequest {
     double confining_pressure = 0;  ///< Pa
     double platen_friction = 0;     ///< rad
     double max_strain = 0.015;
+    RecordedRate recorded;  ///< of `recorded`
 };
 
 /// Platens and membrane of a test. Platens have the contacts' stiffness per area; the caps of a tension test are glued on
@@ -102,6 +105,7 @@ public:
 
 private:
     [[nodiscard]] double target_pressure(double time) const;
+    [[nodiscard]] double slowest_speed(double strain) const;
     double isotropic_speed(const LoadingFeedback& feedback, double duration) const;
     double axial_speed(const LoadingFeedback& feedback, double duration);
 

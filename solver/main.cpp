@@ -37,6 +37,9 @@ double strength_of(const RunHeader& h) {
 /// Ledger residual over the largest stored energy up to which a run is beyond doubt.
 constexpr double trusted_residual = 0.005;
 
+/// Part of the load that damping may carry before a run warns.
+constexpr double trusted_damping_load = 0.01;
+
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
     const std::string strength = h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa; ", strength_of(h) * 1e-6) : "";
@@ -44,9 +47,17 @@ void print_summary(const SimulationSummary& s) {
                h.time_step, strength, s.tensile_cracks, s.shear_cracks);
     fmt::print(
         stderr,
-        "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work\n",
-        h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share);
+        "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work, and "
+        "carried {:.2f} % of the load before the peak\n",
+        h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
     fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns a grain-step\n", h.test, s.wall_time, s.ns_per_grain_step);
+    if (h.damping_load > trusted_damping_load) {
+        fmt::print(stderr,
+                   "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %, and the strength is too "
+                   "high by that or, where grains slide, by several times as much: use a smaller --rate-tolerance, a slower --rate "
+                   "or --damping-form combined\n",
+                   h.test, 100 * h.damping_load, 100 * trusted_damping_load);
+    }
     if (h.ledger_residual > trusted_residual) {
         fmt::print(
             stderr,

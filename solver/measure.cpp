@@ -7,7 +7,7 @@
 namespace graincrack {
 namespace {
 
-constexpr double endangering = 1.25;  // growth of the jumps under which a point that would fail is endangered
+constexpr double growth = 1.25;  // of the jumps, under which a point that would fail or slide is near it
 
 /// Least-squares slope of one displacement component over the same coordinate.
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
@@ -51,7 +51,7 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
     return nodes;
 }
 
-/// Local damping at this instant, into `drag`.
+/// Damping at this instant, into `drag`.
 void find_drag(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
@@ -59,7 +59,7 @@ void find_drag(const Assemblage& a, const StepParameters& parameters, State& s) 
         damp_groups(a, parameters, s.loading, block, s);
     }
     for (std::size_t i = 0; i < s.drag.size() && !scaling.is_on(); ++i) {
-        s.drag[i] = damping_force(parameters.damping, s.force[i], s.velocity[i]);
+        s.drag[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
     }
 }
 
@@ -119,12 +119,14 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
     }
 }
 
-void add_platen_energies(const Boundary& boundary, const State& s, Measurement& m) {
+void add_platen_energies(const Boundary& boundary, double time_step, const State& s, Measurement& m) {
     for (const PlatenPoint& point : s.platen_points) {
         const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
                                                  s.loading.platen_displacement[point.platen]);
         m.energies.platen += r.stored + r.friction;
-        m.energies.external += 0.5 * r.force.y * s.loading.increment_before[point.platen];
+        const double way = s.loading.increment_before[point.platen];
+        m.energies.external += 0.5 * r.force.y * way;
+        m.platen_power += r.force.y * way / time_step;
         (static_cast<std::size_t>(point.platen) == top_platen ? m.force_top : m.force_bottom) += r.force.y;
     }
 }
@@ -193,7 +195,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
     add_contact_energies(a, parameters.law, s, m.energies);
-    add_platen_energies(boundary, s, m);
+    add_platen_energies(boundary, parameters.time_step, s, m);
     for (std::size_t e = 0; e < boundary.membrane_edges.size(); ++e) {
         const auto [first, second] = boundary.membrane_edges[e];
         m.energies.external += 0.5 * parameters.time_step * dot(s.membrane_force[e], s.velocity[first] + s.velocity[second]);
@@ -208,21 +210,27 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     return m;
 }
 
-double endangered_share(const Assemblage& a, const ContactLaw& law, const State& s) {
-    std::size_t whole = 0;
-    std::size_t endangered = 0;
+double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) {
+    std::size_t near = 0;
     contact_law::with_law(law.variant, [&](auto kind) {
         for (std::size_t i = 0; i < 2 * a.contacts.size(); ++i) {
+            const double opening = s.opening[i];
+            const double sliding = s.sliding[i];
             if (s.failed[i] == 0) {
-                const double opening = s.opening[i];
-                const double sliding = s.sliding[i];
-                ++whole;
-                const IntactPoint grown{opening, sliding, endangering * opening, endangering * sliding, s.cohesion_left[i]};
-                endangered += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+                const IntactPoint grown{opening, sliding, growth * opening, growth * sliding, s.cohesion_left[i]};
+                near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+            } else if (opening < 0 && s.touches.released[i / 2] == 0) {
+                const double limit = contact_law::friction_limit(law, {opening, sliding});
+                near += growth * std::abs(law.ks * (sliding - s.slip[i])) >= limit ? 1 : 0;
             }
         }
     });
-    return whole > 0 ? static_cast<double>(endangered) / static_cast<double>(whole) : 0;
+    for (const Touch& touch : s.touches.touches) {
+        const double limit = law.kt * touch.pressing * law.tan_phi;
+        near += touch.active && touch.pressing > 0 && growth * std::abs(law.ks * touch.stretch) >= limit ? 1 : 0;
+    }
+    const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));
+    return std::min(1.0, static_cast<double>(near) / half_a_line);
 }
 
 Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {

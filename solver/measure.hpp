@@ -48,6 +48,7 @@ struct Measurement {
     Energies energies;
     double force_bottom = 0;  ///< axial force on the specimen, tension positive, N
     double force_top = 0;
+    double platen_power = 0;      ///< of both platens on the specimen, W
     double membrane_force = 0;    ///< lateral force of the membrane, mean of both sides, N
     double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
     double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
@@ -58,9 +59,11 @@ struct Measurement {
 /// `state.force` is used as scratch.
 Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
 
-/// Share of the contact points that would fail if their jumps grew by a quarter, of those that have not failed yet; 0 if all
-/// have. Pure.
-double endangered_share(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+/// How much of a line across the specimen is near failure or slides, 0 to 1: contact points that would fail if their jumps grew
+/// by a quarter, closed failed ones whose friction would then be at its limit, and node–edge contacts of which that is true; over
+/// half the root of the number of contact points, about as many as stand on half a line across. A line is what it takes: one
+/// joint that slides lets the whole specimen move. Pure.
+double near_failure(const Assemblage& assemblage, const ContactLaw& law, const State& state);
 
 /// The state as a frame of the run file, in the specimen's own order.
 Frame make_frame(const Assemblage& assemblage, const ContactLaw& law, const State& state);

@@ -132,12 +132,14 @@ void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure
 }
 
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
-GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, double alpha, const double* inverse_mass,
-                                    const Vector2* force, Vector2* velocity, Vector2* displacement) {
+GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const Damping& shares, const double* inverse_mass,
+                                    const Vector2* force, Vector2* last_force, Vector2* velocity, Vector2* displacement) {
+    const Damping damping = shares;
     double absorbed = 0;
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 old_velocity = velocity[i];
-        const Vector2 drag = damping_force(alpha, force[i], old_velocity);
+        const Vector2 drag = damping_force(damping, force[i], force[i] - last_force[i], old_velocity);
+        last_force[i] = force[i];
         const double rate = time_step * inverse_mass[i];
         const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + drag.x), old_velocity.y + rate * (force[i].y + drag.y)};
         velocity[i] = new_velocity;
@@ -187,8 +189,8 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     const std::int32_t n = nodes.size();
     double absorbed = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        absorbed = move_nodes(n, dt, parameters.damping, &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
-                              &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
+        absorbed = move_nodes(n, dt, parameters.damps(), &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
+                              &s.last_force[nodes.begin], &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
     });
     sums.damping += absorbed;
     sums.reaction_work += lead_driven(a, boundary.drives, block, dt, s);

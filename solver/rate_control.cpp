@@ -6,17 +6,17 @@
 namespace graincrack {
 namespace {
 
-constexpr double near_damage = 0.02;      // share of endangered points from which on the tolerance counts as it is
+constexpr double most_damping_load = 2e-3;  // friction multiplies what damping carries: a strength is off by up to five times that
 constexpr double most_inertia = 0.1;      // what counts at most: kinetic energy 1e-3 of the stored energy
 constexpr double most_rise = 0.06;        // of the strain that it may rise by in a transit: platens rattle otherwise
 constexpr double follow_transits = 4;     // in which the speed rises at most e-fold; it falls in half of that
-constexpr double slowest = 0.5;           // of the speed that the tolerance means without damage
+constexpr double slowest = 0.05;          // of the speed that the tolerance means without damage
 constexpr double smoothing_transits = 1;  // over which measures are smoothed
 
 }  // namespace
 
-double RateControl::allowed(double endangered) const {
-    const double relaxed = tolerance_ * near_damage / std::max(endangered, 1e-9);
+double RateControl::allowed(double near_failure) const {
+    const double relaxed = tolerance_ / std::max(near_failure, 1e-9);
     return std::clamp(relaxed, tolerance_, std::max(tolerance_, most_inertia));
 }
 
@@ -37,9 +37,10 @@ double RateControl::next(const RateMeasures& now, double duration) {
     inertia_ += share * (inertia - inertia_);
     unbalanced_ratio_ += share * (now.unbalanced_ratio - unbalanced_ratio_);
     force_difference_ += share * (now.force_difference - force_difference_);
-    endangered_ = std::max(endangered_, now.endangered);
-    const double limit = allowed(endangered_);
-    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / tolerance_});
+    near_failure_ = std::max(near_failure_, now.near_failure);
+    const double limit = allowed(near_failure_);
+    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / tolerance_,
+                                   now.damping_load / most_damping_load});
     const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
     speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));

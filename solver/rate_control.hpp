@@ -8,13 +8,14 @@
 //   unbalanced ratio   Σ|unbalanced force| / Σ|element force|
 //   force difference   of the platens over their mean
 //
+// and a fourth below `most_damping_load`: the load that damping carries by holding back what slides.
+//
 // Kinetic energy is that of the masses as they are: what mass scaling adds to nodes that platens hold is no inertia of the
-// load's. Where no damage is near, a load that rises fast does no harm, and for the first two up to 0.1 counts. What is
-// near is seen before it cracks, from the share of contact points that would fail if their jumps grew by a quarter. Damage under
-// way shows in the measures.
+// load's. Where nothing is near failure and nothing slides, a load that rises fast does no harm, and for the first two up to 0.1
+// counts. What is near failure is seen before it cracks (`near_failure`). Damage under way shows in the measures.
 //
 // Pure: measures in, speed out. The logarithm of the speed follows what the measures allow within some wave transits, at a rate
-// that is limited, so that it changes smoothly.
+// that is limited, so that it changes smoothly. The floor only keeps a test from standing still.
 #pragma once
 
 namespace graincrack {
@@ -26,7 +27,8 @@ struct RateMeasures {
     double stored_energy = 0;     ///< J
     double unbalanced_ratio = 0;  ///< as in the history
     double force_difference = 0;  ///< of the platens, over their mean
-    double endangered = 0;        ///< share of contact points that would fail if their jumps grew by a quarter, 0 to 1
+    double damping_load = 0;      ///< load that damping carries, over that of the platens
+    double near_failure = 0;      ///< how much of a line across the specimen is near failure or slides, 0 to 1
 };
 
 /// Rise of the load over itself in a wave transit up to which it is quasi-static while there is damage.
@@ -46,17 +48,17 @@ public:
     RateControl(double tolerance, const RateScales& scales) : tolerance_(tolerance), scales_(scales) {}
     /// Speed of each platen at the end of the next `duration` seconds, m/s.
     double next(const RateMeasures& measures, double duration);
-    /// The slowest the platens ever go at a strain, m/s: half of what the tolerance means there without damage.
+    /// The slowest the platens ever go at a strain, m/s: a twentieth of what the tolerance means there in an elastic bar.
     /// \param allowed what counts of the tolerance
     [[nodiscard]] double least_speed(double strain, double allowed) const;
-    /// What the tolerance counts with a share of endangered contact points.
-    [[nodiscard]] double allowed(double endangered) const;
+    /// What the first two measures may reach where so much of a line is near failure.
+    [[nodiscard]] double allowed(double near_failure) const;
     /// The fastest the platens ever go at a strain, m/s.
     [[nodiscard]] double most_speed(double strain) const;
     /// Calls `visit(name, member)` with all that changes: a test that goes on needs it.
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit) {
-        visit("rate.endangered", self.endangered_);
+        visit("rate.near_failure", self.near_failure_);
         visit("rate.inertia", self.inertia_);
         visit("rate.unbalanced_ratio", self.unbalanced_ratio_);
         visit("rate.force_difference", self.force_difference_);
@@ -66,7 +68,7 @@ public:
 private:
     double tolerance_;
     RateScales scales_;
-    double endangered_ = 0;  ///< the largest share so far: what was once near damage is not hurried any more
+    double near_failure_ = 0;  ///< the largest so far: what was once near failure is not hurried any more
     double inertia_ = 0;     ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;

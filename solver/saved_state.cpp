@@ -70,6 +70,8 @@ template <class AnyState, class Visit>
 void visit_arrays(AnyState& s, Visit&& visit) {
     visit("displacement", s.displacement);
     visit("velocity", s.velocity);
+    visit("last_force", s.last_force);
+    visit("mean_displacement", s.damping_load.mean_displacement);
     visit("contact_slots", s.contact_force);
     visit("opening", s.opening);
     visit("sliding", s.sliding);
@@ -119,6 +121,9 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
     visit("platen_increment_top", s.loading.increment_before[top_platen]);
     visit("membrane_pressure", s.loading.pressure);
+    visit("mean_damping_power", s.damping_load.damping_power);
+    visit("mean_platen_power", s.damping_load.platen_power);
+    visit("mean_time", s.damping_load.time);
 }
 
 std::string path_of(const std::string& name) { return std::string(schema::state_group) + "/" + name; }

@@ -9,7 +9,7 @@ namespace graincrack {
 Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
     Setup s{make_assemblage(specimen, r.material.rock, r.plane),
             {},
-            {make_contact_law(r.contact, r.law, r.coupling), 0, r.damping},
+            {make_contact_law(r.contact, r.law, r.coupling), 0, r.damping, r.damping_form},
             0,
             0};
     s.assemblage.vector_target = r.vector_target.value_or(widest_vector_target());

@@ -47,9 +47,11 @@ RunHeader make_header(const SimulationRequest& r) {
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
     h.rate = r.program ? "program" : name_of(r.loading.rate);
-    h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
-    h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
+    const bool is_given = r.loading.rate == RateKind::fixed || r.loading.rate == RateKind::blocks;
+    h.rate_tolerance = r.loading.rate == RateKind::automatic || r.loading.rate == RateKind::blocks ? r.loading.rate_tolerance : 0;
+    h.platen_speed = is_given ? r.loading.platen_speed : 0;
     h.damping = r.damping;
+    h.damping_form = name_of(r.damping_form);
     h.mass_scaling = r.mass_scaling ? "selective" : "none";
     h.peak_drop = r.peak_drop;
     h.max_strain = r.loading.max_strain;
@@ -64,6 +66,7 @@ public:
           request_(request),
           setup_(make_setup(specimen, request)),
           gauges_(make_gauges(assemblage_, specimen)),
+          transit_time_(specimen.height / std::sqrt(request.material.rock.young_modulus / request.material.rock.density)),
           driver_(make_run_driver(request, assemblage_, specimen)),
           state_(make_state(assemblage_, boundary_, specimen)),
           catalogue_(state_.failed.size()),
@@ -200,6 +203,7 @@ private:
         const Measurement m = measure(assemblage_, boundary_, parameters_, state_);
         check_stability(m.energies);
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
+        follow_damping_load(state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
         push_row(m);
         feedback_ = feedback(m);
         driver_->note(view());
@@ -233,7 +237,8 @@ private:
         rate.stored_energy = m.energies.stored();
         rate.unbalanced_ratio = m.unbalanced_ratio;
         rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
-        rate.endangered = endangered_share(assemblage_, parameters_.law, state_);
+        rate.damping_load = state_.damping_load.share();
+        rate.near_failure = near_failure(assemblage_, parameters_.law, state_);
         return {state_.time, -last_axial_stress_, m.unbalanced_ratio, rate};
     }
 
@@ -290,6 +295,7 @@ private:
         push(tensile_cracks, 0.5 * static_cast<double>(catalogue_.tensile_points()));
         push(shear_cracks, 0.5 * static_cast<double>(catalogue_.shear_points()));
         push(platen_speed, driver_->platen_speed());
+        push(damping_load, state_.damping_load.share());
     }
 
     void show_progress() {
@@ -312,6 +318,19 @@ private:
         return worst;
     }
 
+    /// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
+    [[nodiscard]] double damping_load_at(std::size_t peak_row) const {
+        const std::vector<double>& strain = history_[HistoryColumn::axial_strain];
+        double sum = 0;
+        double travel = 0;
+        for (std::size_t i = peak_row; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak_row]); --i) {
+            const double way = std::abs(strain[i] - strain[i - 1]);
+            sum += way * history_[HistoryColumn::damping_load][i];
+            travel += way;
+        }
+        return travel > 0 ? sum / travel : 0;
+    }
+
     void finish_header() {
         header_.steps = state_.step;
         header_.integrations = state_.integrations;
@@ -320,6 +339,7 @@ private:
         const std::size_t peak = peak_row(header_, history_);
         header_.peak_axial_stress = sign * history_[HistoryColumn::axial_stress][peak];
         header_.platen_force_difference = platen_force_difference(peak, sign);
+        header_.damping_load = damping_load_at(peak);
         header_.ledger_residual = header_.energy_scale > 0 ? largest_imbalance_ / header_.energy_scale : 0;
         if (header_.ledger_residual > unstable_residual) {
             throw_unstable(header_.ledger_residual);
@@ -349,6 +369,7 @@ private:
     const Boundary& boundary_ = setup_.boundary;
     const StepParameters& parameters_ = setup_.parameters;
     Gauges gauges_;
+    double transit_time_;  ///< of a bar wave over the height, s
     std::unique_ptr<RunDriver> driver_;
     State state_;
     CrackCatalogue catalogue_;

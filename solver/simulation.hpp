@@ -10,6 +10,7 @@
 #include "share/provenance.hpp"
 #include "share/run_file.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/damping.hpp"
 #include "solver/loading.hpp"
 #include "solver/program/program.hpp"
 #include "solver/vector_targets.hpp"
@@ -28,6 +29,7 @@ struct SimulationRequest {
     Coupling coupling = Coupling::full;
     double peak_drop = 0.3;
     double damping = 0.8;
+    DampingForm damping_form = DampingForm::combined;
     bool mass_scaling = false;                  ///< selective
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;

@@ -28,6 +28,8 @@ struct RawOptions {
     ContactOptions contact;
     std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
+    std::string rate_from;  ///< run whose speeds are taken
+    std::optional<double> rate_share;
     std::string program;   ///< its file
     double damping = NAN;  ///< of a program; NaN if not given
 };
@@ -57,6 +59,9 @@ void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& ra
                              "counts as rest (blocks, default {})",
                              default_rate_tolerance, default_rest_tolerance));
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed, "of each platen in a block; default 5mm/s");
+    command.add_option("--rate-from", raw.rate_from, "run of the same test: platens at --rate-share of its speeds, strain by strain")
+        ->type_name("FILE");
+    add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share, "of the speeds of --rate-from; default 0.5");
     add_integer(command, "--block-steps", raw.block_steps, "steps of a block; default 5000", std::int64_t{5});
 }
 
@@ -69,6 +74,18 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
         throw UsageError(std::string(raw.block_speed ? "--block-speed" : "--block-steps") +
                          ": there are no blocks; give --rate blocks, or leave it out");
     }
+    if (raw.rate_share && raw.rate_from.empty()) {
+        throw UsageError("--rate-share: of which run? give --rate-from RUN too, or leave it out");
+    }
+    if (!raw.rate_from.empty()) {
+        const RunReader run(raw.rate_from);
+        if (run.header().test != name_of(loading.test)) {
+            throw InputError(fmt::format("{}: is a run of the test {}, not {}; one of the same test fits", run.name(),
+                                         run.header().test, name_of(loading.test)));
+        }
+        loading.rate = RateKind::recorded;
+        loading.recorded = recorded_rate(run.name(), run.header(), run.history(), raw.rate_share.value_or(0.5));
+    }
     loading.rate_tolerance =
         raw.rate_tolerance.value_or(loading.rate == RateKind::blocks ? default_rest_tolerance : default_rate_tolerance);
     loading.block_steps = raw.block_steps.value_or(loading.block_steps);
@@ -78,6 +95,10 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
 }
 
 void add_method_options(CLI::App& command, SimulationRequest& request) {
+    add_choice<DampingForm>(command, "--damping-form", request.damping_form,
+                            {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
+                            "combined: half against the motion, half with the rate of the force, so that steady sliding is hardly "
+                            "held back; local: all of it against the motion");
     add_choice<bool>(command, "--mass-scaling", request.mass_scaling, {{"none", false}, {"selective", true}},
                      "selective: nodes that contacts hold together move against each other with a multiple of their mass");
     add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
@@ -113,7 +134,8 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
                  "fall below the peak that ends the test, share of it", "0.3");
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
                  "platen travel over specimen height that ends the test", "0.015");
-    add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0, "local damping", "0.8");
+    add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,
+                    "share of the unbalanced force that damps", "0.8");
     add_checkpoint_option(command, request);
     command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
     command.add_flag("--sensitivity", request.sensitivity,
@@ -142,7 +164,7 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     add_quantity(*command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  "friction angle between rock and platens instead of the material's");
     add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
-                    "local damping instead of the program's own; it must have one of the two");
+                    "share of the unbalanced force that damps, instead of the program's own; it must have one of the two");
     add_method_options(*command, options.request);
     add_checkpoint_option(*command, options.request);
     command

@@ -7,6 +7,7 @@
 #include "solver/assemblage.hpp"
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/damping_load.hpp"
 #include "solver/mass_scaling.hpp"
 #include "solver/touch_list.hpp"
 
@@ -75,6 +76,7 @@ struct State {
     std::vector<Vector2> displacement;  ///< [n] m, at `time`
     std::vector<Vector2> velocity;      ///< [n] m/s, half a step before `time`
     std::vector<Vector2> force;         ///< [n] N, scratch of the node stage
+    std::vector<Vector2> last_force;    ///< [n] N, of the step before, for the rate of `force`
     std::vector<Vector2> drag;          ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t>
         touching;  ///< [n] 1 + the platen it is on or close to (`group_reach`), else 0; scratch of the node stage
@@ -96,6 +98,7 @@ struct State {
     StepLoading loading;                            ///< at `time`
     GroupState groups;                              ///< with mass scaling
     DriveState drives;
+    DampingLoad damping_load;
     bool in_parts = false;  ///< mass scaling is over, see `StepParameters::parts`
 };
 

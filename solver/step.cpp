@@ -11,6 +11,8 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.displacement.resize(a.position.size());
     s.velocity.resize(a.position.size());
     s.force.resize(a.position.size());
+    s.last_force.resize(a.position.size());
+    s.damping_load.mean_displacement.resize(a.position.size());
     s.drag.resize(a.position.size());
     s.touching.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());

@@ -8,6 +8,7 @@
 #include "solver/assemblage.hpp"
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/damping.hpp"
 #include "solver/mass_scaling.hpp"
 #include "solver/state.hpp"
 #include "solver/team.hpp"
@@ -18,22 +19,18 @@ namespace graincrack {
 struct StepParameters {
     ContactLaw law;
     double time_step = 0;  ///< s
-    double damping = 0;    ///< α of local damping, Fd = −α |F| sign(v) per component
+    double damping = 0;    ///< α
+    DampingForm damping_form = DampingForm::combined;
     MassScaling mass_scaling = {};
     /// With mass scaling, steps of masses as they are that go into one: grains that touch move freely, with their own mass, and
     /// the long step is not stable for contacts as stiff as bonded ones. From the first touch on each step is made of so many.
     std::int64_t parts = 1;
+    [[nodiscard]] Damping damps() const { return make_damping(damping, damping_form); }
 };
 
 /// The parameters of the parts of a step, without mass scaling.
 inline StepParameters parameters_of_parts(const StepParameters& p) {
-    return {p.law, p.time_step / static_cast<double>(p.parts), p.damping, {}, 1};
-}
-
-/// Local damping, per component: a share α of the unbalanced force against the motion.
-inline Vector2 damping_force(double alpha, const Vector2& force, const Vector2& velocity) {
-    const auto against = [alpha](double f, double v) { return v == 0 ? 0.0 : -std::copysign(alpha * std::abs(f), v); };
-    return {against(force.x, velocity.x), against(force.y, velocity.y)};
+    return {p.law, p.time_step / static_cast<double>(p.parts), p.damping, p.damping_form, {}, 1};
 }
 
 /// Advances the contacts of a block to the present displacements: histories, slots, energies, events.

@@ -121,12 +121,28 @@ TEST(Measure, FramesAreInTheOrderOfTheSpecimen) {
 }
 
 TEST(Measure, DampingTakesItsShareOfTheForceAgainstTheMotion) {
-    const Vector2 d = damping_force(0.8, {10, -5}, {1, -2});
+    const Damping local = make_damping(0.8, DampingForm::local);
+    const Vector2 d = damping_force(local, {10, -5}, {3, 3}, {1, -2});
     EXPECT_EQ(d.x, -8);
     EXPECT_EQ(d.y, 4);
-    const Vector2 against = damping_force(0.8, {10, -5}, {-1, 0});
+    const Vector2 against = damping_force(local, {10, -5}, {3, 3}, {-1, 0});
     EXPECT_EQ(against.x, 8);
     EXPECT_EQ(against.y, 0);  // at rest nothing is damped
+}
+
+TEST(Measure, CombinedDampingOpposesOscillationAndLetsSteadyMotionBe) {
+    const Damping combined = make_damping(0.8, DampingForm::combined);
+    // In an oscillation F falls while v > 0, and rises while v < 0.
+    const Vector2 d = damping_force(combined, {10, -5}, {-3, 3}, {1, -2});
+    EXPECT_EQ(d.x, -8);
+    EXPECT_EQ(d.y, 4);
+    // In steady motion F rises and falls alike: the halves cancel while it rises in the sense of the motion.
+    const Vector2 rising = damping_force(combined, {10, -5}, {3, -3}, {1, -2});
+    EXPECT_EQ(rising.x, 0);
+    EXPECT_EQ(rising.y, 0);
+    const Vector2 unchanged = damping_force(combined, {10, -5}, {0, 0}, {1, 0});
+    EXPECT_EQ(unchanged.x, -4);
+    EXPECT_EQ(unchanged.y, 0);
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+// Damping of a step: a share α of the unbalanced force, component by component, in one of two forms.
+//
+//   local      Fd = −α |F| sign(v)                        against the motion
+//   combined   Fd = ½ α |F| (sign(Ḟ) − sign(v))           half against the motion, half with the rate of the unbalanced force
+//
+// In an oscillation F falls while v > 0 and rises while v < 0: both halves oppose it, and both forms take the same energy from
+// it. In steady motion, sliding above all, v keeps its sign while F fluctuates about zero: local damping then opposes the motion
+// by α times the mean of |F|, a force that holds load; the halves of the combined form cancel in each half of a fluctuation where
+// F rises against the motion's sign, so that it holds far less, and does not excite by itself the chatter that it damps. Both are
+// Cundall's (1987, local; combined as in the codes of Itasca for "significant uniform motion").
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "solver/vector2.hpp"
+
+namespace graincrack {
+
+/// --damping-form
+enum class DampingForm : std::uint8_t { combined, local };
+constexpr std::string_view name_of(DampingForm form) { return form == DampingForm::combined ? "combined" : "local"; }
+
+/// Shares of the unbalanced force that are set against the motion and with the rate of the force.
+struct Damping {
+    double against_motion = 0;
+    double with_rate = 0;
+};
+constexpr Damping make_damping(double alpha, DampingForm form) {
+    return form == DampingForm::combined ? Damping{alpha / 2, alpha / 2} : Damping{alpha, 0};
+}
+
+/// One component of the damping force, N.
+/// \param force unbalanced, N \param change of the force since the step before, N \param velocity m/s
+inline double damping_force(const Damping& damping, double force, double change, double velocity) {
+    const double size = std::abs(force);
+    const double against = velocity == 0 ? 0.0 : -std::copysign(damping.against_motion * size, velocity);
+    const double with = change == 0 ? 0.0 : std::copysign(damping.with_rate * size, change);
+    return against + with;
+}
+inline Vector2 damping_force(const Damping& damping, const Vector2& force, const Vector2& change, const Vector2& velocity) {
+    return {damping_force(damping, force.x, change.x, velocity.x), damping_force(damping, force.y, change.y, velocity.y)};
+}
+
+}  // namespace graincrack

@@ -1,0 +1,38 @@
+// What damping carries of the load: damping forces that hold the mean motion of the specimen back, as in sliding, take a part of
+// the platens' load, and a strength is too high by it.
+//
+//   share = ⟨−Σ Fd·v̄⟩ / ⟨Σ P·w⟩
+//
+// v̄ is the mean velocity of each node over some wave transits, P and w are forces and velocities of the platens, and ⟨⟩ is the mean
+// over the same time. It is the power of damping on the mean motion over that of the platens, and by virtual work along this
+// motion the load that damping stands for over that of the platens. What damping takes from waves, which are no part of the mean
+// motion, does not count: a brittle specimen sends them out at any rate.
+//
+// All means are exponential, with the time constant `mean_transits`: (u − ū)/τ is that of v if ū is that of u.
+#pragma once
+
+#include <vector>
+
+#include "solver/vector2.hpp"
+
+namespace graincrack {
+
+struct State;
+
+struct DampingLoad {
+    std::vector<Vector2> mean_displacement;  ///< [n] ū, m
+    double damping_power = 0;                ///< ⟨−Σ Fd·v̄⟩, W
+    double platen_power = 0;                 ///< ⟨Σ P·w⟩, W
+    double time = 0;                         ///< of the last look, s
+    /// Of the load of the platens; 0 while they do no work.
+    [[nodiscard]] double share() const { return platen_power > 0 ? damping_power / platen_power : 0; }
+};
+
+/// Wave transits over which motion and power are averaged.
+inline constexpr double mean_transits = 4;
+
+/// Takes the means on to the time of the state, after `measure`, by `state.drag` and the present displacements.
+/// \param platen_power of both platens now, W \param time_constant of the means, s
+void follow_damping_load(const State& state, double platen_power, double time_constant, DampingLoad& load);
+
+}  // namespace graincrack
