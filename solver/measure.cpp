@@ -7,7 +7,8 @@
 namespace graincrack {
 namespace {
 
-constexpr double growth = 1.25;  // of the jumps, under which a point that would fail or slide is near it
+constexpr double near_growth = 1.25;    // of the jumps, under which an intact point that would fail is near it
+constexpr double near_friction = 0.5;   // of its limit, from which on a point is near sliding: friction gives no other sign
 
 /// Least-squares slope of one displacement component over the same coordinate.
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
@@ -217,17 +218,17 @@ double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) 
             const double opening = s.opening[i];
             const double sliding = s.sliding[i];
             if (s.failed[i] == 0) {
-                const IntactPoint grown{opening, sliding, growth * opening, growth * sliding, s.cohesion_left[i]};
+                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.cohesion_left[i]};
                 near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
             } else if (opening < 0 && s.touches.released[i / 2] == 0) {
                 const double limit = contact_law::friction_limit(law, {opening, sliding});
-                near += growth * std::abs(law.ks * (sliding - s.slip[i])) >= limit ? 1 : 0;
+                near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
             }
         }
     });
     for (const Touch& touch : s.touches.touches) {
         const double limit = law.kt * touch.pressing * law.tan_phi;
-        near += touch.active && touch.pressing > 0 && growth * std::abs(law.ks * touch.stretch) >= limit ? 1 : 0;
+        near += touch.active && touch.pressing > 0 && std::abs(law.ks * touch.stretch) >= near_friction * limit ? 1 : 0;
     }
     const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));
     return std::min(1.0, static_cast<double>(near) / half_a_line);

@@ -60,7 +60,7 @@ struct Measurement {
 Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
 
 /// How much of a line across the specimen is near failure or slides, 0 to 1: contact points that would fail if their jumps grew
-/// by a quarter, closed failed ones whose friction would then be at its limit, and node–edge contacts of which that is true; over
+/// by a quarter, closed failed ones whose friction has reached half its limit, and node–edge contacts of which that is true; over
 /// half the root of the number of contact points, about as many as stand on half a line across. A line is what it takes: one
 /// joint that slides lets the whole specimen move. Pure.
 double near_failure(const Assemblage& assemblage, const ContactLaw& law, const State& state);

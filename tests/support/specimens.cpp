@@ -186,6 +186,50 @@ Specimen crossed_blocks(int nx, int ny, double width, double height, const std::
 
 namespace {
 
+/// Two triangles of a quadrilateral a b c d, cut along its shorter diagonal.
+std::array<Triangle, 2> cut_quadrilateral(const std::vector<Point>& points, int a, int b, int c, int d) {
+    const auto distance = [&](int i, int j) {
+        return std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1]);
+    };
+    if (distance(a, c) < distance(b, d)) {
+        return {Triangle{a, b, c}, Triangle{a, c, d}};
+    }
+    return {Triangle{a, b, d}, Triangle{b, c, d}};
+}
+
+}  // namespace
+
+Specimen jointed_rectangle(int nx, int ny, double width, double height, double angle, Blocks blocks) {
+    constexpr double jitter = 0.15;
+    const double slope = std::tan(angle);
+    std::vector<Point> points = grid_points(nx, 2 * ny, width, height, jitter);
+    for (int j = 0; j <= 2 * ny; ++j) {
+        for (int i = 0; i <= nx; ++i) {
+            Point& p = points[j * (nx + 1) + i];
+            if (j == ny) {
+                p = {width * (static_cast<double>(i) / nx - 0.5), 0};
+            }
+            p[1] += (1 - 2 * std::abs(p[1]) / height) * slope * p[0];  // rows bend from the joint to the platens
+        }
+    }
+    std::vector<Triangle> triangles;
+    std::vector<int> grain;
+    for (int j = 0; j < 2 * ny; ++j) {
+        for (int i = 0; i < nx; ++i) {
+            const int corner = j * (nx + 1) + i;
+            for (const Triangle& t : cut_quadrilateral(points, corner, corner + 1, corner + nx + 2, corner + nx + 1)) {
+                triangles.push_back(t);
+                grain.push_back(blocks == Blocks::of_grains ? static_cast<int>(grain.size()) : (j < ny ? 0 : 1));
+            }
+        }
+    }
+    Specimen s = specimen_of_grains(points, triangles, grain);
+    break_contacts(s, [slope, height](double x, double y) { return std::abs(y - slope * x) < 1e-9 * height; });
+    return s;
+}
+
+namespace {
+
 bool both_within(const Specimen& s, std::int32_t i, std::int32_t j, const Region& region) {
     const Point& p = s.node_position[static_cast<std::size_t>(i)];
     const Point& q = s.node_position[static_cast<std::size_t>(j)];

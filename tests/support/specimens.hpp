@@ -32,6 +32,12 @@ Specimen equilateral_lattice(int nx, int ny, double edge);
 /// grains being numbered from 0 without gaps.
 Specimen crossed_blocks(int nx, int ny, double width, double height, const std::function<int(int, int)>& grain_of);
 
+/// Rectangle with a straight joint, broken from the start, through its centre and from side to side at `angle` (rad) from x: nx
+/// edges along the joint, ny rows of cells of two triangles on either side of it. Each triangle is a grain, or each of the two
+/// blocks one grain.
+enum class Blocks { of_one_grain, of_grains };
+Specimen jointed_rectangle(int nx, int ny, double width, double height, double angle, Blocks blocks);
+
 /// True of the points (x, y) of a region, m.
 using Region = std::function<bool(double, double)>;
 /// Makes pre-existing cracks of the contacts whose ends lie in a region.

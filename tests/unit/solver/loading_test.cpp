@@ -94,7 +94,7 @@ TEST(Loading, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
             EXPECT_GE(steps, 20);
             EXPECT_LE(static_cast<double>(steps) * time_step, 0.5 * transit);
             const double duration = static_cast<double>(steps) * time_step;
-            const BatchLoading b = loading.next({time, 0, 0, {0, 0, 100, 0, 0, 0}}, duration);
+            const BatchLoading b = loading.next({time, 0, 0, {.stored_energy = 100}}, duration);
             EXPECT_GT(sense * b.velocity_end[bottom_platen], 0);
             EXPECT_EQ(b.velocity_end[top_platen], -b.velocity_end[bottom_platen]);
             travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * duration;

@@ -1,0 +1,95 @@
+// The load that damping carries: motions and forces set by hand.
+#include "solver/damping_load.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/measure.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+using test::SmallRun;
+
+constexpr double transit = 1e-4;
+constexpr double time_constant = mean_transits * transit;
+
+/// A specimen whose nodes all move at v(t) along y and are held back by D(t) each, under platens of unit power; the share after
+/// fifty time constants.
+template <class Velocity, class Drag>
+double share_of(Velocity&& velocity, Drag&& drag) {
+    SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
+    State& s = run.state;
+    const double interval = 0.05 * transit;
+    for (int i = 1; i <= 4000; ++i) {
+        const double t = i * interval;
+        for (Vector2& u : s.displacement) {
+            u.y += interval * velocity(t);
+        }
+        std::fill(s.drag.begin(), s.drag.end(), Vector2{0, -drag(t)});
+        s.time = t;
+        follow_damping_load(s, 1, time_constant, s.damping_load);
+    }
+    return s.damping_load.share() / static_cast<double>(s.drag.size());
+}
+
+TEST(DampingLoad, IsThePowerOfDampingOnSteadyMotionOverThatOfThePlatens) {
+    // The mean of intervals of 1/80 time constant lags by half of one.
+    expect_close(share_of([](double) { return 0.3; }, [](double) { return 2.0; }), 0.6, 0.01, 0.6);
+    EXPECT_EQ(share_of([](double) { return 0.0; }, [](double) { return 2.0; }), 0);
+}
+
+TEST(DampingLoad, WhatDampingTakesFromWavesDoesNotCount) {
+    // An oscillation of half a transit that damping opposes in every instant: no power on the mean motion.
+    const auto v = [](double t) { return std::sin(2 * M_PI * t / (0.5 * transit)); };
+    const double share = share_of(v, [&](double t) { return std::copysign(1.0, v(t)); });
+    expect_close(share, 0, 0.02, 2 / M_PI);  // 2/π is all that it takes
+    // The same on top of steady motion, with a drag that is as often with it as against it.
+    EXPECT_LT(std::abs(share_of([&](double t) { return 0.1 + v(t); }, [&](double t) { return std::copysign(1.0, v(t)); })), 0.02);
+}
+
+TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
+    SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
+    State& s = run.state;
+    s.displacement.assign(s.displacement.size(), {1e-6, 0});
+    s.drag.assign(s.drag.size(), {-1, 0});
+    s.time = transit;
+    follow_damping_load(s, 1, time_constant, s.damping_load);
+    const double once = s.damping_load.share();
+    EXPECT_GT(once, 0);
+    follow_damping_load(s, 1, time_constant, s.damping_load);
+    EXPECT_EQ(s.damping_load.share(), once);
+}
+
+// Two blocks under pressure, pushed along the joint: below the friction limit, near it, and sliding.
+TEST(NearFailure, CountsJointsThatSlideAndPointsThatAreAboutToFail) {
+    SmallRun run(test::jointed_rectangle(4, 2, 0.06, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
+    const ContactLaw& law = run.parameters.law;
+    const double overlap = 10e6 / law.kt;
+    const double limit = 10e6 * law.tan_phi / law.ks;  // sliding at which friction is at its limit
+    const auto at = [&](double sliding) {
+        for (std::size_t c = 0; c < run.assemblage.contacts.size(); ++c) {
+            for (const std::size_t p : {0U, 1U}) {
+                run.state.opening[2 * c + p] = -overlap;
+                run.state.sliding[2 * c + p] = sliding;
+                run.state.slip[2 * c + p] = 0;
+            }
+        }
+        return near_failure(run.assemblage, law, run.state);
+    };
+    EXPECT_EQ(at(0), 0);
+    EXPECT_EQ(at(0.49 * limit), 0);
+    EXPECT_EQ(at(0.51 * limit), 1);
+    EXPECT_EQ(at(limit), 1);
+    // One point of eight: half a line across is half the root of eight.
+    at(0.4 * limit);
+    run.state.sliding[3] = limit;
+    expect_close(near_failure(run.assemblage, law, run.state), 1 / (0.5 * std::sqrt(8)), 1e-12, 1);
+}
+
+}  // namespace
+}  // namespace graincrack

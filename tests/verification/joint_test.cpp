@@ -1,0 +1,28 @@
+// A plane of weakness in a thousand grains at the automatic rate.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/jointed_test.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+void expect_jaeger(double angle, double pressure) {
+    const test::JointedTest joint{angle * test::degree, pressure * test::MPa};
+    const Specimen specimen = test::jointed_rectangle(16, 16, 0.06, 0.2, joint.angle, test::Blocks::of_grains);
+    EXPECT_EQ(specimen.n_grains(), 1024U);
+    const TestOutcome outcome = run_test(specimen, joint.request(), "joint", Verbosity::quiet);
+    const std::string name = fmt::format("1,024 grains, {} deg, {} MPa", angle, pressure);
+    EXPECT_EQ(outcome.header.stop_reason, "strain cap");
+    test::verify("specimens: strength of a joint, " + name + " (MPa)", outcome.header.peak_axial_stress / test::MPa,
+                 joint.strength() / test::MPa, 0.02, "Jaeger; the issue asks for 2 %");
+}
+
+TEST(JointInGrains, At50DegreesUnder5MPa) { expect_jaeger(50, 5); }
+TEST(JointInGrains, At50DegreesUnder20MPa) { expect_jaeger(50, 20); }
+TEST(JointInGrains, At62DegreesUnder5MPa) { expect_jaeger(62, 5); }
+TEST(JointInGrains, At62DegreesUnder20MPa) { expect_jaeger(62, 20); }
+
+}  // namespace
+}  // namespace graincrack
