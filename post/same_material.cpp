@@ -46,6 +46,7 @@ std::string setting_difference(const RunHeader& a, const RunHeader& b) {
     }
     if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
     if (a.damping != b.damping) return "the damping";
+    if (a.damping_form != b.damping_form) return "the form of the damping";
     // Its factor follows the specimen.
     if (a.mass_scaling != b.mass_scaling) return "the mass scaling";
     if (a.platen_friction != b.platen_friction) return "the friction of the platens";

@@ -43,7 +43,8 @@ const std::vector<std::string> columns{"file",
                                        "contact_law",
                                        "contact_tensile_strength_MPa",
                                        "contact_cohesion_MPa",
-                                       "contact_friction_angle_deg"};
+                                       "contact_friction_angle_deg",
+                                       "damping_load"};
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -97,6 +98,7 @@ std::vector<Cell> strength_row(const std::string& path) {
     for (const double value : {contact.tensile_strength * 1e-6, contact.cohesion * 1e-6, contact.friction_angle / degree}) {
         row.emplace_back(value);
     }
+    row.emplace_back(run.header.damping_load);
     return row;
 }
 

@@ -125,7 +125,7 @@ inline constexpr Quantity confining_pressure{"confining_pressure", Dimension::st
 inline constexpr Quantity platen_speed{"platen_speed", Dimension::speed, 0, 1e3, "speed of each platen", true};
 inline constexpr Quantity rate_tolerance{
     "rate_tolerance", Dimension::one, 0, 0.1, "what the measures of equilibrium may reach while there is damage", true};
-inline constexpr Quantity rate_share{"rate_share", Dimension::one, 0, 10, "share of the platen speeds of another run", true};
+inline constexpr Quantity rate_share{"rate_share", Dimension::one, 0, 10, "share of the speeds of the automatic rate", true};
 inline constexpr Quantity peak_drop{
     "peak_drop", Dimension::one, 0, 1, "fall below the peak, as a share of it, that ends the test", true};
 inline constexpr Quantity max_strain{

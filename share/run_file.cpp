@@ -82,6 +82,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit.newer("rate", h.rate);
     visit.newer("rate_tolerance", h.rate_tolerance, Dimension::one);
+    visit.newer("rate_share", h.rate_share, Dimension::one);
     visit("platen_speed", h.platen_speed, Dimension::speed);
     visit("damping", h.damping, Dimension::one);
     visit.newer("damping_form", h.damping_form);

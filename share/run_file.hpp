@@ -23,6 +23,9 @@ enum class PointState : std::uint8_t { intact = 0, failed_tension = 1, failed_sh
 /// Mode of a micro-crack (dataset /cracks/mode).
 enum class CrackMode : std::uint8_t { tensile = 0, shear = 1 };
 
+/// Part of the load that damping may carry before a run warns.
+inline constexpr double trusted_damping_load = 0.01;
+
 /// Attributes of /run. Names of the attributes are the names of the members. SI units.
 struct RunHeader {
     std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
@@ -37,6 +40,7 @@ struct RunHeader {
     double confining_pressure = 0;  ///< target, Pa
     std::string rate = "fixed";     ///< "auto" | "fixed" | "blocks"
     double rate_tolerance = 0;      ///< of the measures that steer it; 0 with a fixed rate
+    double rate_share = 1;          ///< of the speeds, limits and floors of the automatic rate
     double platen_speed = 0;        ///< of each platen, m/s; where the rate is automatic, the mean of the axial loading
     double damping = 0;             ///< share of the unbalanced force, 0 for none
     std::string damping_form = "local";  ///< "combined" | "local"

@@ -29,6 +29,7 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
             {"--platen-friction", number(h.platen_friction)},
             {"--rate", h.rate},
             {"--rate-tolerance", number(h.rate_tolerance)},
+            {"--rate-share", number(h.rate_share)},
             {"the speed of the platens", number(h.platen_speed)},
             {"--damping", number(h.damping)},
             {"--damping-form", h.damping_form},

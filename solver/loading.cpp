@@ -76,11 +76,10 @@ Loading::Loading(const LoadingRequest& request, const Specimen& specimen, const 
                                 ? (1 + rock.poisson_ratio) * (1 - 2 * rock.poisson_ratio) / rock.young_modulus
                                 : (1 - rock.poisson_ratio) / rock.young_modulus),
       isotropic_(request.confining_pressure > 0),
-      control_(request.rate_tolerance, rate_scales(request.test, specimen, rock, transit_time_)),
+      control_(request.rate_tolerance, rate_scales(request.test, specimen, rock, transit_time_), request.rate_share),
       blocks_(request.platen_speed, request.rate_tolerance, rest_transits * transit_time_) {
     const double as_fast_as_the_test = request.confining_pressure / young_modulus_ * height_ / (2 * request.platen_speed);
-    const bool is_automatic = request.rate == RateKind::automatic || request.rate == RateKind::recorded;
-    ramp_time_ = is_automatic ? ramp_transits * transit_time_ : std::max(start_transits * transit_time_, as_fast_as_the_test);
+    ramp_time_ = request.rate == RateKind::automatic ? ramp_transits * transit_time_ : std::max(start_transits * transit_time_, as_fast_as_the_test);
 }
 
 double Loading::target_pressure(double time) const {
@@ -105,11 +104,6 @@ double Loading::axial_speed(const LoadingFeedback& feedback, double duration) {
             RateMeasures measures = feedback.rate;
             measures.strain = axial_strain_;
             const double speed = control_.next(measures, duration);
-            axial_strain_ += duration * (sense * speed_ + speed) / height_;
-            return sense * speed;
-        }
-        case RateKind::recorded: {
-            const double speed = request_.recorded.at(axial_strain_);
             axial_strain_ += duration * (sense * speed_ + speed) / height_;
             return sense * speed;
         }
@@ -140,7 +134,6 @@ double Loading::slowest_speed(double strain) const {
         case RateKind::fixed: return request_.platen_speed;
         case RateKind::automatic: return control_.least_speed(strain, request_.rate_tolerance);
         case RateKind::blocks: return request_.platen_speed * moving_share_of_block;
-        case RateKind::recorded: return request_.recorded.at(strain);
     }
     return request_.platen_speed;
 }
@@ -153,9 +146,8 @@ LoadingLength Loading::longest(double time_step) const {
         time += travel / parts / slowest_speed(request_.max_strain * (i + 0.5) / parts);
     }
     const double steps = time / time_step;
-    const bool is_even = request_.rate == RateKind::fixed || request_.rate == RateKind::blocks;
-    const double rows = is_even ? steps / static_cast<double>(batch_steps(time_step))
-                                : history_rows + time / (most_transits * transit_time_);
+    const double rows = request_.rate == RateKind::automatic ? history_rows + time / (most_transits * transit_time_)
+                                                             : steps / static_cast<double>(batch_steps(time_step));
     return {static_cast<std::int64_t>(steps), static_cast<std::size_t>(rows)};
 }
 

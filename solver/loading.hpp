@@ -12,7 +12,6 @@
 #include "solver/block_control.hpp"
 #include "solver/boundary.hpp"
 #include "solver/rate_control.hpp"
-#include "solver/recorded_rate.hpp"
 
 namespace graincrack {
 
@@ -28,14 +27,13 @@ constexpr std::string_view name_of(TestKind test) {
     return "?";
 }
 
-/// How the platens' speed is found: given, by the run's own measures, in blocks with rest between them, or from another run.
-enum class RateKind : std::uint8_t { fixed, automatic, blocks, recorded };
+/// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
+enum class RateKind : std::uint8_t { fixed, automatic, blocks };
 constexpr std::string_view name_of(RateKind rate) {
     switch (rate) {
         case RateKind::fixed: return "fixed";
         case RateKind::automatic: return "auto";
         case RateKind::blocks: return "blocks";
-        case RateKind::recorded: return "recorded";
     }
     return "?";
 }
@@ -46,11 +44,11 @@ struct LoadingRequest {
     RateKind rate = RateKind::fixed;
     double platen_speed = 5e-3;  ///< of each platen, m/s; not of `automatic`
     double rate_tolerance = default_rate_tolerance;
+    double rate_share = 1;  ///< of all speeds of `automatic`, see `RateControl`
     std::int64_t block_steps = 5000;
     double confining_pressure = 0;  ///< Pa
     double platen_friction = 0;     ///< rad
     double max_strain = 0.015;
-    RecordedRate recorded;  ///< of `recorded`
 };
 
 /// Platens and membrane of a test. Platens have the contacts' stiffness per area; the caps of a tension test are glued on

@@ -37,9 +37,6 @@ double strength_of(const RunHeader& h) {
 /// Ledger residual over the largest stored energy up to which a run is beyond doubt.
 constexpr double trusted_residual = 0.005;
 
-/// Part of the load that damping may carry before a run warns.
-constexpr double trusted_damping_load = 0.01;
-
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
     const std::string strength = h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa; ", strength_of(h) * 1e-6) : "";

@@ -17,11 +17,11 @@ constexpr double smoothing_transits = 1;  // over which measures are smoothed
 
 double RateControl::allowed(double near_failure) const {
     const double relaxed = tolerance_ / std::max(near_failure, 1e-9);
-    return std::clamp(relaxed, tolerance_, std::max(tolerance_, most_inertia));
+    return share_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, most_inertia));
 }
 
 double RateControl::most_speed(double strain) const {
-    return 0.5 * scales_.height / scales_.transit_time * most_rise * std::max(strain, scales_.least_strain);
+    return share_ * 0.5 * scales_.height / scales_.transit_time * most_rise * std::max(strain, scales_.least_strain);
 }
 
 double RateControl::least_speed(double strain, double allowed) const {
@@ -39,8 +39,8 @@ double RateControl::next(const RateMeasures& now, double duration) {
     force_difference_ += share * (now.force_difference - force_difference_);
     near_failure_ = std::max(near_failure_, now.near_failure);
     const double limit = allowed(near_failure_);
-    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / tolerance_,
-                                   now.damping_load / most_damping_load});
+    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / (share_ * tolerance_),
+                                   now.damping_load / (share_ * most_damping_load)});
     const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
     speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));

@@ -45,7 +45,9 @@ struct RateScales {
 
 class RateControl {
 public:
-    RateControl(double tolerance, const RateScales& scales) : tolerance_(tolerance), scales_(scales) {}
+    /// \param share of all that the measures may reach and of the slowest and fastest speed: half of it is half the speed
+    RateControl(double tolerance, const RateScales& scales, double share = 1)
+        : tolerance_(tolerance), scales_(scales), share_(share) {}
     /// Speed of each platen at the end of the next `duration` seconds, m/s.
     double next(const RateMeasures& measures, double duration);
     /// The slowest the platens ever go at a strain, m/s: a twentieth of what the tolerance means there in an elastic bar.
@@ -68,6 +70,7 @@ public:
 private:
     double tolerance_;
     RateScales scales_;
+    double share_;
     double near_failure_ = 0;  ///< the largest so far: what was once near failure is not hurried any more
     double inertia_ = 0;     ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;

@@ -36,7 +36,7 @@ public:
     }
     void complete(RunHeader& header, double time) override {
         header.isotropic_end_time = loading_.isotropic_end_time();
-        if (request_.loading.rate == RateKind::automatic || request_.loading.rate == RateKind::recorded) {
+        if (request_.loading.rate == RateKind::automatic) {
             header.platen_speed = loading_.mean_speed(time);
         }
     }

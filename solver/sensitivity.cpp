@@ -10,28 +10,23 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-SimulationRequest at_half_the_rate(SimulationRequest request, const TestOutcome& as_it_is) {
+SimulationRequest at_half_the_rate(SimulationRequest request) {
     LoadingRequest& loading = request.loading;
     switch (loading.rate) {
         case RateKind::fixed: loading.platen_speed /= 2; break;
-        case RateKind::automatic:
-            loading.rate = RateKind::recorded;
-            loading.recorded = recorded_rate("the test", as_it_is.header, as_it_is.history, 0.5);
-            break;
+        case RateKind::automatic: loading.rate_share /= 2; break;
         case RateKind::blocks:
             loading.platen_speed /= 2;
             loading.rate_tolerance /= 2;
             break;
-        case RateKind::recorded: loading.recorded.share /= 2; break;
     }
     return request;
 }
 
 }  // namespace
 
-std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, const TestOutcome& as_it_is) {
-    const double mass_scaling_factor = as_it_is.header.mass_scaling_factor;
-    std::vector<SensitivityCase> cases{{"half the rate", at_half_the_rate(request, as_it_is)}, {"half the step", request}};
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, double mass_scaling_factor) {
+    std::vector<SensitivityCase> cases{{"half the rate", at_half_the_rate(request)}, {"half the step", request}};
     cases.back().request.time_step_fraction /= 2;
     if (request.damping > 0) {
         cases.push_back({"half the damping", request});
@@ -65,7 +60,7 @@ SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& head
 std::vector<SensitivityRow> find_sensitivity(const Specimen& specimen, const SimulationRequest& request,
                                              const TestOutcome& as_it_is, Verbosity verbosity) {
     std::vector<SensitivityRow> rows{sensitivity_row("as it is", as_it_is.header, as_it_is.history)};
-    for (const SensitivityCase& each : sensitivity_cases(request, as_it_is)) {
+    for (const SensitivityCase& each : sensitivity_cases(request, as_it_is.header.mass_scaling_factor)) {
         try {
             const TestOutcome outcome =
                 run_test(each.refine ? refined(specimen) : specimen, each.request, each.changed, verbosity);

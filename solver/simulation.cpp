@@ -47,9 +47,9 @@ RunHeader make_header(const SimulationRequest& r) {
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
     h.rate = r.program ? "program" : name_of(r.loading.rate);
-    const bool is_given = r.loading.rate == RateKind::fixed || r.loading.rate == RateKind::blocks;
-    h.rate_tolerance = r.loading.rate == RateKind::automatic || r.loading.rate == RateKind::blocks ? r.loading.rate_tolerance : 0;
-    h.platen_speed = is_given ? r.loading.platen_speed : 0;
+    h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
+    h.rate_share = r.loading.rate_share;
+    h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
     h.damping = r.damping;
     h.damping_form = name_of(r.damping_form);
     h.mass_scaling = r.mass_scaling ? "selective" : "none";

@@ -28,7 +28,6 @@ struct RawOptions {
     ContactOptions contact;
     std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
-    std::string rate_from;  ///< run whose speeds are taken
     std::optional<double> rate_share;
     std::string program;   ///< its file
     double damping = NAN;  ///< of a program; NaN if not given
@@ -59,9 +58,8 @@ void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& ra
                              "counts as rest (blocks, default {})",
                              default_rate_tolerance, default_rest_tolerance));
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed, "of each platen in a block; default 5mm/s");
-    command.add_option("--rate-from", raw.rate_from, "run of the same test: platens at --rate-share of its speeds, strain by strain")
-        ->type_name("FILE");
-    add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share, "of the speeds of --rate-from; default 0.5");
+    add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share,
+                 "all speeds of the automatic rate, its limits and floors included, times this; default 1");
     add_integer(command, "--block-steps", raw.block_steps, "steps of a block; default 5000", std::int64_t{5});
 }
 
@@ -74,18 +72,10 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
         throw UsageError(std::string(raw.block_speed ? "--block-speed" : "--block-steps") +
                          ": there are no blocks; give --rate blocks, or leave it out");
     }
-    if (raw.rate_share && raw.rate_from.empty()) {
-        throw UsageError("--rate-share: of which run? give --rate-from RUN too, or leave it out");
+    if (raw.rate_share && loading.rate != RateKind::automatic) {
+        throw UsageError("--rate-share: belongs to the automatic rate; give --rate auto, or leave it out");
     }
-    if (!raw.rate_from.empty()) {
-        const RunReader run(raw.rate_from);
-        if (run.header().test != name_of(loading.test)) {
-            throw InputError(fmt::format("{}: is a run of the test {}, not {}; one of the same test fits", run.name(),
-                                         run.header().test, name_of(loading.test)));
-        }
-        loading.rate = RateKind::recorded;
-        loading.recorded = recorded_rate(run.name(), run.header(), run.history(), raw.rate_share.value_or(0.5));
-    }
+    loading.rate_share = raw.rate_share.value_or(loading.rate_share);
     loading.rate_tolerance =
         raw.rate_tolerance.value_or(loading.rate == RateKind::blocks ? default_rest_tolerance : default_rate_tolerance);
     loading.block_steps = raw.block_steps.value_or(loading.block_steps);

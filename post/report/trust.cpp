@@ -60,6 +60,15 @@ std::string rate_words(const RunHeader& h) {
     return h.rate == "blocks" ? "blocks, " + speed + " within" : speed;
 }
 
+std::string damping_words(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
+
+std::string damping_load_warning(const TestReport& t) {
+    const double load = t.data.header.damping_load;
+    return load > trusted_damping_load ? short_name(t) + ": damping carries " + percent(load) +
+                                             " of the load; where grains slide the strength is too high by several times that"
+                                       : "";
+}
+
 std::string scaling_words(const RunHeader& header) {
     if (header.mass_scaling == "none") return "none";
     return header.mass_scaling + ", " + number(header.mass_scaling_factor) + "; mass added " + number(100 * header.added_mass) +
@@ -124,6 +133,7 @@ const std::vector<Check>& checks() {
         {"ledger residual, of peak stored energy", nullptr, percent_of(&RunHeader::ledger_residual), "\u00a0%"},
         {"law mismatch, of peak stored energy", nullptr, mismatch_percent, "\u00a0%"},
         {"share of the work that damping took", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
+        {"load that damping carries before the peak", nullptr, percent_of(&RunHeader::damping_load), "\u00a0%"},
         {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
         {"confinement achieved, mean ± s.d.", confinement_words},
         {"contact zone over mean edge", nullptr,
@@ -140,9 +150,10 @@ const std::vector<Check>& checks() {
          }},
         {"separated by the end", nullptr, [](const TestReport& t) { return t.branches.separated; }},
         {"platen speed", [](const TestReport& t) { return rate_words(t.data.header); }},
-        {"damping", nullptr, [](const TestReport& t) { return t.data.header.damping; }},
+        {"damping", [](const TestReport& t) { return damping_words(t.data.header); }},
         {"mass scaling", [](const TestReport& t) { return scaling_words(t.data.header); }},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_words(t); }},
+        {"warning", damping_load_warning},
         {"warning", [](const TestReport& t) {
              return t.split && !t.split->warning.empty() ? short_name(t) + ": " + t.split->warning : std::string();
          }}};

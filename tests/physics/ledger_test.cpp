@@ -117,8 +117,9 @@ TEST(Ledger, AnErrorOfOnePerCentInATermShows) {
     const Ledger ledger = loaded(test::augig_law(), TestKind::uniaxial);
     const double residual = ledger.residual();
     EXPECT_GT(ledger.failed, 20U);
-    // Shares of the largest stored energy here: external 1.18, strain 0.93, friction 0.12, contact 0.08, fracture in shear 0.06,
-    // damping 0.02, platen 0.01, fracture in tension 0.003; mismatch 4e-4 and kinetic 2e-4 are too small to say anything.
+    // Shares of the largest stored energy here: external 1.20, strain 0.93, friction 0.13, contact 0.08, fracture in shear 0.06,
+    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and mismatch 3e-4 are too small to say anything beside
+    // a residual of 9e-6.
     std::size_t seen = 0;
     for (const Term& term : terms) {
         Ledger wrong = ledger;
@@ -135,7 +136,7 @@ TEST(Ledger, AnErrorOfOnePerCentInATermShows) {
             ++seen;
         }
     }
-    EXPECT_GE(seen, 8U) << "the residual is too large for this test to say something";
+    EXPECT_GE(seen, 7U) << "the residual is too large for this test to say something";
     // The terms that carry a compression test must be among them.
     for (const double Energies::*member : {&Energies::external, &Energies::strain, &Energies::contact}) {
         double largest = 0;

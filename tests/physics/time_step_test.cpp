@@ -79,10 +79,11 @@ Vector2 noise(const Vector2& p, double speed) {
 }
 
 /// How much faster the fastest node is after 2000 steps at a share of the exact stable step.
-double growth(double share_of_exact, double damping) {
+double growth(double share_of_exact, double damping, DampingForm form = DampingForm::combined) {
     SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
     run.parameters.time_step = share_of_exact * exact_stable_step(run);
     run.parameters.damping = damping;
+    run.parameters.damping_form = form;
     // far below the displacements at which contacts or triangles stop being linear
     run.set_velocity([](const Vector2& p) { return noise(p, 1e-9); });
     const auto fastest = [&run] {
@@ -106,15 +107,18 @@ TEST(TimeStep, BoundedAtNineTenthsAndDivergingAbove) {
     verify_between("dynamics: growth in 2000 steps at 1.05 of the stable step", growth(1.05, 0), 1e6, HUGE_VAL, "diverges");
 }
 
-// A mode at the stable step turns at every step, so that local damping is always against it together with the force: it acts
-// as if stiffness were (1 + α) times as large, and takes the step down by the root of that.
-TEST(TimeStep, LocalDampingLowersItByTheRootOfOnePlusAlpha) {
-    for (const double alpha : {0.4, 0.8}) {
-        const double limit = 1 / std::sqrt(1 + alpha);
-        verify_between("dynamics: growth at 0.97 of the stable step over sqrt(1 + damping)", growth(0.97 * limit, alpha), 0, 1e-3,
-                       "damps");
-        verify_between("dynamics: growth at 1.06 of the stable step over sqrt(1 + damping)", growth(1.06 * limit, alpha), 1e6,
-                       HUGE_VAL, "diverges");
+// A mode at the stable step turns at every step, so that damping of either form is always against it together with the force: it
+// acts as if stiffness were (1 + α) times as large, and takes the step down by the root of that.
+TEST(TimeStep, DampingLowersItByTheRootOfOnePlusAlpha) {
+    for (const DampingForm form : {DampingForm::local, DampingForm::combined}) {
+        for (const double alpha : {0.4, 0.8}) {
+            const double limit = 1 / std::sqrt(1 + alpha);
+            const std::string name = " of the stable step over sqrt(1 + damping), " + std::string(name_of(form));
+            // Where several modes are left the combined form is slower with the last of them: measured 1.6e-3.
+            verify_between("dynamics: growth at 0.97" + name, growth(0.97 * limit, alpha, form), 0,
+                           form == DampingForm::local ? 1e-3 : 4e-3, "damps");
+            verify_between("dynamics: growth at 1.06" + name, growth(1.06 * limit, alpha, form), 1e6, HUGE_VAL, "diverges");
+        }
     }
 }
 

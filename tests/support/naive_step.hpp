@@ -10,6 +10,7 @@
 
 #include "solver/boundary.hpp"
 #include "solver/contact_law.hpp"
+#include "solver/damping.hpp"
 
 namespace graincrack::test {
 
@@ -18,15 +19,17 @@ class NaiveRun {
 public:
     using Vector = Eigen::Vector2d;
 
-    NaiveRun(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double time_step, double damping)
+    NaiveRun(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double time_step, double damping, DampingForm form)
         : a_(assemblage),
           boundary_(boundary),
           law_(law),
           time_step_(time_step),
           damping_(damping),
+          form_(form),
           displacement_(assemblage.position.size(), Vector::Zero()),
           velocity_(displacement_),
           force_(displacement_),
+          last_force_(displacement_),
           history_(2 * assemblage.contacts.size()),
           platen_points_(boundary.platen_points) {}
 
@@ -41,11 +44,19 @@ public:
             Vector force = force_[i];
             for (int k = 0; k < 2; ++k) {
                 const double v = velocity_[i][k];
-                force[k] -= v == 0 ? 0.0 : std::copysign(damping_ * std::abs(force_[i][k]), v);
+                const double change = force_[i][k] - last_force_[i][k];
+                const double size = damping_ * std::abs(force_[i][k]);
+                if (form_ == DampingForm::local) {
+                    force[k] -= v == 0 ? 0.0 : std::copysign(size, v);
+                } else {
+                    force[k] -= v == 0 ? 0.0 : std::copysign(size / 2, v);
+                    force[k] += change == 0 ? 0.0 : std::copysign(size / 2, change);
+                }
             }
             velocity_[i] += time_step_ / a_.mass[i] * force;
             displacement_[i] += time_step_ * velocity_[i];
         }
+        last_force_ = force_;
     }
     [[nodiscard]] const std::vector<Vector>& displacement() const { return displacement_; }
     [[nodiscard]] const std::vector<Vector>& velocity() const { return velocity_; }
@@ -128,9 +139,11 @@ private:
     ContactLaw law_;
     double time_step_;
     double damping_;
+    DampingForm form_;
     std::vector<Vector> displacement_;
     std::vector<Vector> velocity_;
     std::vector<Vector> force_;
+    std::vector<Vector> last_force_;
     std::vector<ContactHistory> history_;
     std::vector<PlatenPoint> platen_points_;
 };

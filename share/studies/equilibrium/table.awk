@@ -6,6 +6,7 @@ FNR == 1 { head(); next }
     test = test_of(value("file"))
     name = test "-" seed_of(value("file")) "-" variant(value("file"))
     peak[name] = value("peak_compressive_stress_MPa") value("tensile_strength_MPa")
+    carried[test] = max(carried[test], value("damping_load"))
     ledger[test] = max(ledger[test], value("ledger_residual"))
     if (name !~ /-slow$/) forces[test] = max(forces[test], value("platen_force_difference"))
     achieved = value("achieved_confining_pressure_MPa")
@@ -17,41 +18,42 @@ END {
     n_seeds = split(seeds, seed_names, " ")
     n_variants = split(variants, variant_of, " ")
     first = variant_of[1]
-    line = "| test | seed | peak, MPa |"
+    row = "| test | seed | peak, MPa |"
     rule = "|---|---|---|"
     for (v = 2; v <= n_variants; ++v) {
-        line = line " " variant_of[v] ", % |"
+        row = row " " variant_of[v] ", % |"
         rule = rule "---|"
     }
-    print line
+    print row
     print rule
     for (t = 1; t <= n_tests; ++t) {
-        for (v = 2; v <= n_variants; ++v) sum[v] = worst[v] = 0
-        mean = 0
         for (s = 1; s <= n_seeds; ++s) {
             own = peak[test_names[t] "-" seed_names[s] "-" first]
-            mean += own / n_seeds
-            line = sprintf("| %s | %s | %.2f |", test_names[t], seed_names[s], own)
+            add(test_names[t], own)
+            row = sprintf("| %s | %s | %.2f |", test_names[t], seed_names[s], own)
             for (v = 2; v <= n_variants; ++v) {
                 run = test_names[t] "-" seed_names[s] "-" variant_of[v]
-                if (!(run in peak)) { sum[v] = "none"; line = line " - |"; continue }
-                if (sum[v] != "none") sum[v] += peak[run] / n_seeds
-                line = line sprintf(" %+.2f |", 100 * (peak[run] / own - 1))
+                if (!(run in peak)) { row = row " - |"; continue }
+                change = 100 * (peak[run] / own - 1)
+                add(test_names[t] variant_of[v], change)
+                row = row sprintf(" %+.2f |", change)
             }
-            print line
+            print row
         }
-        line = sprintf("| **%s** | mean | %.2f |", test_names[t], mean)
-        for (v = 2; v <= n_variants; ++v) line = line (sum[v] == "none" ? " - |" : sprintf(" %+.2f |", 100 * (sum[v] / mean - 1)))
-        print line
+        row = sprintf("| **%s** | mean, 95 %% | %.2f |", test_names[t], mean(test_names[t]))
+        for (v = 2; v <= n_variants; ++v) {
+            name = test_names[t] variant_of[v]
+            row = row (count(name) < 2 ? " - |" : sprintf(" %+.2f ± %.2f |", mean(name), half_interval(name)))
+        }
+        print row
     }
     print ""
-    print "| test | ended by | largest ledger residual | largest difference of the platen forces before the peak | largest error of the pressure |"
-    print "|---|---|---|---|---|"
+    print "| test | ended by | largest error of the energy balance | largest difference of the platen forces before the peak | damping carried at most | largest error of the pressure |"
+    print "|---|---|---|---|---|---|"
     for (t = 1; t <= n_tests; ++t) {
         test = test_names[t]
-        printf "| %s | %s | %.1e | %.2f %% | %s |\n", test, kind[test], ledger[test], 100 * forces[test],
+        printf "| %s | %s | %.1e | %.2f %% | %.2f %% | %s |\n", test, kind[test], ledger[test], 100 * forces[test], 100 * carried[test],
             (test in pressure) ? sprintf("%.2f %%", 100 * pressure[test]) : "-"
     }
 }
-function abs(x) { return x < 0 ? -x : x }
 function max(a, b) { return a + 0 > b + 0 ? a : b + 0 }

@@ -22,8 +22,8 @@ constexpr double duration = 0.25 * scales.transit_time;
 /// An elastic bar of unit mass and modulus between the platens, without ringing: K = m v²/6, U = ½ E ε² V with c² = E V/m.
 class Bar {
 public:
-    explicit Bar(double near_failure, double tolerance_of_control = tolerance)
-        : control_(tolerance_of_control, scales), near_failure_(near_failure) {}
+    explicit Bar(double near_failure, double tolerance_of_control = tolerance, double share = 1)
+        : control_(tolerance_of_control, scales, share), near_failure_(near_failure) {}
     /// Speed after some more batches.
     double speed_after(int batches) {
         for (int i = 0; i < batches; ++i) {
@@ -62,6 +62,21 @@ TEST(RateControl, HalfTheToleranceIsHalfTheSpeed) {
     Bar half(1.0, tolerance / 2);
     const double speed = whole.speed_after(4 * 400) / whole.strain();
     expect_close(half.speed_after(4 * 800) / half.strain(), speed / 2, 0.02, speed / 2);  // lags as above, 2.5 % and 1.3 %
+}
+
+TEST(RateControl, HalfTheShareIsHalfTheSpeedNearDamageAndFarFromIt) {
+    const RateControl whole(tolerance, scales);
+    const RateControl half(tolerance, scales, 0.5);
+    EXPECT_EQ(half.most_speed(1e-3), whole.most_speed(1e-3) / 2);
+    for (const double near_failure : {0.0, 1.0}) {
+        const double allowed = whole.allowed(near_failure);
+        EXPECT_EQ(half.allowed(near_failure), allowed / 2);
+        EXPECT_EQ(half.least_speed(1e-3, allowed / 2), whole.least_speed(1e-3, allowed) / 2);
+    }
+    Bar faster(1.0);
+    Bar slower(1.0, tolerance, 0.5);
+    const double speed = faster.speed_after(4 * 400) / faster.strain();
+    expect_close(slower.speed_after(4 * 800) / slower.strain(), speed / 2, 0.02, speed / 2);  // lags as above
 }
 
 TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
