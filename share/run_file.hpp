@@ -36,13 +36,13 @@ struct RunHeader {
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
-    double platen_friction = 0;     ///< rad
-    double confining_pressure = 0;  ///< target, Pa
-    std::string rate = "fixed";     ///< "auto" | "fixed" | "blocks"
-    double rate_tolerance = 0;      ///< of the measures that steer it; 0 with a fixed rate
-    double rate_share = 1;          ///< of the speeds, limits and floors of the automatic rate
-    double platen_speed = 0;        ///< of each platen, m/s; where the rate is automatic, the mean of the axial loading
-    double damping = 0;             ///< share of the unbalanced force, 0 for none
+    double platen_friction = 0;          ///< rad
+    double confining_pressure = 0;       ///< target, Pa
+    std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"
+    double rate_tolerance = 0;           ///< of the measures that steer it; 0 with a fixed rate
+    double rate_share = 1;               ///< of the speeds, limits and floors of the automatic rate
+    double platen_speed = 0;             ///< of each platen, m/s; where the rate is automatic, the mean of the axial loading
+    double damping = 0;                  ///< share of the unbalanced force, 0 for none
     std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;

@@ -3,8 +3,8 @@
 //
 //   share = ⟨−Σ Fd·v̄⟩ / ⟨Σ P·w⟩
 //
-// v̄ is the mean velocity of each node over some wave transits, P and w are forces and velocities of the platens, and ⟨⟩ is the mean
-// over the same time. It is the power of damping on the mean motion over that of the platens, and by virtual work along this
+// v̄ is the mean velocity of each node over some wave transits, P and w are forces and velocities of the platens, and ⟨⟩ is the
+// mean over the same time. It is the power of damping on the mean motion over that of the platens, and by virtual work along this
 // motion the load that damping stands for over that of the platens. What damping takes from waves, which are no part of the mean
 // motion, does not count: a brittle specimen sends them out at any rate.
 //

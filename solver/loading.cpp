@@ -79,7 +79,8 @@ Loading::Loading(const LoadingRequest& request, const Specimen& specimen, const 
       control_(request.rate_tolerance, rate_scales(request.test, specimen, rock, transit_time_), request.rate_share),
       blocks_(request.platen_speed, request.rate_tolerance, rest_transits * transit_time_) {
     const double as_fast_as_the_test = request.confining_pressure / young_modulus_ * height_ / (2 * request.platen_speed);
-    ramp_time_ = request.rate == RateKind::automatic ? ramp_transits * transit_time_ : std::max(start_transits * transit_time_, as_fast_as_the_test);
+    ramp_time_ = request.rate == RateKind::automatic ? ramp_transits * transit_time_
+                                                     : std::max(start_transits * transit_time_, as_fast_as_the_test);
 }
 
 double Loading::target_pressure(double time) const {

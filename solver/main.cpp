@@ -42,18 +42,19 @@ void print_summary(const SimulationSummary& s) {
     const std::string strength = h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa; ", strength_of(h) * 1e-6) : "";
     fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason, h.steps,
                h.time_step, strength, s.tensile_cracks, s.shear_cracks);
-    fmt::print(
-        stderr,
-        "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the work, and "
-        "carried {:.2f} % of the load before the peak\n",
-        h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
+    fmt::print(stderr,
+               "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the "
+               "work, and "
+               "carried {:.2f} % of the load before the peak\n",
+               h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
     fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns a grain-step\n", h.test, s.wall_time, s.ns_per_grain_step);
     if (h.damping_load > trusted_damping_load) {
-        fmt::print(stderr,
-                   "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %, and the strength is too "
-                   "high by that or, where grains slide, by several times as much: use a smaller --rate-tolerance, a slower --rate "
-                   "or --damping-form combined\n",
-                   h.test, 100 * h.damping_load, 100 * trusted_damping_load);
+        fmt::print(
+            stderr,
+            "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %, and the strength is too "
+            "high by that or, where grains slide, by several times as much: use a smaller --rate-tolerance, a slower --rate "
+            "or --damping-form combined\n",
+            h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
     if (h.ledger_residual > trusted_residual) {
         fmt::print(

@@ -7,8 +7,8 @@
 namespace graincrack {
 namespace {
 
-constexpr double near_growth = 1.25;    // of the jumps, under which an intact point that would fail is near it
-constexpr double near_friction = 0.5;   // of its limit, from which on a point is near sliding: friction gives no other sign
+constexpr double near_growth = 1.25;   // of the jumps, under which an intact point that would fail is near it
+constexpr double near_friction = 0.5;  // of its limit, from which on a point is near sliding: friction gives no other sign
 
 /// Least-squares slope of one displacement component over the same coordinate.
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {

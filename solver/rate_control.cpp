@@ -6,7 +6,8 @@
 namespace graincrack {
 namespace {
 
-constexpr double most_damping_load = 2e-3;  // friction multiplies what damping carries: a strength is off by up to five times that
+constexpr double most_damping_load =
+    2e-3;                                 // friction multiplies what damping carries: a strength is off by up to five times that
 constexpr double most_inertia = 0.1;      // what counts at most: kinetic energy 1e-3 of the stored energy
 constexpr double most_rise = 0.06;        // of the strain that it may rise by in a transit: platens rattle otherwise
 constexpr double follow_transits = 4;     // in which the speed rises at most e-fold; it falls in half of that

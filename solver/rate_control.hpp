@@ -72,7 +72,7 @@ private:
     RateScales scales_;
     double share_;
     double near_failure_ = 0;  ///< the largest so far: what was once near failure is not hurried any more
-    double inertia_ = 0;     ///< this and the next two: means over about a transit
+    double inertia_ = 0;       ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;
     double speed_ = 0;

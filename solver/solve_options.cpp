@@ -85,10 +85,10 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
 }
 
 void add_method_options(CLI::App& command, SimulationRequest& request) {
-    add_choice<DampingForm>(command, "--damping-form", request.damping_form,
-                            {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
-                            "combined: half against the motion, half with the rate of the force, so that steady sliding is hardly "
-                            "held back; local: all of it against the motion");
+    add_choice<DampingForm>(
+        command, "--damping-form", request.damping_form, {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
+        "combined: half against the motion, half with the rate of the force, so that steady sliding is hardly "
+        "held back; local: all of it against the motion");
     add_choice<bool>(command, "--mass-scaling", request.mass_scaling, {{"none", false}, {"selective", true}},
                      "selective: nodes that contacts hold together move against each other with a multiple of their mass");
     add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,

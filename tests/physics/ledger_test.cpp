@@ -118,8 +118,8 @@ TEST(Ledger, AnErrorOfOnePerCentInATermShows) {
     const double residual = ledger.residual();
     EXPECT_GT(ledger.failed, 20U);
     // Shares of the largest stored energy here: external 1.20, strain 0.93, friction 0.13, contact 0.08, fracture in shear 0.06,
-    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and mismatch 3e-4 are too small to say anything beside
-    // a residual of 9e-6.
+    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and mismatch 3e-4 are too small to say anything
+    // beside a residual of 9e-6.
     std::size_t seen = 0;
     for (const Term& term : terms) {
         Ledger wrong = ledger;

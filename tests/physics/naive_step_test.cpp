@@ -28,8 +28,7 @@ double difference(const std::vector<Vector2>& fast, const std::vector<NaiveRun::
 }
 
 /// A compressed, shaken rectangle after `n` steps by both. Both laws of platens stick and slide.
-void expect_equal_fields(const LawDescription& description, std::int64_t n, bool damaged, VectorTarget target,
-                         DampingForm form) {
+void expect_equal_fields(const LawDescription& description, std::int64_t n, bool damaged, VectorTarget target, DampingForm form) {
     mesher::SpecimenRequest request;
     request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
     request.grains = 80;

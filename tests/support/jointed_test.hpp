@@ -1,7 +1,7 @@
 // A plane of weakness between smooth platens, loaded with the options that a user gets who gives none.
 //
-// A joint at an angle β from the horizontal without cohesion slides at Jaeger's strength (Jaeger, Cook & Zimmerman, Fundamentals of
-// Rock Mechanics, §4.8, there with the angle of its normal):
+// A joint at an angle β from the horizontal without cohesion slides at Jaeger's strength (Jaeger, Cook & Zimmerman, Fundamentals
+// of Rock Mechanics, §4.8, there with the angle of its normal):
 //
 //   σ1 = σ3 + 2 σ3 tan φ / ((1 − tan φ/tan β) sin 2β)
 #pragma once

@@ -19,7 +19,8 @@ class NaiveRun {
 public:
     using Vector = Eigen::Vector2d;
 
-    NaiveRun(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double time_step, double damping, DampingForm form)
+    NaiveRun(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double time_step, double damping,
+             DampingForm form)
         : a_(assemblage),
           boundary_(boundary),
           law_(law),

@@ -188,9 +188,7 @@ namespace {
 
 /// Two triangles of a quadrilateral a b c d, cut along its shorter diagonal.
 std::array<Triangle, 2> cut_quadrilateral(const std::vector<Point>& points, int a, int b, int c, int d) {
-    const auto distance = [&](int i, int j) {
-        return std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1]);
-    };
+    const auto distance = [&](int i, int j) { return std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1]); };
     if (distance(a, c) < distance(b, d)) {
         return {Triangle{a, b, c}, Triangle{a, c, d}};
     }

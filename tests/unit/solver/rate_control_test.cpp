@@ -28,9 +28,9 @@ public:
     double speed_after(int batches) {
         for (int i = 0; i < batches; ++i) {
             const double stored = 0.5 * mass * wave_speed * wave_speed * strain_ * strain_;
-            speed_ =
-                control_.next({strain_, mass * speed_ * speed_ / 6, stored, unbalanced_ratio, difference, damping_load, near_failure_},
-                              duration);
+            speed_ = control_.next(
+                {strain_, mass * speed_ * speed_ / 6, stored, unbalanced_ratio, difference, damping_load, near_failure_},
+                duration);
             strain_ += 2 * speed_ * duration / scales.height;
         }
         return speed_;
@@ -92,7 +92,7 @@ TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
 }
 
 TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
-    for (double Bar::* const measure : {&Bar::unbalanced_ratio, &Bar::difference, &Bar::damping_load}) {
+    for (double Bar::*const measure : {&Bar::unbalanced_ratio, &Bar::difference, &Bar::damping_load}) {
         Bar bar(1.0);
         const double before = bar.speed_after(1000);
         bar.*measure = 20 * tolerance;
