@@ -5,7 +5,7 @@
 #include <string>
 
 #include "share/command_line.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 namespace graincrack {
 

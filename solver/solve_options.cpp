@@ -8,7 +8,7 @@
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
-#include "solver/checkpoint.hpp"
+#include "solver/run/checkpoint.hpp"
 #include "solver/contact_options.hpp"
 
 namespace graincrack {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "share/progress.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 namespace graincrack {
 

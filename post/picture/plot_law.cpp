@@ -11,7 +11,7 @@
 #include "post/picture/chart.hpp"
 #include "post/picture/numbers.hpp"
 #include "share/error.hpp"
-#include "solver/contact_law.hpp"
+#include "solver/law/contact_law.hpp"
 
 namespace graincrack {
 

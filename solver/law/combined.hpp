@@ -21,9 +21,9 @@
 
 #include <cmath>
 
-#include "solver/exponential.hpp"
+#include "solver/law/exponential.hpp"
 #include "solver/law/friction.hpp"
-#include "solver/law/intact.hpp"
+#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 

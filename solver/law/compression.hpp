@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/exponential.hpp"
+#include "solver/law/exponential.hpp"
 #include "solver/law/friction.hpp"
 
 namespace graincrack::contact_law {

@@ -23,9 +23,9 @@
 
 #include <numbers>
 
-#include "solver/exponential.hpp"
+#include "solver/law/exponential.hpp"
 #include "solver/law/friction.hpp"
-#include "solver/law/intact.hpp"
+#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 

@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "solver/law/friction.hpp"
-#include "solver/law/intact.hpp"
+#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 

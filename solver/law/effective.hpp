@@ -7,7 +7,7 @@
 #pragma once
 
 #include "solver/law/compression.hpp"
-#include "solver/law/intact.hpp"
+#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "solver/loading.hpp"
-#include "solver/mass_scaling.hpp"
-#include "solver/measure.hpp"
-#include "solver/step.hpp"
-#include "solver/time_step.hpp"
+#include "solver/loading/standard_tests.hpp"
+#include "solver/model/vertex_clusters.hpp"
+#include "solver/run/measure.hpp"
+#include "solver/step/step.hpp"
+#include "solver/setup/stable_time_step.hpp"
 #include "tests/support/augig_granite.hpp"
 
 namespace graincrack::benchmark {

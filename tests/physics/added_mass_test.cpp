@@ -1,13 +1,13 @@
 // Mass for the stiffest elements: as much as was asked for, where it is needed, and a longer step for it.
-#include "solver/added_mass.hpp"
+#include "solver/setup/element_mass.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/loading.hpp"
-#include "solver/time_step.hpp"
+#include "solver/loading/standard_tests.hpp"
+#include "solver/setup/stable_time_step.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 

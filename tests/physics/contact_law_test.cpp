@@ -1,6 +1,6 @@
 // The readings of the text alone, with every coupling: no mesh, no dynamics. Numbers are those of Augig granite with tc 24.15
 // MPa, cc 74.57 MPa, φc 48.76°, mixed-mode fracture energy, plane strain, computed from Eqs 3–14 by hand.
-#include "solver/contact_law.hpp"
+#include "solver/law/contact_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The constant-strain triangle: patch numbers, rigid rotation, forces as the gradient of the energy.
-#include "solver/element.hpp"
+#include "solver/model/element.hpp"
 
 #include <gtest/gtest.h>
 

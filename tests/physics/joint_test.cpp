@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "solver/sensitivity.hpp"
+#include "solver/run/sensitivity.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/jointed_test.hpp"
 #include "tests/support/verify.hpp"

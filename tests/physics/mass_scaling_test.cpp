@@ -1,6 +1,6 @@
 // Selective mass scaling: a longer step that stays stable while groups fall apart, the same balance at rest, momentum to
 // round-off, a closed ledger, and fragments that fly free.
-#include "solver/mass_scaling.hpp"
+#include "solver/model/vertex_clusters.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "share/h5_file.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"

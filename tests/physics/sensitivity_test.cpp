@@ -1,5 +1,5 @@
 // What --sensitivity changes and what it tells; the refined specimen.
-#include "solver/sensitivity.hpp"
+#include "solver/run/sensitivity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/assemblage.hpp"
-#include "solver/refinement.hpp"
+#include "solver/model/assemblage.hpp"
+#include "solver/run/refinement.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "share/h5_file.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"

@@ -1,5 +1,5 @@
 // The stable step against an eigenvalue found here, and the integrator: order, bounded energy, exact where it must be.
-#include "solver/time_step.hpp"
+#include "solver/setup/stable_time_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "share/material.hpp"
-#include "solver/contact_law.hpp"
+#include "solver/law/contact_law.hpp"
 
 namespace graincrack::test {
 

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/specimens.hpp"
 

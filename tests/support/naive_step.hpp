@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/boundary.hpp"
-#include "solver/contact_law.hpp"
-#include "solver/damping.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/law/contact_law.hpp"
+#include "solver/law/damping.hpp"
 
 namespace graincrack::test {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "solver/assemblage.hpp"
+#include "solver/model/assemblage.hpp"
 
 namespace graincrack::test {
 

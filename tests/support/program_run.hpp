@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/program/conductor.hpp"
-#include "solver/program/probes.hpp"
+#include "solver/loading/stage_control.hpp"
+#include "solver/run/probes.hpp"
 #include "tests/support/small_run.hpp"
 
 namespace graincrack::test {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/loading.hpp"
-#include "solver/measure.hpp"
-#include "solver/step.hpp"
-#include "solver/time_step.hpp"
+#include "solver/loading/standard_tests.hpp"
+#include "solver/run/measure.hpp"
+#include "solver/step/step.hpp"
+#include "solver/setup/stable_time_step.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/specimens.hpp"
 

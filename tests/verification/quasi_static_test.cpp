@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/verify.hpp"

@@ -1,5 +1,5 @@
 // The specimen as the kernels see it.
-#include "solver/assemblage.hpp"
+#include "solver/model/assemblage.hpp"
 
 #include <gtest/gtest.h>
 

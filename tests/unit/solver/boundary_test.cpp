@@ -1,5 +1,5 @@
 // Platens point by point, and who belongs to the boundary.
-#include "solver/boundary.hpp"
+#include "solver/model/boundary.hpp"
 
 #include <gtest/gtest.h>
 

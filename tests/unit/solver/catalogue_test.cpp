@@ -1,5 +1,5 @@
 // The catalogue of micro-cracks from the events of a step.
-#include "solver/catalogue.hpp"
+#include "solver/run/crack_log.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The contact law point by point; paths and energies are in tests/physics.
-#include "solver/contact_law.hpp"
+#include "solver/law/contact_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The load that damping carries: motions and forces set by hand.
-#include "solver/damping_load.hpp"
+#include "solver/model/damping_load.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "solver/measure.hpp"
+#include "solver/run/measure.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 

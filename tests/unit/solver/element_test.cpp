@@ -1,5 +1,5 @@
 // Pieces of the triangle; what they add up to is in tests/physics.
-#include "solver/element.hpp"
+#include "solver/model/element.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // e^(−x) against the library's.
-#include "solver/exponential.hpp"
+#include "solver/law/exponential.hpp"
 
 #include <gtest/gtest.h>
 

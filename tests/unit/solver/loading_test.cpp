@@ -1,5 +1,5 @@
 // How platens and pressure move in the four tests.
-#include "solver/loading.hpp"
+#include "solver/loading/standard_tests.hpp"
 
 #include <gtest/gtest.h>
 

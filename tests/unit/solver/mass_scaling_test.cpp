@@ -1,5 +1,5 @@
 // Who shares a vertex, and by which contact points.
-#include "solver/mass_scaling.hpp"
+#include "solver/model/vertex_clusters.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Gauges, energies and frames of states set by hand.
-#include "solver/measure.hpp"
+#include "solver/run/measure.hpp"
 
 #include <gtest/gtest.h>
 

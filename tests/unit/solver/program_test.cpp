@@ -1,5 +1,5 @@
 // The program's file, its functions of time, and its stages.
-#include "solver/program/program.hpp"
+#include "solver/setup/program.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "share/error.hpp"
-#include "solver/program/conductor.hpp"
+#include "solver/loading/stage_control.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"

@@ -1,12 +1,12 @@
 // The automatic rate and loading in blocks: measures in, speed out.
-#include "solver/rate_control.hpp"
+#include "solver/loading/rate_control.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "share/error.hpp"
-#include "solver/block_control.hpp"
+#include "solver/loading/block_control.hpp"
 #include "tests/support/check.hpp"
 
 namespace graincrack {

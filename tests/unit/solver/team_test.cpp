@@ -1,5 +1,5 @@
 // The barrier of a team, also with more threads than processors, and how many threads are worth having.
-#include "solver/team.hpp"
+#include "solver/step/thread_team.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The stable step where it has a closed form.
-#include "solver/time_step.hpp"
+#include "solver/setup/stable_time_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,174 @@
+// The search: cells over exposed edges, and the pairs near each other.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "solver/model/state.hpp"
+#include "solver/model/contact_pairs.hpp"
+
+namespace graincrack {
+namespace {
+
+Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
+
+/// Nodes that are tied to each other by contact points that are not loose, at a vertex of the specimen: the smallest node of the
+/// group each belongs to.
+std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list) {
+    std::vector<std::int32_t> root(a.position.size());
+    std::iota(root.begin(), root.end(), 0);
+    const auto find = [&root](std::int32_t i) {
+        while (root[i] != i) {
+            root[i] = root[root[i]];
+            i = root[i];
+        }
+        return i;
+    };
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            if (list.loose[2 * c + p] == 0) {
+                const std::int32_t i = find(a.contacts[c].nodes[p]);
+                const std::int32_t j = find(a.contacts[c].nodes[2 + p]);
+                root[std::max(i, j)] = std::min(i, j);
+            }
+        }
+    }
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(root.size()); ++i) {
+        root[i] = find(i);
+    }
+    return root;
+}
+
+bool is_loose(const TouchList& list, std::int32_t contact) {
+    return contact >= 0 &&
+           (list.loose[2 * static_cast<std::size_t>(contact)] != 0 || list.loose[2 * static_cast<std::size_t>(contact) + 1] != 0);
+}
+
+bool is_exposed(const TouchList& list, const Outline& outline, const OutlineEdge& edge) {
+    const auto has_loose = [&](std::int32_t e) { return e >= 0 && is_loose(list, outline.edges[e].contact); };
+    return edge.contact < 0 || is_loose(list, edge.contact) || has_loose(edge.previous) || has_loose(edge.next);
+}
+
+struct Box {
+    Vector2 low, high;
+};
+Box around(const Vector2& p, const Vector2& q, double margin) {
+    return {{std::min(p.x, q.x) - margin, std::min(p.y, q.y) - margin},
+            {std::max(p.x, q.x) + margin, std::max(p.y, q.y) + margin}};
+}
+
+bool holds(const Box& box, const Vector2& p) {
+    return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+}
+
+/// Square cells that hold the exposed edges near them. The origin is the lower left corner of all edges.
+class Cells {
+public:
+    Cells(const std::vector<Box>& boxes, double size) : size_(size) {
+        if (boxes.empty()) {
+            begin_.assign(2, 0);
+            return;
+        }
+        Box all = boxes.front();
+        for (const Box& box : boxes) {
+            all = {{std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)},
+                   {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)}};
+        }
+        // Fragments may fly far: cells grow rather than become many more than edges.
+        const double area = (all.high.x - all.low.x) * (all.high.y - all.low.y);
+        size_ = std::max(size_, std::sqrt(area / (4 * static_cast<double>(boxes.size()) + 64)));
+        origin_ = all.low;
+        columns_ = column((all.high.x)) + 1;
+        rows_ = row(all.high.y) + 1;
+        begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+        for_cells_of(boxes, [this](std::size_t cell, std::int32_t) { ++begin_[cell + 1]; });
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        edges_.resize(begin_.back());
+        std::vector<std::int32_t> at(begin_.begin(), begin_.end() - 1);
+        for_cells_of(boxes, [&](std::size_t cell, std::int32_t box) { edges_[at[cell]++] = box; });
+    }
+    /// Calls `visit` with the index of every box that may hold `p`.
+    template <class Visit>
+    void visit_near(const Vector2& p, Visit&& visit) const {
+        const std::int32_t i = column(p.x);
+        const std::int32_t j = row(p.y);
+        if (i < 0 || j < 0 || i >= columns_ || j >= rows_) {
+            return;
+        }
+        const std::size_t cell = cell_of(i, j);
+        for (std::int32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
+            visit(edges_[k]);
+        }
+    }
+
+private:
+    [[nodiscard]] std::int32_t column(double x) const { return static_cast<std::int32_t>(std::floor((x - origin_.x) / size_)); }
+    [[nodiscard]] std::int32_t row(double y) const { return static_cast<std::int32_t>(std::floor((y - origin_.y) / size_)); }
+    [[nodiscard]] std::size_t cell_of(std::int32_t i, std::int32_t j) const {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+    }
+    template <class Visit>
+    void for_cells_of(const std::vector<Box>& boxes, Visit&& visit) const {
+        for (std::int32_t b = 0; b < static_cast<std::int32_t>(boxes.size()); ++b) {
+            for (std::int32_t j = row(boxes[b].low.y); j <= row(boxes[b].high.y); ++j) {
+                for (std::int32_t i = column(boxes[b].low.x); i <= column(boxes[b].high.x); ++i) {
+                    visit(cell_of(i, j), b);
+                }
+            }
+        }
+    }
+    double size_;
+    Vector2 origin_;
+    std::int32_t columns_ = 0, rows_ = 0;
+    std::vector<std::int32_t> begin_, edges_;
+};
+
+}  // namespace
+
+std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const State& s) {
+    const Outline& outline = a.outline;
+    std::vector<std::int32_t> edges;
+    std::vector<Box> boxes;
+    std::vector<std::uint8_t> is_exposed_node(a.position.size(), 0);
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(outline.edges.size()); ++e) {
+        const OutlineEdge& edge = outline.edges[e];
+        if (is_exposed(s.touches, outline, edge)) {
+            edges.push_back(e);
+            boxes.push_back(around(place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]), margin));
+            is_exposed_node[edge.nodes[0]] = is_exposed_node[edge.nodes[1]] = 1;
+        }
+    }
+    const Cells cells(boxes, outline.mean_length);
+    const std::vector<std::int32_t> tied = tied_nodes(a, s.touches);
+    std::vector<TouchPair> pairs;
+    for (std::int32_t node = 0; node < a.n_nodes(); ++node) {
+        if (is_exposed_node[node] == 0) {
+            continue;
+        }
+        const Vector2 p = place_of(a, s, node);
+        cells.visit_near(p, [&](std::int32_t box) {
+            const OutlineEdge& edge = outline.edges[edges[box]];
+            if (!holds(boxes[box], p) || edge.grain == outline.grain_of_node[node]) {
+                return;
+            }
+            const Vector2 first = place_of(a, s, edge.nodes[0]);
+            const Vector2 along = place_of(a, s, edge.nodes[1]) - first;
+            const double place = std::clamp(dot(p - first, along) / dot(along, along), 0.0, 1.0);
+            if (length(p - first - place * along) > margin) {
+                return;
+            }
+            const bool is_tied = tied[node] == tied[edge.nodes[0]] || tied[node] == tied[edge.nodes[1]];
+            const bool is_partner =
+                edge.contact >= 0 && std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
+                                               node) != a.contacts[edge.contact].nodes.end();
+            if (is_partner ? s.touches.released[edge.contact] != 0 : !is_tied) {
+                pairs.push_back({node, edges[box]});
+            }
+        });
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+}  // namespace graincrack

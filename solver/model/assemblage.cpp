@@ -1,0 +1,120 @@
+#include "solver/model/assemblage.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t block_elements = 64;  // a block's nodes, elements and forces stay within a first-level cache
+
+/// Nodes sorted by grain; nodes of no element come last.
+std::vector<std::int32_t> order_nodes(const Specimen& s) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    std::vector<std::int32_t> order(s.n_nodes());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&grain](std::int32_t i, std::int32_t j) {
+        return static_cast<std::uint32_t>(grain[i]) < static_cast<std::uint32_t>(grain[j]);
+    });
+    return order;
+}
+
+void add_elements(Assemblage& a, const Specimen& s, double density) {
+    a.mass.assign(s.n_nodes(), 0.0);
+    for (const auto& nodes : s.element_nodes) {
+        const std::array<std::int32_t, 3> n{a.node_of_specimen[nodes[0]], a.node_of_specimen[nodes[1]],
+                                            a.node_of_specimen[nodes[2]]};
+        a.element_nodes.push_back(n);
+        const TriangleGeometry g = make_triangle_geometry(a.position[n[0]], a.position[n[1]], a.position[n[2]]);
+        a.element_geometry.push_back(g);
+        for (const std::int32_t node : n) {
+            a.mass[node] += density * g.area / 3;
+        }
+    }
+    a.rock_mass = a.mass;
+    a.inverse_mass.resize(a.mass.size());
+    std::transform(a.mass.begin(), a.mass.end(), a.inverse_mass.begin(), [](double m) { return m > 0 ? 1 / m : 0.0; });
+}
+
+void add_contacts(Assemblage& a, const Specimen& s) {
+    for (const auto& nodes : s.contact_nodes) {
+        ContactGeometry g{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            g.nodes[k] = a.node_of_specimen[nodes[k]];
+        }
+        g.edge = a.position[g.nodes[1]] - a.position[g.nodes[0]];
+        g.point_area = 0.5 * length(g.edge);
+        a.contact_length += length(g.edge);
+        a.contacts.push_back(g);
+    }
+    for (std::int32_t c = 0; c < a.n_contacts(); c += contacts_per_block) {
+        a.contact_blocks.push_back({c, std::min(c + contacts_per_block, a.n_contacts())});
+    }
+    // Every node of an outline has an edge on either side.
+    const auto none = static_cast<std::int32_t>(a.contact_blocks.size()) * slot_stride;
+    a.slots.assign(a.position.size(), {none, none});
+    for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
+        for (std::int32_t k = 0; k < 4; ++k) {
+            const std::int32_t node = a.contacts[c].nodes[k];
+            const auto free = std::find(a.slots[node].begin(), a.slots[node].end(), none);
+            if (free != a.slots[node].end()) {
+                *free = slot_of(c, k);
+            } else {
+                a.further_slots.push_back({node, slot_of(c, k)});
+            }
+        }
+    }
+    std::stable_sort(a.further_slots.begin(), a.further_slots.end(),
+                     [](const FurtherSlot& l, const FurtherSlot& r) { return l.node < r.node; });
+}
+
+/// The first further slot of a node not below `node`.
+std::int32_t first_further_slot(const Assemblage& a, std::int32_t node) {
+    const auto it = std::lower_bound(a.further_slots.begin(), a.further_slots.end(), node,
+                                     [](const FurtherSlot& slot, std::int32_t at) { return slot.node < at; });
+    return static_cast<std::int32_t>(it - a.further_slots.begin());
+}
+
+/// Cuts grains into blocks of about `block_elements` elements; nodes follow their grains.
+void cut_blocks(Assemblage& a, const Specimen& s) {
+    std::int32_t begin = 0;
+    std::int32_t node_begin = 0;
+    std::int32_t further_begin = 0;
+    const std::int32_t n = a.n_elements();
+    for (std::int32_t e = 1; e <= n; ++e) {
+        const bool grain_ends = e == n || s.element_grain[e] != s.element_grain[e - 1];
+        if (!grain_ends || (e < n && e - begin < block_elements)) {
+            continue;
+        }
+        std::int32_t node_end = node_begin;
+        for (std::int32_t i = begin; i < e; ++i) {
+            node_end = std::max({node_end, a.element_nodes[i][0] + 1, a.element_nodes[i][1] + 1, a.element_nodes[i][2] + 1});
+        }
+        const Range further{further_begin, first_further_slot(a, node_end)};
+        a.grain_blocks.push_back({{begin, e}, {node_begin, node_end}, further});
+        begin = e;
+        node_begin = node_end;
+        further_begin = further.end;
+    }
+}
+
+}  // namespace
+
+Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane) {
+    Assemblage a;
+    a.elasticity = make_plane_elasticity(rock.young_modulus, rock.poisson_ratio, plane);
+    const std::vector<std::int32_t> order = order_nodes(specimen);
+    a.node_of_specimen.resize(order.size());
+    a.position.resize(order.size());
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(order.size()); ++i) {
+        a.node_of_specimen[order[i]] = i;
+        a.position[i] = {specimen.node_position[order[i]][0], specimen.node_position[order[i]][1]};
+    }
+    add_elements(a, specimen, rock.density);
+    add_contacts(a, specimen);
+    cut_blocks(a, specimen);
+    a.outline = make_outline(specimen, a.node_of_specimen);
+    return a;
+}
+
+}  // namespace graincrack

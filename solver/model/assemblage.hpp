@@ -1,0 +1,103 @@
+// The assemblage as the kernels see it: constant data in structures of arrays, grains in the order of the specimen,
+// cut into blocks that one thread works on at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "share/fracture_process_zone.hpp"
+#include "share/specimen.hpp"
+#include "solver/model/element.hpp"
+#include "solver/model/surface.hpp"
+#include "solver/vector2.hpp"
+#include "solver/simd.hpp"
+
+namespace graincrack {
+
+/// Most contacts in a block.
+inline constexpr std::int32_t contacts_per_block = 64;
+
+/// A half-open range of indices.
+struct Range {
+    std::int32_t begin = 0;
+    std::int32_t end = 0;
+    [[nodiscard]] std::int32_t size() const { return end - begin; }
+};
+
+/// A contact's constant geometry.
+struct ContactGeometry {
+    std::array<std::int32_t, 4> nodes;  ///< a1 a2 b1 b2
+    Vector2 edge;                       ///< a1 → a2 in the reference, m
+    double point_area;                  ///< of one of its two points: half the edge × 1 m, m²
+};
+
+/// Slots of contact forces lie by block: [block][a1 a2 b1 b2][x y][contacts_per_block]. A slot is named by where its x is in
+/// `State::contact_force`; its y is `contacts_per_block` farther.
+inline constexpr std::int32_t slot_stride = 8 * contacts_per_block;
+inline std::int32_t slot_of(std::int32_t contact, std::int32_t node) {
+    return contact / contacts_per_block * slot_stride + 2 * node * contacts_per_block + contact % contacts_per_block;
+}
+
+/// Geometry of all triangles, side by side.
+struct TriangleTable {
+    std::vector<double> gradient1_x, gradient1_y, gradient2_x, gradient2_y, area;
+    [[nodiscard]] std::size_t size() const { return area.size(); }
+    TriangleGeometry operator[](std::size_t e) const {
+        return {{gradient1_x[e], gradient1_y[e]}, {gradient2_x[e], gradient2_y[e]}, area[e]};
+    }
+    void push_back(const TriangleGeometry& g) {
+        gradient1_x.push_back(g.gradient1.x);
+        gradient1_y.push_back(g.gradient1.y);
+        gradient2_x.push_back(g.gradient2.x);
+        gradient2_y.push_back(g.gradient2.y);
+        area.push_back(g.area);
+    }
+};
+
+/// A node that contacts meet at more than twice: grains whose outline touches itself.
+struct FurtherSlot {
+    std::int32_t node, slot;
+};
+
+/// A group of grains with their elements and nodes, all contiguous; no node is shared between blocks.
+struct GrainBlock {
+    Range elements;
+    Range nodes;
+    Range further_slots;
+};
+
+/// Constant data of a run. Node order: by grain, within a grain as in the specimen.
+struct Assemblage {
+    PlaneElasticity elasticity;
+    std::vector<Vector2> position;                           ///< [n] reference, m
+    std::vector<double> mass;                                ///< [n] kg per metre of thickness
+    std::vector<double> inverse_mass;                        ///< [n]
+    std::vector<double> rock_mass;                           ///< [n] what gravity pulls: without mass that scaling adds
+    std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e]
+    TriangleTable element_geometry;                          ///< [e]
+    std::vector<ContactGeometry> contacts;                   ///< [c]
+    std::vector<std::array<std::int32_t, 2>> slots;  ///< [n] the contact forces on a node: a slot of zero where there is none
+    std::vector<FurtherSlot> further_slots;          ///< ascending by node
+    std::vector<GrainBlock> grain_blocks;
+    std::vector<Range> contact_blocks;
+    std::vector<std::int32_t> node_of_specimen;  ///< [n] internal index of a node of the specimen
+    Outline outline;
+    double contact_length = 0;                            ///< sum over contacts, m
+    VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
+
+    /// Of contact forces: all blocks, and a slot that stays zero.
+    [[nodiscard]] std::size_t n_slot_values() const { return contact_blocks.size() * slot_stride + 2UL * contacts_per_block; }
+    [[nodiscard]] std::int32_t n_nodes() const { return static_cast<std::int32_t>(position.size()); }
+    [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contacts.size()); }
+    [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }
+};
+
+/// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
+Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);
+
+/// Below a fifth of its length a mid-edge (of the two facing edges) has lost its direction: the grains have turned by over
+/// 150° to each other and face each other no more. Compared as squares.
+inline constexpr double lost_frame = 0.04;
+
+}  // namespace graincrack

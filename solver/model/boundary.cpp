@@ -1,0 +1,80 @@
+#include "solver/model/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graincrack {
+namespace {
+
+/// The boundary as a horizontal platen meets it.
+struct SpecimenFaces {
+    std::vector<bool> has_node;         ///< [n]
+    std::vector<double> facing_length;  ///< [n] half the horizontal extent of the boundary edges at a node, m
+};
+SpecimenFaces specimen_faces(const Assemblage& a, const Specimen& s) {
+    SpecimenFaces o{std::vector<bool>(a.position.size(), false), std::vector<double>(a.position.size(), 0.0)};
+    for (const auto& edge : s.boundary_edges) {
+        const std::int32_t i = a.node_of_specimen[edge[0]];
+        const std::int32_t j = a.node_of_specimen[edge[1]];
+        const double half = 0.5 * std::abs(a.position[j].x - a.position[i].x);
+        for (const std::int32_t node : {i, j}) {
+            o.has_node[node] = true;
+            o.facing_length[node] += half;
+        }
+    }
+    return o;
+}
+
+/// Ranges of `nodes` (sorted) that fall into the node range of each block.
+template <class NodeOf>
+std::vector<Range> ranges_by_block(const Assemblage& a, std::int32_t count, NodeOf&& node_of) {
+    std::vector<Range> ranges;
+    std::int32_t i = 0;
+    for (const GrainBlock& block : a.grain_blocks) {
+        Range range{i, i};
+        while (range.end < count && node_of(range.end) < block.nodes.end) {
+            ++range.end;
+        }
+        i = range.end;
+        ranges.push_back(range);
+    }
+    return ranges;
+}
+
+}  // namespace
+
+Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<Platen, 2>& platens, double reach,
+                       const std::vector<std::uint8_t>& membrane_parts) {
+    Boundary b;
+    b.platens = platens;
+    const SpecimenFaces boundary = specimen_faces(a, s);
+    // What stands upright or inside can be met only later, by a corner: it stands for half a mean contact on either side.
+    const double corner_tributary = a.contacts.empty() ? 0 : a.contact_length / static_cast<double>(a.contacts.size());
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        for (std::int32_t p = 0; p < 2; ++p) {
+            const double gap = platens[p].side * (a.position[i].y - platens[p].position);
+            const bool outer = boundary.has_node[i];
+            const double facing = boundary.facing_length[i];
+            const double tributary = facing > 1e-9 * s.width ? facing : corner_tributary;
+            // A glued cap holds the face it is glued to; a platen may be met by anything near.
+            const bool touches = gap > -1e-9 * s.height;
+            const bool candidate = platens[p].bonded ? outer && touches : gap > -reach;
+            if (candidate) {
+                b.platen_points.push_back({i, p, tributary, std::min(gap, 0.0), 0, 0, outer || touches});
+            }
+        }
+    }
+    b.platen_points_of_block = ranges_by_block(a, static_cast<std::int32_t>(b.platen_points.size()),
+                                               [&](std::int32_t i) { return b.platen_points[i].node; });
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        if (std::find(membrane_parts.begin(), membrane_parts.end(), s.boundary_part[e]) != membrane_parts.end()) {
+            b.membrane_edges.push_back({a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]});
+        }
+    }
+    std::sort(b.membrane_edges.begin(), b.membrane_edges.end());
+    b.membrane_edges_of_block = ranges_by_block(a, static_cast<std::int32_t>(b.membrane_edges.size()),
+                                                [&](std::int32_t i) { return b.membrane_edges[i][0]; });
+    return b;
+}
+
+}  // namespace graincrack

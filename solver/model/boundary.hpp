@@ -1,0 +1,111 @@
+// Boundary conditions of a step as data: rigid platens with Coulomb friction and a membrane that carries pressure.
+// Nothing here knows which test is running.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/prescribed.hpp"
+
+namespace graincrack {
+
+/// A rigid platen, horizontal, infinitely wide, moving along y.
+struct Platen {
+    double side = 1;              ///< +1: the specimen is below it (top), −1: above it (bottom)
+    double position = 0;          ///< y of its face at the start, m
+    double normal_stiffness = 0;  ///< penalty, Pa/m
+    double shear_stiffness = 0;   ///< Pa/m; 0 for a smooth platen
+    double tan_friction = 0;
+    bool bonded = false;  ///< pulls as well as pushes (glued cap)
+};
+inline constexpr std::size_t bottom_platen = 0;
+inline constexpr std::size_t top_platen = 1;
+
+/// A node that may meet a platen, with what it remembers.
+struct PlatenPoint {
+    std::int32_t node = 0;
+    std::int32_t platen = 0;
+    double tributary = 0;      ///< length of platen it stands for, m
+    double gap = 0;            ///< penetration at the start (≤ 0: apart), m
+    double anchor = 0;         ///< x displacement from which the friction spring is stretched, m
+    double shear = 0;          ///< of the friction spring at the last update, N
+    bool on_boundary = false;  ///< its node ends a boundary edge, or meets the platen at the start
+};
+
+/// What a platen does to a point at one instant.
+struct PlatenResponse {
+    Vector2 force;        ///< on the node, N
+    double anchor = 0;    ///< new
+    double shear = 0;     ///< new
+    double friction = 0;  ///< dissipated on the way here, J
+    double stored = 0;    ///< in the penalty springs, J
+};
+/// How far a point is inside a platen, m; below 0: apart.
+/// \param u displacement of the node, m
+/// \param platen_displacement of the platen, m
+inline double platen_penetration(const Platen& platen, const PlatenPoint& point, const Vector2& u, double platen_displacement) {
+    return point.gap + platen.side * (u.y - platen_displacement);
+}
+inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& point, const Vector2& u,
+                                      double platen_displacement) {
+    const double penetration = platen_penetration(platen, point, u, platen_displacement);
+    if (penetration <= 0 && !platen.bonded) {
+        return {{}, u.x, 0, 0, 0};
+    }
+    const double kn = platen.normal_stiffness * point.tributary;
+    const double ks = platen.shear_stiffness * point.tributary;
+    const double pressure = kn * penetration;
+    PlatenResponse r{{0, -platen.side * pressure}, u.x, 0, 0, 0.5 * kn * penetration * penetration};
+    if (ks > 0 && pressure > 0) {
+        const double trial = ks * (u.x - point.anchor);
+        const double limit = pressure * platen.tan_friction;
+        r.shear = std::clamp(trial, -limit, limit);
+        r.force.x = -r.shear;
+        r.stored += 0.5 * r.shear * r.shear / ks;
+        if (r.shear == trial) {
+            r.anchor = point.anchor;
+        } else {
+            r.anchor = u.x - r.shear / ks;
+            r.friction = 0.5 * (point.shear + r.shear) * (r.anchor - point.anchor);
+        }
+    }
+    return r;
+}
+
+/// Boundary data of a run, sorted by node; ranges by block of grains.
+struct Boundary {
+    std::array<Platen, 2> platens;
+    std::vector<PlatenPoint> platen_points;
+    std::vector<Range> platen_points_of_block;
+    std::vector<std::array<std::int32_t, 2>> membrane_edges;  ///< solid on the left
+    std::vector<Range> membrane_edges_of_block;
+    Drives drives;
+};
+
+/// Motion of the platens and pressure of the membrane over one step.
+struct StepLoading {
+    std::array<double, 2> platen_displacement{};  ///< now, m
+    std::array<double, 2> increment_before{};     ///< of the step that led here, m
+    std::array<double, 2> increment_after{};      ///< of the step that leads on, m
+    double pressure = 0;                          ///< now, Pa
+    std::vector<double> channels;                 ///< of the drives: velocities of the step that leads on, loads now
+};
+
+/// Loading over a batch of steps: speeds and pressure change linearly from its first step to its last.
+struct BatchLoading {
+    std::array<double, 2> velocity_begin{};  ///< of the platens along y, m/s
+    std::array<double, 2> velocity_end{};
+    double pressure_begin = 0;
+    double pressure_end = 0;
+    const std::vector<Channel>* channels = nullptr;  ///< of the drives, if there are any
+};
+
+/// Finds the nodes that may meet a platen (within `reach` of its face) and the membrane's edges (`membrane_parts`).
+Boundary make_boundary(const Assemblage& assemblage, const Specimen& specimen, const std::array<Platen, 2>& platens, double reach,
+                       const std::vector<std::uint8_t>& membrane_parts);
+
+}  // namespace graincrack

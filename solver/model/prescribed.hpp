@@ -1,0 +1,80 @@
+// What a program does to the specimen besides platens and membrane: prescribed velocities of nodes, tractions and pressures on
+// boundary edges, gravity. Constant data of a run; the values come from channels, functions of time.
+//
+// A driven component of a node moves as prescribed; it has no inertia of its own to damp, and its reaction is the force that
+// makes it so, R = m Δv/Δt − F. Each force does its work, as every force of the scheme, over the mean of the displacements before
+// and after it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/amplitude.hpp"
+
+namespace graincrack {
+
+struct State;
+struct StepLoading;
+
+/// No channel, nor control.
+inline constexpr std::int32_t no_channel = -1;
+
+/// A node of which a component moves as prescribed while its channel has a number; NaN leaves it free.
+struct DrivenNode {
+    std::int32_t node = 0;
+    std::array<std::int32_t, 2> channel{no_channel, no_channel};  ///< of its velocity along x and y, m/s
+    std::array<std::int32_t, 2> control{no_channel, no_channel};  ///< by which it is driven
+};
+
+/// A boundary edge that carries a load.
+struct LoadedEdge {
+    std::array<std::int32_t, 2> nodes{};  ///< solid on the left
+    std::array<std::int32_t, 2> traction{no_channel,
+                                         no_channel};  ///< channels of a dead traction along x and y, per reference length, Pa
+    std::int32_t pressure = no_channel;                ///< channel of a pressure that follows the edge, Pa
+    std::int32_t control = no_channel;
+    double length = 0;  ///< reference, m
+};
+
+/// Sorted by node; ranges by block of grains.
+struct Drives {
+    Vector2 gravity;  ///< m/s²
+    std::vector<DrivenNode> nodes;
+    std::vector<Range> nodes_of_block;
+    std::vector<LoadedEdge> edges;
+    std::vector<Range> edges_of_block;
+    [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && gravity.x == 0 && gravity.y == 0; }
+};
+/// Sorts nodes and edges and finds their ranges.
+void arrange_drives(const Assemblage& assemblage, Drives& drives);
+
+/// What a step leaves of the drives: scratch, except that probes read it.
+struct DriveState {
+    struct Node {
+        Vector2 reaction;      ///< against the other forces, without inertia, N; 0 where free
+        Vector2 velocity;      ///< prescribed for the step, m/s; NaN where free
+        Vector2 displacement;  ///< before the step, m
+        Vector2 old_velocity;  ///< m/s
+    };
+    std::vector<Node> nodes;
+    std::vector<Vector2> load;     ///< of an edge, on each of its ends, N
+    std::vector<double> pressing;  ///< the part of it along x that is pressure, N
+};
+
+/// Adds gravity and the edges' loads to `state.force`, then takes the forces off driven components and keeps them as reactions.
+void add_drives(const Assemblage& assemblage, const Drives& drives, const StepLoading& loading, std::int32_t block, State& state);
+
+/// Work of gravity and of the edges' loads over half a step at the present velocities, J.
+double load_half_work(const Assemblage& assemblage, const Drives& drives, std::int32_t block, double time_step,
+                      const State& state);
+/// Work of the reactions over half a step at the velocities that led here, as if driven nodes went on at them, J.
+double reaction_half_work(const Drives& drives, double time_step, const State& state);
+
+/// Before and after the nodes of a block are moved: driven components move as prescribed. \return work of their reactions, J
+void hold_driven(const Drives& drives, std::int32_t block, State& state);
+double lead_driven(const Assemblage& assemblage, const Drives& drives, std::int32_t block, double time_step, State& state);
+
+}  // namespace graincrack

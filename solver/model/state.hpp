@@ -1,0 +1,122 @@
+// Everything that changes during a run.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/law/contact_law.hpp"
+#include "solver/model/damping_load.hpp"
+#include "solver/model/vertex_clusters.hpp"
+#include "solver/model/contact_pairs.hpp"
+
+namespace graincrack {
+
+/// A contact point that failed or separated during a step.
+struct ContactEvent {
+    std::int64_t step = 0;
+    std::int32_t contact = 0;
+    std::uint8_t point = 0;
+    bool is_separation = false;
+    CrackMode mode = CrackMode::tensile;
+    ContactMotion motion;
+    ContactTraction peak_traction;  ///< of the step before, still short of the peak
+    Vector2 tangent;
+    Vector2 position;  ///< middle of the half-edge the point stands for
+};
+
+/// Energies summed over the contacts of a block since the start, J.
+struct ContactSums {
+    double fracture_tension = 0;
+    double fracture_shear = 0;
+    double friction = 0;
+    double mismatch = 0;
+};
+/// Energies summed over the grains of a block since the start, J.
+struct GrainSums {
+    double damping = 0;
+    double platen_work = 0;
+    double membrane_work = 0;
+    double load_work = 0;      ///< of gravity and loaded edges, and kinetic energy given at the start
+    double reaction_work = 0;  ///< of driven nodes
+    double platen_friction = 0;
+};
+
+/// What failed points remember. Kept for blocks of contacts of which a point has failed; all other points remember nothing.
+class PointMemories {
+public:
+    PointMemories() = default;
+    explicit PointMemories(std::size_t n_points) : blocks_((n_points + points_per_block - 1) / points_per_block) {}
+    const ContactHistory& operator[](std::size_t point) const {
+        const auto& block = blocks_[point / points_per_block];
+        return block.empty() ? nothing_ : block[point % points_per_block];
+    }
+    /// To be written to, by the thread that works on the block.
+    ContactHistory& of(std::size_t point) {
+        auto& block = blocks_[point / points_per_block];
+        if (block.empty()) {
+            block.resize(points_per_block);
+        }
+        return block[point % points_per_block];
+    }
+
+private:
+    static constexpr std::size_t points_per_block = 2UL * contacts_per_block;
+    static constexpr ContactHistory nothing_{};
+    std::vector<std::vector<ContactHistory>> blocks_;
+};
+
+struct State {
+    std::int64_t step = 0;
+    double time = 0;
+    std::int64_t integrations = 0;      ///< steps, or parts of them where they are made of parts
+    std::int64_t origin_step = 0;       ///< from which on the time step is what it is
+    double origin_time = 0;             ///< of that step, s
+    std::vector<Vector2> displacement;  ///< [n] m, at `time`
+    std::vector<Vector2> velocity;      ///< [n] m/s, half a step before `time`
+    std::vector<Vector2> force;         ///< [n] N, scratch of the node stage
+    std::vector<Vector2> last_force;    ///< [n] N, of the step before, for the rate of `force`
+    std::vector<Vector2> drag;          ///< [n] N, scratch of integration with mass scaling and of measurements
+    std::vector<std::uint8_t>
+        touching;  ///< [n] 1 + the platen it is on or close to (`group_reach`), else 0; scratch of the node stage
+    std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
+    std::vector<double> opening;          ///< [2 c] m, at `time`
+    std::vector<double> sliding;          ///< [2 c] m, at `time`
+    std::vector<double> cohesion_left;    ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
+    std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
+    std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
+    std::vector<std::uint8_t> spent;      ///< [2 c] 1 once friction is all that is left of it (`is_spent`)
+    PointMemories points;                 ///< [2 c] what failed points remember besides; see `history_of`
+    std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
+    TouchList touches;
+    std::vector<PlatenPoint> platen_points;
+    std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
+    std::vector<GrainSums> grain_sums;              ///< by block of grains
+    std::vector<ContactSums> contact_sums;          ///< by block of contacts
+    std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
+    StepLoading loading;                            ///< at `time`
+    GroupState groups;                              ///< with mass scaling
+    DriveState drives;
+    DampingLoad damping_load;
+    bool in_parts = false;  ///< mass scaling is over, see `StepParameters::parts`
+};
+
+/// Time of a step, s.
+inline double time_of(const State& state, std::int64_t step, double time_step) {
+    return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
+}
+
+/// History of contact point 2 c + p with its present motion, cohesion and slip.
+inline ContactHistory history_of(const State& state, std::size_t point) {
+    ContactHistory history = state.points[point];
+    history.motion = {state.opening[point], state.sliding[point]};
+    history.cohesion_left = state.cohesion_left[point];
+    history.slip = state.slip[point];
+    return history;
+}
+
+/// The state at rest; pre-existing cracks start broken.
+State make_state(const Assemblage& assemblage, const Boundary& boundary, const Specimen& specimen);
+
+}  // namespace graincrack

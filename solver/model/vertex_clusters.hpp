@@ -1,0 +1,145 @@
+// Selective mass scaling: the nodes that contacts hold together at a vertex of the reference mesh move against each other with
+// 1 + β times their mass, and together with their own (Olovsson, Simonsson & Unosson 2005 do so for the nodes of an element).
+//
+// For a group of nodes held together, with masses m and total mass m_g:
+//
+//   M' = M + β (M − m mᵀ/m_g)            a_i = ā + (f_i/m_i − ā)/(1 + β),  ā = Σf/m_g
+//
+// Contacts are much stiffer than grains, so it is their relative motion that limits the step: what is slowed is the vibration
+// over a contact, which a quasi-static test does not ask for. Balance at rest and momentum stay what they are; angular momentum
+// of the relative motion does not.
+//
+// A contact point holds its two nodes together while it carries something or soon may: until it has separated and opened by
+// `group_reach`, and again when it comes as close. Groups are what is connected by such points, so fragments fly free of each
+// other. Where they are to meet others than their first partners (`StepParameters::parts`) mass scaling is over. A group that
+// touches a platen, or comes as close to one, is held by it as by a mass without limit: ā is the platen's. What that mass takes
+// to be moved along with the platen is the platen's work.
+//
+// When groups change, nodes that part keep their velocities, and nodes that meet their momentum M' v (kept velocities would make
+// energy there). Both lose kinetic energy, never gain any; what is lost is booked.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/boundary.hpp"
+
+namespace graincrack {
+
+struct State;
+struct StepParameters;
+
+/// Opening of a separated contact at which its nodes part, over its length. What moves freely has its own mass, and would run
+/// deep into a contact that is stiff for that mass; it must be slowed before. At the speed to which a grain springs back from
+/// 100 MPa, σ/√(ρ E) = 12 m/s, a step with mass scaling (5e-7 s) takes it 1.2e-3 of a 5 mm edge.
+inline constexpr double group_reach = 4e-3;
+
+/// Most members in a block of groups.
+inline constexpr std::int32_t members_per_block = 256;
+
+/// Constant data of the scaling. Default: none.
+struct MassScaling {
+    /// A contact point that joins two members.
+    struct Tie {
+        std::int32_t first, second;  ///< members
+        std::int32_t point;          ///< 2 c + p
+        double reach;                ///< opening up to which it holds them once it has separated, m
+    };
+    double factor = 0;                  ///< β; 0: masses are as they are
+    std::vector<std::int32_t> members;  ///< [n] all nodes, group by group
+    std::vector<Tie> ties;              ///< group by group
+    std::vector<Range> groups;          ///< of members
+    std::vector<Range> ties_of_group;
+    std::vector<Range> blocks;  ///< of groups, that one thread works on at a time; at most `members_per_block` members each
+    /// Masses of members, each twice: of x and of y.
+    std::vector<double> mass, inverse_mass;
+    [[nodiscard]] bool is_on() const { return factor > 0; }
+    [[nodiscard]] Range members_of(std::int32_t block) const {
+        return {groups[blocks[block].begin].begin, groups[blocks[block].end - 1].end};
+    }
+};
+/// \throws InputError if more nodes meet at a vertex than a block can hold
+MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
+
+/// Energies summed over a block of groups since the start, J.
+struct GroupSums {
+    double damping = 0;
+    double shed = 0;         ///< kinetic energy that changes of groups took away
+    double platen_work = 0;  ///< done on the added mass that platens hold
+};
+
+/// A member that a platen holds.
+struct HeldMember {
+    std::int32_t place;   ///< within the block
+    std::uint8_t holder;  ///< see `GroupState::holder`
+};
+
+/// Who is held together now.
+struct GroupState {
+    std::vector<std::uint8_t> tied;       ///< [tie] 1 while the point holds its nodes together
+    std::vector<std::uint8_t> supported;  ///< [member] `State::touching` of the node
+    std::vector<std::uint8_t> holder;     ///< [member] of the component it is the first of: 1 + its platen, 0 if none holds it
+    std::vector<std::int32_t> component;  ///< [member] first member of those it is held together with
+    std::vector<double> inverse_mass;     ///< [member] of the component it is the first of; 0 if a platen holds that, 1/kg
+    std::vector<std::uint8_t> whole;      ///< [group] 1 while all of its members are held together
+    std::vector<GroupSums> sums;          ///< by block
+
+    // Found by `complete_group_state`: who is held, and where groups may change.
+    std::vector<std::vector<HeldMember>> held;              ///< by block
+    std::vector<std::int32_t> block_of_point;               ///< [2 c]
+    std::vector<std::uint8_t> cracked;                      ///< by block: 1 once a point of it has failed
+    std::vector<std::vector<std::int32_t>> platen_members;  ///< by block: members that platens may touch
+    /// To be told by whatever thread sees a point fail.
+    void note_failure(std::size_t point) {
+        if (!block_of_point.empty()) {
+            std::atomic_ref(cracked[block_of_point[point]]).store(1, std::memory_order_relaxed);
+        }
+    }
+};
+/// The groups of the state as it is, away from platens.
+GroupState make_group_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
+
+/// Finds what follows from the rest of the state: `whole`, `held` and where groups may change.
+void complete_group_state(const MassScaling& scaling, State& state);
+
+/// Velocities of the platens, by `GroupState::holder`.
+class PlatenVelocities {
+public:
+    /// As node velocities: half a step before now.
+    PlatenVelocities(const StepLoading& loading, double time_step)
+        : velocity_{Vector2{}, {0, loading.increment_before[0] / time_step}, {0, loading.increment_before[1] / time_step}} {}
+    [[nodiscard]] const Vector2& operator[](std::uint8_t holder) const { return velocity_[holder]; }
+
+private:
+    std::array<Vector2, 3> velocity_;
+};
+
+/// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
+/// books what they shed.
+void update_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                   State& state);
+
+/// Damping of a block of groups, into `state.drag`: of the mean motion of those held together against the force on all of
+/// them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it: the forces
+/// in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
+void damp_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                 State& state);
+
+/// Takes the added mass away for good, at the present velocities and `state.force`, and books what it sheds.
+/// \param time_step of the steps to come, s
+void shed_added_mass(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, double time_step,
+                     State& state);
+
+/// Damps and integrates the nodes of a block of groups: v += Δt M'⁻¹ (F + Fd), u += Δt v.
+void integrate_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
+                      std::int32_t block, State& state);
+
+/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a block of groups, v against the platen where one holds them, J.
+double added_kinetic_energy(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
+                            std::int32_t block, const State& state);
+
+}  // namespace graincrack

@@ -1,0 +1,57 @@
+#include "solver/run/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Options of a test as its header tells them, as words. Numbers with all their digits.
+std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) {
+    const auto number = [](double value) { return fmt::format("{}", value); };
+    return {{"the test", h.test},
+            {"--material", h.material},
+            {"--contact-law", h.contact_law},
+            {"--coupling", h.coupling},
+            {"--contact-tensile-strength", number(h.contact.tensile_strength)},
+            {"--contact-cohesion", number(h.contact.cohesion)},
+            {"--contact-friction-angle", number(h.contact.friction_angle)},
+            {"--contact-open-shear-strength", number(h.contact.open_shear_strength)},
+            {"the contacts' normal stiffness", number(h.contact.normal_stiffness)},
+            {"the contacts' shear stiffness", number(h.contact.shear_stiffness)},
+            {"--fracture-energy", number(h.contact.fracture_energy)},
+            {"the fracture energy in shear", number(h.contact.mode_ii_fracture_energy)},
+            {"--confining-pressure", number(h.confining_pressure)},
+            {"--platen-friction", number(h.platen_friction)},
+            {"--rate", h.rate},
+            {"--rate-tolerance", number(h.rate_tolerance)},
+            {"--rate-share", number(h.rate_share)},
+            {"the speed of the platens", number(h.platen_speed)},
+            {"--damping", number(h.damping)},
+            {"--damping-form", h.damping_form},
+            {"the time step", number(h.time_step)}};
+}
+
+}  // namespace
+
+bool is_checkpoint(const std::string& path) { return RunReader(path).header().stop_reason == "checkpoint"; }
+
+void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now) {
+    if (before.stop_reason != "checkpoint") {
+        throw InputError(name + ": is a run that has ended, no checkpoint; a test goes on from RUN.checkpoint");
+    }
+    const auto old_options = options_of(before);
+    const auto options = options_of(now);
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (options[i].second != old_options[i].second) {
+            throw InputError(fmt::format("{}: {} was {}, not {} (SI units); a test goes on as it began", name, options[i].first,
+                                         old_options[i].second, options[i].second));
+        }
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,70 @@
+#include "solver/run/crack_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace graincrack {
+namespace {
+
+Crack make_crack(const ContactEvent& event, double length, double time) {
+    Crack crack;
+    crack.time = time;
+    crack.step = event.step;
+    crack.contact = event.contact;
+    crack.point = event.point;
+    crack.mode = event.mode;
+    crack.mode_angle = std::atan2(std::abs(event.peak_traction.shear), event.peak_traction.normal);
+    crack.position = {event.position.x, event.position.y};
+    const double angle = std::atan2(event.tangent.y, event.tangent.x);
+    crack.orientation = angle < 0 ? angle + std::numbers::pi : (angle >= std::numbers::pi ? angle - std::numbers::pi : angle);
+    crack.length = length;
+    crack.opening = event.motion.opening;
+    crack.sliding = event.motion.sliding;
+    return crack;
+}
+
+}  // namespace
+
+void CrackCatalogue::collect(const Assemblage& a, double time_step, State& state) {
+    std::vector<ContactEvent> events;
+    for (std::vector<ContactEvent>& block : state.events) {
+        events.insert(events.end(), block.begin(), block.end());
+        block.clear();
+    }
+    std::sort(events.begin(), events.end(), [](const ContactEvent& l, const ContactEvent& r) {
+        return std::tie(l.step, l.contact, l.point, l.is_separation) < std::tie(r.step, r.contact, r.point, r.is_separation);
+    });
+    for (const ContactEvent& event : events) {
+        const std::size_t point = 2 * static_cast<std::size_t>(event.contact) + event.point;
+        const double time = time_of(state, event.step, time_step);
+        if (event.is_separation) {
+            if (crack_of_point_[point] >= 0) {
+                cracks_[crack_of_point_[point]].time_separated = time;
+            }
+            continue;
+        }
+        crack_of_point_[point] = static_cast<std::int32_t>(cracks_.size());
+        cracks_.push_back(make_crack(event, a.contacts[event.contact].point_area, time));
+        tensile_ += event.mode == CrackMode::tensile ? 1 : 0;
+    }
+}
+
+void CrackCatalogue::restore(const std::vector<Crack>& rows) {
+    cracks_ = rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        crack_of_point_[2 * static_cast<std::size_t>(rows[i].contact) + rows[i].point] = static_cast<std::int32_t>(i);
+        tensile_ += rows[i].mode == CrackMode::tensile ? 1 : 0;
+    }
+}
+
+std::vector<Crack> CrackCatalogue::rows(const State& state) const {
+    std::vector<Crack> rows = cracks_;
+    for (Crack& crack : rows) {
+        crack.energy_released = state.fracture_energy[2 * static_cast<std::size_t>(crack.contact) + crack.point];
+    }
+    return rows;
+}
+
+}  // namespace graincrack

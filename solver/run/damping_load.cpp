@@ -1,0 +1,23 @@
+#include "solver/model/damping_load.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+void follow_damping_load(const State& s, double platen_power, double time_constant, DampingLoad& load) {
+    const double share = -std::expm1(-(s.time - load.time) / time_constant);
+    load.time = s.time;
+    double power = 0;
+    for (std::size_t i = 0; i < s.displacement.size(); ++i) {
+        const Vector2 lag = s.displacement[i] - load.mean_displacement[i];
+        load.mean_displacement[i] += share * lag;
+        power -= dot(s.drag[i], lag);
+    }
+    load.damping_power += share * (power / time_constant - load.damping_power);
+    load.platen_power += share * (platen_power - load.platen_power);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,33 @@
+// Which moments of a run become frames.
+#pragma once
+
+#include <optional>
+
+#include "share/run_file.hpp"
+#include "solver/model/assemblage.hpp"
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+/// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
+class FrameKeeper {
+public:
+    /// \param wanted at least so many evenly spaced frames, 0 for none; in the end there are up to twice as many
+    /// \param first_interval of strain, doubled whenever there are too many
+    FrameKeeper(int wanted, double first_interval, RunWriter& writer);
+    /// Adds a frame when the strain has come to the next interval.
+    void regular(double strain, const Assemblage& assemblage, const ContactLaw& law, const State& state);
+    /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.
+    void peak(bool is_highest, bool has_fallen, const Assemblage& assemblage, const ContactLaw& law, const State& state);
+    void last(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+
+private:
+    int wanted_;
+    double interval_;
+    RunWriter& writer_;
+    double next_ = 0;
+    int regular_ = 0;
+    std::optional<Frame> peak_;
+};
+
+}  // namespace graincrack

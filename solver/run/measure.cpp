@@ -1,0 +1,266 @@
+#include "solver/run/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace graincrack {
+namespace {
+
+constexpr double near_growth = 1.25;   // of the jumps, under which an intact point that would fail is near it
+constexpr double near_friction = 0.5;  // of its limit, from which on a point is near sliding: friction gives no other sign
+
+/// Least-squares slope of one displacement component over the same coordinate.
+Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
+    const auto coordinate = [&](std::int32_t i) { return along_y ? a.position[i].y : a.position[i].x; };
+    double mean = 0;
+    for (const std::int32_t i : nodes) {
+        mean += coordinate(i);
+    }
+    mean /= static_cast<double>(std::max<std::size_t>(nodes.size(), 1));
+    double square = 0;
+    for (const std::int32_t i : nodes) {
+        square += (coordinate(i) - mean) * (coordinate(i) - mean);
+    }
+    Gauge gauge{along_y, {}};
+    if (square > 0) {
+        for (const std::int32_t i : nodes) {
+            gauge.terms.push_back({i, (coordinate(i) - mean) / square});
+        }
+    }
+    return gauge;
+}
+
+/// Nodes of the lateral boundary: side −1 left, +1 right.
+std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, double side) {
+    constexpr double tan_15_degrees = 0.2679491924311227;
+    const auto part = static_cast<std::uint8_t>(side < 0 ? BoundaryPart::left : BoundaryPart::right);
+    std::vector<std::int32_t> nodes;
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        for (const std::int32_t specimen_node : s.boundary_edges[e]) {
+            const std::int32_t i = a.node_of_specimen[specimen_node];
+            const Vector2& p = a.position[i];
+            const bool near_axis = s.boundary_part[e] == static_cast<std::uint8_t>(BoundaryPart::rim) && side * p.x > 0 &&
+                                   std::abs(p.y) <= tan_15_degrees * std::abs(p.x);
+            if (s.boundary_part[e] == part || near_axis) {
+                nodes.push_back(i);
+            }
+        }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+/// Damping at this instant, into `drag`.
+void find_drag(const Assemblage& a, const StepParameters& parameters, State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        update_groups(a, parameters, s.loading, block, s);
+        damp_groups(a, parameters, s.loading, block, s);
+    }
+    for (std::size_t i = 0; i < s.drag.size() && !scaling.is_on(); ++i) {
+        s.drag[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
+    }
+}
+
+double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s, double& unbalanced) {
+    double energy = 0;
+    for (const GrainBlock& block : a.grain_blocks) {
+        double sum = 0;
+        for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
+            const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.drag[i]);
+            sum += a.mass[i] * dot(s.velocity[i], next);
+            unbalanced += length(s.force[i]);
+        }
+        energy += 0.5 * sum;
+    }
+    return energy;
+}
+
+double damping_half_work(const Assemblage& a, const StepParameters& parameters, const State& s) {
+    double absorbed = 0;
+    for (const GrainBlock& block : a.grain_blocks) {
+        for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
+            absorbed -= dot(s.drag[i], s.velocity[i]);
+        }
+    }
+    return 0.5 * parameters.time_step * absorbed;
+}
+
+double strain_energy(const Assemblage& a, const State& s, double& element_force) {
+    double energy = 0;
+    for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
+        const auto [n0, n1, n2] = a.element_nodes[e];
+        const TriangleGeometry& g = a.element_geometry[e];
+        const TriangleState t =
+            triangle_state(g, a.elasticity, s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0]);
+        energy += triangle_energy(g, t);
+        const TriangleForces f = triangle_forces(g, t);
+        element_force += length(f.on_node0()) + length(f.on_node1) + length(f.on_node2);
+    }
+    return energy;
+}
+
+void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        if (s.touches.released[c] != 0) {
+            continue;
+        }
+        energies.contact +=
+            a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
+    }
+    energies.contact += stored_in_touches(law, s.touches);
+    energies.friction += std::accumulate(s.touches.friction.begin(), s.touches.friction.end(), s.touches.friction_before);
+    for (const ContactSums& sums : s.contact_sums) {
+        energies.fracture_tension += sums.fracture_tension;
+        energies.fracture_shear += sums.fracture_shear;
+        energies.friction += sums.friction;
+        energies.mismatch += sums.mismatch;
+    }
+}
+
+void add_platen_energies(const Boundary& boundary, double time_step, const State& s, Measurement& m) {
+    for (const PlatenPoint& point : s.platen_points) {
+        const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
+                                                 s.loading.platen_displacement[point.platen]);
+        m.energies.platen += r.stored + r.friction;
+        const double way = s.loading.increment_before[point.platen];
+        m.energies.external += 0.5 * r.force.y * way;
+        m.platen_power += r.force.y * way / time_step;
+        (static_cast<std::size_t>(point.platen) == top_platen ? m.force_top : m.force_bottom) += r.force.y;
+    }
+}
+
+void add_drive_energies(const Assemblage& a, const Drives& drives, double time_step, const State& s, Measurement& m) {
+    if (drives.empty()) {
+        return;
+    }
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
+        m.energies.external += load_half_work(a, drives, block, time_step, s);
+    }
+    m.energies.external += reaction_half_work(drives, time_step, s);
+    for (const double pressing : s.drives.pressing) {
+        m.membrane_force += std::abs(pressing);
+    }
+}
+
+}  // namespace
+
+double Gauge::strain(const std::vector<Vector2>& displacement) const {
+    double sum = 0;
+    for (const Term& term : terms) {
+        sum += term.weight * (along_y ? displacement[term.node].y : displacement[term.node].x);
+    }
+    return sum;
+}
+
+Gauges make_gauges(const Assemblage& a, const Specimen& s) {
+    std::vector<std::int32_t> central;
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        const Vector2& p = a.position[i];
+        if (std::abs(p.y) <= s.height / 4 && (s.shape != "disc" || std::abs(p.x) <= s.width / 4)) {
+            central.push_back(i);
+        }
+    }
+    Gauges gauges{slope_gauge(a, true, central), slope_gauge(a, false, central), {false, {}}};
+    for (const double side : {-1.0, 1.0}) {
+        const std::vector<std::int32_t> nodes = lateral_nodes(a, s, side);
+        for (const std::int32_t i : nodes) {
+            gauges.widening.terms.push_back({i, side / (static_cast<double>(nodes.size()) * s.width)});
+        }
+    }
+    return gauges;
+}
+
+Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& whole, State& s) {
+    const StepParameters of_parts = parameters_of_parts(whole);
+    const StepParameters& parameters = s.in_parts ? of_parts : whole;
+    Measurement m;
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
+        sum_nodal_forces(a, boundary, s.loading, block, false, s);
+    }
+    double unbalanced = 0;
+    double element_force = 0;
+    m.energies.strain = strain_energy(a, s, element_force);
+    find_drag(a, parameters, s);
+    m.own_kinetic = kinetic_energy(a, parameters, s, unbalanced);
+    m.energies.kinetic = m.own_kinetic;
+    m.energies.damping = damping_half_work(a, parameters, s);
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
+        m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
+    }
+    for (const GroupSums& sums : s.groups.sums) {
+        m.energies.damping += sums.damping + sums.shed;
+        m.energies.external += sums.platen_work;
+    }
+    m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
+    add_contact_energies(a, parameters.law, s, m.energies);
+    add_platen_energies(boundary, parameters.time_step, s, m);
+    for (std::size_t e = 0; e < boundary.membrane_edges.size(); ++e) {
+        const auto [first, second] = boundary.membrane_edges[e];
+        m.energies.external += 0.5 * parameters.time_step * dot(s.membrane_force[e], s.velocity[first] + s.velocity[second]);
+        m.membrane_force += std::abs(s.membrane_force[e].x);  // two ends an edge, two sides: the mean of the sides
+    }
+    add_drive_energies(a, boundary.drives, parameters.time_step, s, m);
+    for (const GrainSums& sums : s.grain_sums) {
+        m.energies.damping += sums.damping;
+        m.energies.external += sums.platen_work + sums.membrane_work + sums.load_work + sums.reaction_work;
+        m.energies.platen += sums.platen_friction;
+    }
+    return m;
+}
+
+double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) {
+    std::size_t near = 0;
+    contact_law::with_law(law.variant, [&](auto kind) {
+        for (std::size_t i = 0; i < 2 * a.contacts.size(); ++i) {
+            const double opening = s.opening[i];
+            const double sliding = s.sliding[i];
+            if (s.failed[i] == 0) {
+                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.cohesion_left[i]};
+                near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+            } else if (opening < 0 && s.touches.released[i / 2] == 0) {
+                const double limit = contact_law::friction_limit(law, {opening, sliding});
+                near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
+            }
+        }
+    });
+    for (const Touch& touch : s.touches.touches) {
+        const double limit = law.kt * touch.pressing * law.tan_phi;
+        near += touch.active && touch.pressing > 0 && std::abs(law.ks * touch.stretch) >= near_friction * limit ? 1 : 0;
+    }
+    const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));
+    return std::min(1.0, static_cast<double>(near) / half_a_line);
+}
+
+Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
+    Frame frame;
+    frame.time = s.time;
+    frame.step = s.step;
+    for (const std::int32_t i : a.node_of_specimen) {
+        frame.displacement.push_back({s.displacement[i].x, s.displacement[i].y});
+        frame.velocity.push_back({s.velocity[i].x, s.velocity[i].y});
+    }
+    for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
+        const auto [n0, n1, n2] = a.element_nodes[e];
+        frame.element_stress.push_back(triangle_stress(
+            a.elasticity, triangle_state(a.element_geometry[e], a.elasticity, s.displacement[n1] - s.displacement[n0],
+                                         s.displacement[n2] - s.displacement[n0])));
+    }
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        const ContactHistory h0 = history_of(s, 2 * c);
+        const ContactHistory h1 = history_of(s, 2 * c + 1);
+        const bool released = s.touches.released[c] != 0;  // what it carries are touches
+        const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
+        const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;
+        frame.opening.push_back({h0.motion.opening, h1.motion.opening});
+        frame.sliding.push_back({h0.motion.sliding, h1.motion.sliding});
+        frame.traction.push_back({t0.normal, t0.shear, t1.normal, t1.shear});
+        frame.damage.push_back({damage(law, h0), damage(law, h1)});
+        frame.state.push_back({static_cast<std::uint8_t>(point_state(h0)), static_cast<std::uint8_t>(point_state(h1))});
+    }
+    return frame;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,71 @@
+// What a run measures at an instant: energies, forces of the platens, strains. Serial, in fixed order.
+#pragma once
+
+#include <vector>
+
+#include "share/run_file.hpp"
+#include "solver/model/assemblage.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/model/state.hpp"
+#include "solver/step/step.hpp"
+
+namespace graincrack {
+
+/// A strain as a linear function of displacements: Σ weight · component, by least squares over the nodes of a region.
+struct Gauge {
+    struct Term {
+        std::int32_t node;
+        double weight;  ///< 1/m
+    };
+    bool along_y = false;
+    std::vector<Term> terms;
+    [[nodiscard]] double strain(const std::vector<Vector2>& displacement) const;
+};
+
+/// The four strain measures of the history.
+struct Gauges {
+    Gauge axial;     ///< slope of u_y over y in the central half
+    Gauge lateral;   ///< slope of u_x over x in the central half
+    Gauge widening;  ///< mean u_x of the right boundary less that of the left, over the width
+};
+/// The central half: |y| ≤ height/4, and |x| ≤ width/4 where the specimen is a disc. The boundary gauge takes parts left
+/// and right, of a disc the rim within 15° of the x axis.
+Gauges make_gauges(const Assemblage& assemblage, const Specimen& specimen);
+
+/// All energies of the ledger, J per metre of thickness; each from its own definition.
+struct Energies {
+    double external = 0, kinetic = 0, strain = 0, contact = 0, fracture_tension = 0, fracture_shear = 0, friction = 0,
+           damping = 0, platen = 0, mismatch = 0;
+    /// external − all the others
+    [[nodiscard]] double imbalance() const {
+        return external -
+               (kinetic + strain + contact + fracture_tension + fracture_shear + friction + damping + platen + mismatch);
+    }
+    [[nodiscard]] double stored() const { return strain + contact; }
+};
+
+struct Measurement {
+    Energies energies;
+    double force_bottom = 0;  ///< axial force on the specimen, tension positive, N
+    double force_top = 0;
+    double platen_power = 0;      ///< of both platens on the specimen, W
+    double membrane_force = 0;    ///< lateral force of the membrane, mean of both sides, N
+    double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
+    double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
+};
+
+/// Measures the state at its time: potential energies of the present displacements, kinetic energy ½ m v(n−½)·v(n+½)
+/// (conserved by the scheme together with a quadratic potential), and the work of dampers, platens and membrane up to now.
+/// `state.force` is used as scratch.
+Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
+
+/// How much of a line across the specimen is near failure or slides, 0 to 1: contact points that would fail if their jumps grew
+/// by a quarter, closed failed ones whose friction has reached half its limit, and node–edge contacts of which that is true; over
+/// half the root of the number of contact points, about as many as stand on half a line across. A line is what it takes: one
+/// joint that slides lets the whole specimen move. Pure.
+double near_failure(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+
+/// The state as a frame of the run file, in the specimen's own order.
+Frame make_frame(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+
+}  // namespace graincrack

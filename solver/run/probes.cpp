@@ -1,0 +1,163 @@
+#include "solver/run/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "share/error.hpp"
+#include "solver/setup/regions.hpp"
+
+namespace graincrack {
+namespace {
+
+double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
+
+/// Shares of the corners of a triangle at a point of it.
+std::array<double, 3> weights_at(const Assemblage& a, std::int32_t element, const Vector2& p) {
+    const auto [n0, n1, n2] = a.element_nodes[element];
+    const Vector2 e1 = a.position[n1] - a.position[n0];
+    const Vector2 e2 = a.position[n2] - a.position[n0];
+    const Vector2 d = p - a.position[n0];
+    const double area = cross(e1, e2);
+    const double w1 = cross(d, e2) / area;
+    const double w2 = cross(e1, d) / area;
+    return {1 - w1 - w2, w1, w2};
+}
+
+Vector2 centre_of(const Assemblage& a, std::int32_t element) {
+    const auto [n0, n1, n2] = a.element_nodes[element];
+    return (1.0 / 3) * (a.position[n0] + a.position[n1] + a.position[n2]);
+}
+
+Vector2 mean_displacement(const std::vector<std::int32_t>& nodes, const State& s) {
+    Vector2 sum;
+    for (const std::int32_t i : nodes) {
+        sum += s.displacement[i];
+    }
+    return (1 / static_cast<double>(nodes.size())) * sum;
+}
+
+Vector2 force_of_control(std::int32_t control, const Drives& drives, const State& s) {
+    Vector2 force;
+    for (std::size_t i = 0; i < drives.nodes.size(); ++i) {
+        const DriveState::Node& node = s.drives.nodes[i];
+        force += {drives.nodes[i].control[0] == control ? node.reaction.x : 0,
+                  drives.nodes[i].control[1] == control ? node.reaction.y : 0};
+    }
+    for (std::size_t i = 0; i < drives.edges.size(); ++i) {
+        force += drives.edges[i].control == control ? 2.0 * s.drives.load[i] : Vector2{};
+    }
+    return force;
+}
+
+std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
+    std::vector<double> sum(4, 0.0);
+    double area = 0;
+    for (const std::int32_t e : elements) {
+        const auto [n0, n1, n2] = a.element_nodes[e];
+        const TriangleGeometry& g = a.element_geometry[e];
+        const auto stress = triangle_stress(a.elasticity, triangle_state(g, a.elasticity, s.displacement[n1] - s.displacement[n0],
+                                                                         s.displacement[n2] - s.displacement[n0]));
+        for (std::size_t k = 0; k < 4; ++k) {
+            sum[k] += g.area * stress[k];
+        }
+        area += g.area;
+    }
+    for (double& component : sum) {
+        component /= area;
+    }
+    return sum;
+}
+
+ProbeHistory empty_history(const std::string& name, const std::vector<ProbeColumn>& columns) {
+    return {name, columns, std::vector<std::vector<double>>(columns.size())};
+}
+
+}  // namespace
+
+Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
+    for (const Control& control : program.controls) {
+        nodes_of_control_.push_back(members_of(control.region, a, s, program.file + ": boundary." + control.name).nodes);
+        histories_.push_back(empty_history(control.name, control_columns()));
+    }
+    for (const ProbeRequest& request : program.probes) {
+        const std::string where = program.file + ": probe." + request.name;
+        if (request.is_circle) {
+            std::vector<std::int32_t> elements;
+            for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+                if (length(centre_of(a, e) - request.centre) <= request.radius) {
+                    elements.push_back(e);
+                }
+            }
+            if (elements.empty()) {
+                throw InputError(where + ": no element has its centre in this circle; a larger one, or one inside, fits");
+            }
+            request_at_.emplace_back(true, circles_.size());
+            circles_.push_back(elements);
+        } else {
+            std::int32_t best = 0;
+            double inside = -1e300;
+            for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+                const auto w = weights_at(a, e, request.centre);
+                const double least = *std::min_element(w.begin(), w.end());
+                if (least > inside) {
+                    inside = least;
+                    best = e;
+                }
+            }
+            constexpr double round_off = -1e-9;
+            if (inside < round_off) {
+                throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
+            }
+            request_at_.emplace_back(false, points_.size());
+            points_.push_back({a.element_nodes[best], weights_at(a, best, request.centre)});
+        }
+        histories_.push_back(empty_history(request.name, request.is_circle ? circle_columns() : point_columns()));
+    }
+}
+
+void Probes::push(std::size_t probe, const std::vector<double>& row) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+        histories_[probe].values[c].push_back(row[c]);
+    }
+}
+
+void Probes::record(const Assemblage& a, const Boundary& boundary, const State& s) {
+    std::size_t probe = 0;
+    for (std::size_t c = 0; c < nodes_of_control_.size(); ++c) {
+        const Vector2 u = mean_displacement(nodes_of_control_[c], s);
+        const Vector2 force = force_of_control(static_cast<std::int32_t>(c), boundary.drives, s);
+        push(probe++, {u.x, u.y, force.x, force.y});
+    }
+    for (const auto& [is_circle, at] : request_at_) {
+        if (is_circle) {
+            push(probe++, mean_stress(a, circles_[at], s));
+            continue;
+        }
+        Vector2 u;
+        Vector2 v;
+        for (std::size_t k = 0; k < 3; ++k) {
+            u += points_[at].weights[k] * s.displacement[points_[at].nodes[k]];
+            v += points_[at].weights[k] * s.velocity[points_[at].nodes[k]];
+        }
+        push(probe++, {u.x, u.y, v.x, v.y});
+    }
+}
+
+void Probes::restore(const H5Input& checkpoint) {
+    for (ProbeHistory& history : histories_) {
+        const ProbeHistory saved = read_probe(checkpoint, history.name);
+        for (std::size_t c = 0; c < history.columns.size(); ++c) {
+            const auto at = std::find_if(saved.columns.begin(), saved.columns.end(),
+                                         [&](const ProbeColumn& column) { return column.name == history.columns[c].name; });
+            history.values[c] = saved.values.at(static_cast<std::size_t>(at - saved.columns.begin()));
+        }
+    }
+}
+
+const std::vector<double>& Probes::column_of(const std::string& probe, std::size_t column) const {
+    const auto found = std::find_if(histories_.begin(), histories_.end(), [&](const ProbeHistory& h) { return h.name == probe; });
+    return found->values[column];
+}
+
+}  // namespace graincrack

@@ -1,0 +1,45 @@
+// What a program watches: motion of points, mean stress in circles, motion of and force on what it drives and loads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "share/probe_file.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/setup/program.hpp"
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+class Probes {
+public:
+    /// \throws InputError for a point outside of the specimen, or a circle without the centre of an element
+    Probes(const Program& program, const Assemblage& assemblage, const Specimen& specimen);
+    /// Adds a row of the state after `measure`, which leaves the forces of its time in it.
+    void record(const Assemblage& assemblage, const Boundary& boundary, const State& state);
+    [[nodiscard]] const std::vector<ProbeHistory>& histories() const { return histories_; }
+    /// Takes over the rows of a checkpoint.
+    void restore(const H5Input& checkpoint);
+    /// A value of a column, and the last one.
+    [[nodiscard]] double value(const std::string& probe, std::size_t column, std::size_t row) const {
+        return column_of(probe, column)[row];
+    }
+    [[nodiscard]] double last(const std::string& probe, std::size_t column) const { return column_of(probe, column).back(); }
+
+private:
+    struct Point {
+        std::array<std::int32_t, 3> nodes;
+        std::array<double, 3> weights;
+    };
+    void push(std::size_t probe, const std::vector<double>& row);
+    [[nodiscard]] const std::vector<double>& column_of(const std::string& probe, std::size_t column) const;
+
+    std::vector<std::vector<std::int32_t>> nodes_of_control_;
+    std::vector<Point> points_;                             ///< of point probes
+    std::vector<std::vector<std::int32_t>> circles_;        ///< elements of circle probes
+    std::vector<std::pair<bool, std::size_t>> request_at_;  ///< is a circle, index into points or circles
+    std::vector<ProbeHistory> histories_;                   ///< controls, then requests
+};
+
+}  // namespace graincrack

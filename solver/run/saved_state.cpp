@@ -1,0 +1,286 @@
+#include "solver/run/saved_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <span>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "share/schema.hpp"
+
+namespace graincrack {
+namespace {
+
+// The members of what a state holds, each as numbers in a fixed order; every one of them is exact as float64.
+template <class Value, class Act>
+requires std::is_arithmetic_v<std::remove_const_t<Value>>
+void visit_members(Value& value, Act&& act) { act(value); }
+template <class Act, class... Members>
+void visit_all(Act&& act, Members&... members) {
+    (visit_members(members, act), ...);
+}
+/// Whether a type is `Of`, constant or not.
+template <class Type, class Of>
+concept Is = std::is_same_v<std::remove_const_t<Type>, Of>;
+
+template <Is<Vector2> T, class Act>
+void visit_members(T& v, Act&& act) {
+    visit_all(act, v.x, v.y);
+}
+template <Is<Range> T, class Act>
+void visit_members(T& r, Act&& act) {
+    visit_all(act, r.begin, r.end);
+}
+template <Is<ContactHistory> T, class Act>
+void visit_members(T& h, Act&& act) {
+    visit_all(act, h.motion.opening, h.motion.sliding, h.max_displacement, h.peak_displacement, h.largest_open, h.largest_slid,
+              h.slip, h.cohesion_left, h.friction_share, h.failed_open, h.failed_closed, h.separated);
+    act(h.first_mode);
+}
+template <Is<Touch> T, class Act>
+void visit_members(T& t, Act&& act) {
+    visit_all(act, t.active, t.near_first, t.area, t.allowance, t.pressing, t.stretch, t.pull);
+}
+template <Is<TouchPair> T, class Act>
+void visit_members(T& p, Act&& act) {
+    visit_all(act, p.node, p.edge);
+}
+template <Is<PlatenPoint> T, class Act>
+void visit_members(T& p, Act&& act) {
+    visit_all(act, p.node, p.platen, p.tributary, p.gap, p.anchor, p.shear, p.on_boundary);
+}
+template <Is<GrainSums> T, class Act>
+void visit_members(T& s, Act&& act) {
+    visit_all(act, s.damping, s.platen_work, s.membrane_work, s.load_work, s.reaction_work, s.platen_friction);
+}
+template <Is<ContactSums> T, class Act>
+void visit_members(T& s, Act&& act) {
+    visit_all(act, s.fracture_tension, s.fracture_shear, s.friction, s.mismatch);
+}
+template <Is<GroupSums> T, class Act>
+void visit_members(T& s, Act&& act) {
+    visit_all(act, s.damping, s.shed, s.platen_work);
+}
+
+/// Every array of a state that the next step needs and cannot find anew.
+template <class AnyState, class Visit>
+void visit_arrays(AnyState& s, Visit&& visit) {
+    visit("displacement", s.displacement);
+    visit("velocity", s.velocity);
+    visit("last_force", s.last_force);
+    visit("mean_displacement", s.damping_load.mean_displacement);
+    visit("contact_slots", s.contact_force);
+    visit("opening", s.opening);
+    visit("sliding", s.sliding);
+    visit("cohesion_left", s.cohesion_left);
+    visit("slip", s.slip);
+    visit("failed", s.failed);
+    visit("spent", s.spent);
+    visit("fracture_energy", s.fracture_energy);
+    visit("platen_points", s.platen_points);
+    visit("grain_sums", s.grain_sums);
+    visit("contact_sums", s.contact_sums);
+    visit("touch_loose", s.touches.loose);
+    visit("touch_released", s.touches.released);
+    visit("touch_pairs", s.touches.pairs);
+    visit("touches", s.touches.touches);
+    visit("touch_forces", s.touches.forces);
+    visit("touch_groups", s.touches.groups);
+    visit("touch_awake", s.touches.awake);
+    visit("touch_awake_groups", s.touches.awake_groups);
+    visit("touch_blocks", s.touches.blocks);
+    visit("touch_friction", s.touches.friction);
+    visit("touch_displacement_at_search", s.touches.displacement_at_search);
+    visit("touch_area_taken", s.touches.taken);
+    visit("group_tied", s.groups.tied);
+    visit("group_supported", s.groups.supported);
+    visit("group_component", s.groups.component);
+    visit("group_inverse_mass", s.groups.inverse_mass);
+    visit("group_energies", s.groups.sums);
+}
+
+/// And every single number.
+template <class AnyState, class Visit>
+void visit_numbers(AnyState& s, Visit&& visit) {
+    visit("step", s.step);
+    visit("time", s.time);
+    visit("integrations", s.integrations);
+    visit("origin_step", s.origin_step);
+    visit("origin_time", s.origin_time);
+    visit("touch_friction_before", s.touches.friction_before);
+    visit("touch_next_check", s.touches.next_check);
+    visit("touch_wants_search", s.touches.wants_search);
+    visit("touch_way_unsearched", s.touches.way_unsearched);
+    visit("touch_review_interval", s.touches.review_interval);
+    visit("in_parts", s.in_parts);
+    visit("platen_displacement_bottom", s.loading.platen_displacement[bottom_platen]);
+    visit("platen_displacement_top", s.loading.platen_displacement[top_platen]);
+    visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
+    visit("platen_increment_top", s.loading.increment_before[top_platen]);
+    visit("membrane_pressure", s.loading.pressure);
+    visit("mean_damping_power", s.damping_load.damping_power);
+    visit("mean_platen_power", s.damping_load.platen_power);
+    visit("mean_time", s.damping_load.time);
+}
+
+std::string path_of(const std::string& name) { return std::string(schema::state_group) + "/" + name; }
+
+template <class Item>
+std::size_t width_of() {
+    std::size_t width = 0;
+    Item item{};
+    visit_members(item, [&](auto& /*member*/) { ++width; });
+    return width;
+}
+
+template <class Item>
+void write_array(H5Output& file, const std::string& name, const std::vector<Item>& items) {
+    std::vector<double> numbers;
+    for (const Item& item : items) {
+        visit_members(item, [&](const auto& member) { numbers.push_back(static_cast<double>(member)); });
+    }
+    file.write<double>(path_of(name), std::span<const double>(numbers), {items.size(), width_of<Item>()}, "1",
+                       "of the solver's state, in its own order, SI");
+}
+
+template <class Item>
+void read_array(const H5Input& file, const std::string& name, std::vector<Item>& items) {
+    const std::vector<double> numbers = file.read<double>(path_of(name));
+    items.resize(numbers.size() / width_of<Item>());
+    std::size_t at = 0;
+    for (Item& item : items) {
+        visit_members(item, [&](auto& member) { member = static_cast<std::decay_t<decltype(member)>>(numbers[at++]); });
+    }
+}
+
+bool same_mesh(const Specimen& a, const Specimen& b) {
+    return a.node_position == b.node_position && a.element_nodes == b.element_nodes && a.contact_nodes == b.contact_nodes &&
+           a.element_grain == b.element_grain;
+}
+
+/// \throws InputError where a state cannot go on as asked
+void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
+    const RunHeader& old = run.header();
+    const Rock& rock = request.material.rock;
+    const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
+    if (!run.file().has(schema::state_group)) {
+        refuse("keeps no state to start from; make it with --save-state or --checkpoint-every");
+    }
+    if (!same_mesh(run.specimen(), specimen)) {
+        refuse("is a run of another specimen; give the one it was made from, or itself");
+    }
+    if (old.plane != request.plane || old.rock.young_modulus != rock.young_modulus ||
+        old.rock.poisson_ratio != rock.poisson_ratio || old.rock.density != rock.density) {
+        refuse("has another rock or plane condition; they must stay what they are");
+    }
+    if (old.mass_scaling_factor != setup.mass_scaling_factor) {
+        refuse(fmt::format("has the mass-scaling factor {}, not {}; it must stay what it is", old.mass_scaling_factor,
+                           setup.mass_scaling_factor));
+    }
+}
+
+/// Points of the new platens take over what old ones remember.
+void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& old, std::vector<PlatenPoint>& points) {
+    std::map<std::pair<std::int32_t, std::int32_t>, const PlatenPoint*> found;
+    for (const PlatenPoint& point : old) {
+        found[{point.node, point.platen}] = &point;
+    }
+    std::size_t taken = 0;
+    for (PlatenPoint& point : points) {
+        if (const auto at = found.find({point.node, point.platen}); at != found.end()) {
+            point.anchor = at->second->anchor;
+            point.shear = at->second->shear;
+            ++taken;
+        }
+    }
+    if (taken < old.size()) {
+        throw InputError(name +
+                         ": has platens that this program lacks; give it the same [platens], with a max_strain no smaller");
+    }
+}
+
+double stored_in_contacts(const Assemblage& a, const StepParameters& parameters, const State& s) {
+    double energy = stored_in_touches(parameters.law, s.touches);
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        if (s.touches.released[c] == 0) {
+            energy += a.contacts[c].point_area * (stored_energy(parameters.law, history_of(s, 2 * c)) +
+                                                  stored_energy(parameters.law, history_of(s, 2 * c + 1)));
+        }
+    }
+    return energy;
+}
+
+/// Other contact values change what is stored: that is work from outside.
+void book_change(const RunHeader& old, const Setup& setup, State& s) {
+    const auto& laws = all_contact_laws();
+    const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
+    StepParameters before = setup.parameters;
+    before.law = make_contact_law(old.contact, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
+    s.grain_sums.front().load_work +=
+        stored_in_contacts(setup.assemblage, setup.parameters, s) - stored_in_contacts(setup.assemblage, before, s);
+}
+
+}  // namespace
+
+void write_saved_state(H5Output& file, const State& state, const ConductorState& leader, double energy_imbalance) {
+    const std::string group = schema::state_group;
+    file.create_group(group);
+    visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
+    visit_arrays(state, [&](const char* name, const auto& items) { write_array(file, name, items); });
+    std::vector<ContactHistory> histories;
+    for (std::size_t point = 0; point < state.failed.size(); ++point) {
+        histories.push_back(state.points[point]);
+    }
+    write_array(file, "history", histories);
+    file.attribute(group, "controls", leader.names);
+    file.attribute(group, "control_values", leader.values);
+    file.attribute(group, "platen_speed", leader.platen_speed);
+    file.attribute(group, "mean_compression", leader.mean_compression);
+    file.attribute(group, "energy_imbalance", energy_imbalance);
+}
+
+SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,
+                            const Setup& setup) {
+    const RunReader run(path);
+    require_same(run, specimen, request, setup);
+    const H5Input& file = run.file();
+    const std::string group = schema::state_group;
+    SavedState saved;
+    State& s = saved.state;
+    s = make_state(setup.assemblage, setup.boundary, specimen);
+    std::vector<PlatenPoint> platen_points = s.platen_points;
+    visit_numbers(s, [&](const char* name, auto& value) {
+        value = static_cast<std::decay_t<decltype(value)>>(file.attribute<double>(group, name));
+    });
+    visit_arrays(s, [&](const char* name, auto& items) { read_array(file, name, items); });
+    std::vector<ContactHistory> histories;
+    read_array(file, "history", histories);
+    for (std::size_t point = 0; point < histories.size(); ++point) {
+        if (histories[point] != ContactHistory{}) {
+            s.points.of(point) = histories[point];
+        }
+    }
+    complete_group_state(setup.parameters.mass_scaling, s);
+    take_up_touches(setup.assemblage, s.touches);
+    take_over_platens(run.name(), s.platen_points, platen_points);
+    s.platen_points = platen_points;
+    const RunHeader& old = run.header();
+    if (old.time_step != setup.parameters.time_step) {
+        s.origin_step = s.step;
+        s.origin_time = s.time;
+    }
+    book_change(old, setup, s);
+    saved.leader.names = file.attribute<std::vector<std::string>>(group, "controls");
+    saved.leader.values = file.attribute<std::vector<double>>(group, "control_values");
+    saved.leader.platen_speed = file.attribute<double>(group, "platen_speed");
+    saved.leader.mean_compression = file.attribute<double>(group, "mean_compression");
+    saved.cracks = run.cracks();
+    saved.energy_scale = old.energy_scale;
+    saved.energy_imbalance = file.attribute<double>(group, "energy_imbalance");
+    return saved;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,35 @@
+// The state of a run at its end, kept in its file (/state), so that another run goes on from there: to the byte with the same
+// values, or with other contact values or another program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "share/run_file.hpp"
+#include "solver/loading/stage_control.hpp"
+#include "solver/setup/setup.hpp"
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+class H5Output;
+
+/// Writes /state: everything of a state that is not found anew from the rest, and where its leader was.
+void write_saved_state(H5Output& file, const State& state, const ConductorState& leader, double energy_imbalance);
+
+/// What a run starts with that goes on from another.
+struct SavedState {
+    State state;
+    ConductorState leader;
+    std::vector<Crack> cracks;
+    double energy_scale = 0;      ///< largest stored energy so far, J
+    double energy_imbalance = 0;  ///< largest so far, J
+};
+
+/// Reads the end of the run `path`. Its specimen, rock, plane and mass scaling must be those of `setup`; contact values and time
+/// step may be others: what the change puts into the contacts' stored energy counts as external work. \throws InputError if the
+/// run keeps no state, or one that does not fit
+SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,
+                            const Setup& setup);
+
+}  // namespace graincrack

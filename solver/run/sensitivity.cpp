@@ -1,0 +1,80 @@
+#include "solver/run/sensitivity.hpp"
+
+#include <limits>
+
+#include "share/error.hpp"
+#include "solver/run/refinement.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+SimulationRequest at_half_the_rate(SimulationRequest request) {
+    LoadingRequest& loading = request.loading;
+    switch (loading.rate) {
+        case RateKind::fixed: loading.platen_speed /= 2; break;
+        case RateKind::automatic: loading.rate_share /= 2; break;
+        case RateKind::blocks:
+            loading.platen_speed /= 2;
+            loading.rate_tolerance /= 2;
+            break;
+    }
+    return request;
+}
+
+}  // namespace
+
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, double mass_scaling_factor) {
+    std::vector<SensitivityCase> cases{{"half the rate", at_half_the_rate(request)}, {"half the step", request}};
+    cases.back().request.time_step_fraction /= 2;
+    if (request.damping > 0) {
+        cases.push_back({"half the damping", request});
+        cases.back().request.damping /= 2;
+    }
+    if (mass_scaling_factor > 0) {
+        cases.push_back({"a quarter of the mass scaling", request});
+        cases.back().request.mass_scaling_factor = mass_scaling_factor / 4;
+    }
+    cases.push_back({"twice the elements along an edge", request, true});
+    return cases;
+}
+
+SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history) {
+    const double sign = header.test == name_of(TestKind::tension) ? 1 : -1;
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const std::vector<double>& strain = history[HistoryColumn::axial_strain];
+    const std::size_t peak = peak_row(header, history);
+    SensitivityRow row{changed,
+                       header.peak_axial_stress,
+                       sign * strain[peak],
+                       nan,
+                       history[HistoryColumn::tensile_cracks][peak],
+                       history[HistoryColumn::shear_cracks][peak]};
+    if (header.stop_reason == "peak drop") {
+        row.post_peak_slope = (stress.back() - stress[peak]) / (strain.back() - strain[peak]);
+    }
+    return row;
+}
+
+std::vector<SensitivityRow> find_sensitivity(const Specimen& specimen, const SimulationRequest& request,
+                                             const TestOutcome& as_it_is, Verbosity verbosity) {
+    std::vector<SensitivityRow> rows{sensitivity_row("as it is", as_it_is.header, as_it_is.history)};
+    for (const SensitivityCase& each : sensitivity_cases(request, as_it_is.header.mass_scaling_factor)) {
+        try {
+            const TestOutcome outcome =
+                run_test(each.refine ? refined(specimen) : specimen, each.request, each.changed, verbosity);
+            SensitivityRow row = sensitivity_row(each.changed, outcome.header, outcome.history);
+            if (each.refine) {  // contacts are half as long
+                row.tensile_cracks /= 2;
+                row.shear_cracks /= 2;
+            }
+            rows.push_back(row);
+        } catch (const NumericalError&) {
+            rows.push_back({each.changed, nan, nan, nan, nan, nan});
+        }
+    }
+    return rows;
+}
+
+}  // namespace graincrack

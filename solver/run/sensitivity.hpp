@@ -1,0 +1,30 @@
+// Does a result depend on what should not matter? The test again, each time with one thing changed.
+#pragma once
+
+#include <vector>
+
+#include "share/sensitivity.hpp"
+#include "solver/run/simulation.hpp"
+
+namespace graincrack {
+
+/// What is changed, one row each, beside the test as it is.
+struct SensitivityCase {
+    std::string changed;
+    SimulationRequest request;
+    bool refine = false;  ///< twice the elements along an edge
+};
+/// Half the speed of the platens everywhere (automatic: limits and floors included), half the step, half the damping (0.4 for
+/// 0.8), a quarter of the mass scaling where there is some, twice the elements along an edge.
+/// \param mass_scaling_factor that the test has, 0 for none
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, double mass_scaling_factor);
+
+/// What a row tells of a test.
+SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history);
+
+/// Runs the cases. One that becomes unstable or does not settle gives a row of NaN.
+/// \param as_it_is header and history of the test itself \throws Interrupted
+std::vector<SensitivityRow> find_sensitivity(const Specimen& specimen, const SimulationRequest& request,
+                                             const TestOutcome& as_it_is, Verbosity verbosity);
+
+}  // namespace graincrack

@@ -1,0 +1,428 @@
+#include "solver/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "solver/run/crack_log.hpp"
+#include "solver/run/checkpoint.hpp"
+#include "solver/run/frame_output.hpp"
+#include "solver/run/measure.hpp"
+#include "solver/setup/regions.hpp"
+#include "solver/run/run_driver.hpp"
+#include "solver/run/saved_state.hpp"
+#include "solver/run/sensitivity.hpp"
+#include "solver/setup/setup.hpp"
+#include "solver/step/thread_team.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
+constexpr double judged_stress = 0.01;     // of tc: below the energy of this stress the imbalance is noise of the start
+constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
+
+/// Axial stress of a test: load over the specimen's width (brazilian: over its diameter).
+double axial_stress(const Specimen& s, double force_bottom, double force_top) {
+    return 0.5 * (force_bottom + force_top) / s.width;
+}
+
+RunHeader make_header(const SimulationRequest& r) {
+    RunHeader h;
+    h.test = name_of(r.loading.test);
+    h.material = r.material.name;
+    h.contact_law = name_of(r.law);
+    h.coupling = name_of(r.coupling);
+    h.fracture_energy_choice = r.fracture_energy_choice;
+    h.plane = r.plane;
+    h.rock = r.material.rock;
+    h.contact = r.contact;
+    h.platen_friction = r.loading.platen_friction;
+    h.confining_pressure = r.loading.confining_pressure;
+    h.rate = r.program ? "program" : name_of(r.loading.rate);
+    h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
+    h.rate_share = r.loading.rate_share;
+    h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
+    h.damping = r.damping;
+    h.damping_form = name_of(r.damping_form);
+    h.mass_scaling = r.mass_scaling ? "selective" : "none";
+    h.peak_drop = r.peak_drop;
+    h.max_strain = r.loading.max_strain;
+    return h;
+}
+
+/// The run: everything that lives as long as it does.
+class Simulation {
+public:
+    Simulation(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity)
+        : specimen_(specimen),
+          request_(request),
+          setup_(make_setup(specimen, request)),
+          gauges_(make_gauges(assemblage_, specimen)),
+          transit_time_(specimen.height / std::sqrt(request.material.rock.young_modulus / request.material.rock.density)),
+          driver_(make_run_driver(request, assemblage_, specimen)),
+          state_(make_state(assemblage_, boundary_, specimen)),
+          catalogue_(state_.failed.size()),
+          header_(make_header(request)),
+          progress_(label, verbosity),
+          team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
+        header_.vector_target = name_of(assemblage_.vector_target);
+        header_.mass_scaling_factor = setup_.mass_scaling_factor;
+        header_.added_mass = setup_.added_mass;
+        header_.stable_time_step = setup_.stable_time_step;
+        header_.time_step = parameters_.time_step;
+        if (request.checkpoint_interval) {
+            checkpoint_clock_.emplace(*request.checkpoint_interval);
+        }
+        if (request.program) {
+            set_initial_velocities(*request.program, assemblage_, specimen, state_);
+        }
+        if (!request.restart.empty()) {
+            const SavedState saved = read_saved_state(request.restart, specimen, request, setup_);
+            take_over(saved);
+            if (request.program && !is_checkpoint(request.restart)) {
+                driver_->resume(saved.leader);
+            } else {
+                go_on(request.restart, saved.leader);
+            }
+        }
+    }
+
+    /// Writes the run to a file as it goes ("-": stdout); to be called before `run`.
+    void write_to(const std::string& output) {
+        H5Output file(output, "run");
+        const bool pipe = file.is_pipe();
+        writer_.emplace(std::move(file), specimen_, header_);
+        frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
+        checkpoint_ = checkpoint_of(output);
+    }
+
+    RunHeader run() {
+        if (request_.restart.empty()) {
+            start(assemblage_, parameters_, state_);
+        }
+        if (!last_row_stands_) {
+            record();
+        }
+        while (header_.stop_reason.empty()) {
+            throw_if_interrupted();
+            const std::int64_t steps = driver_->batch_steps(parameters_.time_step);
+            const BatchLoading batch = driver_->next(view(), static_cast<double>(steps) * parameters_.time_step);
+            advance(assemblage_, boundary_, parameters_, batch, steps, team_, state_);
+            record();
+            show_progress();
+            header_.stop_reason = driver_->stop_reason(view());
+            if (header_.stop_reason.empty() && checkpoint_clock_ && checkpoint_clock_->is_due()) {
+                write_checkpoint();
+            }
+        }
+        progress_.finish();
+        finish_header();
+        return header_;
+    }
+
+    /// Completes the file.
+    void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
+        frames_->last(assemblage_, parameters_.law, state_);
+        append_rows();
+        driver_->write(writer_->file());
+        if (request_.save_state) {
+            write_saved_state(writer_->file(), state_, driver_->saved(state_.time), largest_imbalance_);
+        }
+        writer_->finish(header_, catalogue_.rows(state_), provenance, sensitivity);
+        if (checkpoint_clock_) {
+            std::remove(checkpoint_.c_str());
+        }
+    }
+    [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
+    [[nodiscard]] TestOutcome outcome() const { return {header_, history_}; }
+    [[nodiscard]] int threads() const { return team_.size(); }
+
+private:
+    /// A run file of its own, with all rows and cracks so far and the frame of now.
+    void write_checkpoint() const {
+        RunWriter writer(H5Output(checkpoint_, "run"), specimen_, header_);
+        writer.append_history(history_);
+        driver_->append(writer.file(), 0);
+        driver_->write(writer.file());
+        writer.add_frame(make_frame(assemblage_, parameters_.law, state_), true);
+        write_saved_state(writer.file(), state_, driver_->saved(state_.time), largest_imbalance_);
+        RunHeader header = header_;
+        header.stop_reason = "checkpoint";
+        header.steps = state_.step;
+        header.integrations = state_.integrations;
+        header.peak_axial_stress = peak_;
+        Provenance provenance;
+        provenance.tool = "graincrack-solve";
+        provenance.threads = team_.size();
+        writer.finish(header, catalogue_.rows(state_), provenance);
+    }
+
+    /// Goes on where this very run was. The last row of a test comes again, from the same state, and with it what the rate
+    /// follows; that of a program stands, with the loads of its time, which the state has not.
+    void go_on(const std::string& checkpoint, const ConductorState& leader) {
+        const RunReader run(checkpoint);
+        require_same_test(run.name(), run.header(), header_);
+        driver_->go_on(leader, run, parameters_.time_step);
+        history_ = run.history();
+        for (std::vector<double>& column : history_.columns) {
+            if (!request_.program) {
+                column.pop_back();
+            }
+        }
+        last_row_stands_ = request_.program.has_value();
+        peak_ = run.header().peak_axial_stress;
+    }
+
+    void take_over(const SavedState& saved) {
+        state_ = saved.state;
+        catalogue_.restore(saved.cracks);
+        header_.energy_scale = saved.energy_scale;
+        largest_imbalance_ = saved.energy_imbalance;
+    }
+
+    void push(HistoryColumn column, double value) { history_[column].push_back(value); }
+    /// The stress that the test drives up, positive.
+    [[nodiscard]] double driven_stress() const {
+        return request_.loading.test == TestKind::tension ? last_axial_stress_ : -last_axial_stress_;
+    }
+    [[nodiscard]] double axial_strain() const {
+        return (state_.loading.platen_displacement[top_platen] - state_.loading.platen_displacement[bottom_platen]) /
+               specimen_.height;
+    }
+
+    void record() {
+        catalogue_.collect(assemblage_, parameters_.time_step, state_);
+        const Measurement m = measure(assemblage_, boundary_, parameters_, state_);
+        check_stability(m.energies);
+        last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
+        follow_damping_load(state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
+        push_row(m);
+        feedback_ = feedback(m);
+        driver_->note(view());
+        const bool counts = driver_->counts() && !catalogue_.empty();
+        const bool is_highest = counts && driven_stress() > peak_;
+        peak_ = is_highest ? driven_stress() : peak_;
+        if (writer_) {
+            frames_->peak(is_highest, counts && driven_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
+                          state_);
+            frames_->regular(driver_->progress(view()), assemblage_, parameters_.law, state_);
+            if (history_.size() % 500 == 0) {
+                append_rows();
+            }
+        }
+    }
+
+    void append_rows() {
+        driver_->append(writer_->file(), rows_written_);
+        rows_written_ = history_.size();
+        writer_->append_history(history_);
+    }
+
+    [[nodiscard]] RunView view() const {
+        return {assemblage_, boundary_, state_, history_, feedback_, axial_strain(), driven_stress(), peak_, !catalogue_.empty()};
+    }
+
+    [[nodiscard]] LoadingFeedback feedback(const Measurement& m) const {
+        const double load = std::abs(m.force_top - m.force_bottom) / 2;
+        RateMeasures rate;
+        rate.kinetic_energy = m.own_kinetic;
+        rate.stored_energy = m.energies.stored();
+        rate.unbalanced_ratio = m.unbalanced_ratio;
+        rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
+        rate.damping_load = state_.damping_load.share();
+        rate.near_failure = near_failure(assemblage_, parameters_.law, state_);
+        return {state_.time, -last_axial_stress_, m.unbalanced_ratio, rate};
+    }
+
+    [[nodiscard]] double judged_energy() const {
+        const double stress = judged_stress * request_.contact.tensile_strength;
+        const double area = std::accumulate(specimen_.grain_area.begin(), specimen_.grain_area.end(), 0.0);
+        return 0.5 * stress * stress / request_.material.rock.young_modulus * area;
+    }
+
+    void check_stability(const Energies& energies) {
+        // A program may be all motion, and store next to nothing.
+        const double scale = energies.stored() + (request_.program ? energies.kinetic : 0);
+        header_.energy_scale = std::max(header_.energy_scale, scale);
+        const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
+        if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
+            throw_unstable(residual);
+        }
+        largest_imbalance_ = std::max(largest_imbalance_, std::abs(energies.imbalance()));
+    }
+
+    [[noreturn]] void throw_unstable(double residual) const {
+        throw NumericalError(
+            fmt::format("the run became unstable before step {} (energy balance off by {:.0f} %); use a smaller "
+                        "--time-step-fraction than {} (with this damping below {:.2f}) or a slower --rate",
+                        state_.step, 100 * std::abs(residual), request_.time_step_fraction, 1 / std::sqrt(1 + request_.damping)));
+    }
+
+    void push_row(const Measurement& m) {
+        using enum HistoryColumn;
+        const Energies& e = m.energies;
+        const double strain = this->axial_strain();
+        push(time, state_.time);
+        push(step, static_cast<double>(state_.step));
+        push(HistoryColumn::axial_strain, strain);
+        push(lateral_strain, gauges_.widening.strain(state_.displacement));
+        push(gauge_axial_strain, gauges_.axial.strain(state_.displacement));
+        push(gauge_lateral_strain, gauges_.lateral.strain(state_.displacement));
+        push(HistoryColumn::axial_stress, last_axial_stress_);
+        push(force_top, m.force_top);
+        push(force_bottom, -m.force_bottom);
+        push(confining_pressure, m.membrane_force / (specimen_.height * (1 + strain)));
+        push(energy_external, e.external);
+        push(energy_kinetic, e.kinetic);
+        push(energy_strain, e.strain);
+        push(energy_contact, e.contact);
+        push(energy_fracture_tension, e.fracture_tension);
+        push(energy_fracture_shear, e.fracture_shear);
+        push(energy_friction, e.friction);
+        push(energy_damping, e.damping);
+        push(energy_platen, e.platen);
+        push(law_mismatch, e.mismatch);
+        push(ledger_residual, header_.energy_scale > 0 ? e.imbalance() / header_.energy_scale : 0);
+        push(unbalanced_ratio, m.unbalanced_ratio);
+        push(tensile_cracks, 0.5 * static_cast<double>(catalogue_.tensile_points()));
+        push(shear_cracks, 0.5 * static_cast<double>(catalogue_.shear_points()));
+        push(platen_speed, driver_->platen_speed());
+        push(damping_load, state_.damping_load.share());
+    }
+
+    void show_progress() {
+        progress_.update(driver_->progress(view()),
+                         fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", driven_stress() * 1e-6,
+                                     catalogue_.tensile_points() / 2, catalogue_.shear_points() / 2));
+    }
+
+    /// Largest difference of the platen forces over their mean, on the way up from half the peak to the peak.
+    [[nodiscard]] double platen_force_difference(std::size_t peak_row, double sign) const {
+        double worst = 0;
+        for (std::size_t i = 0; i < peak_row; ++i) {
+            const double top = history_[HistoryColumn::force_top][i];
+            const double bottom = history_[HistoryColumn::force_bottom][i];
+            const double mean = 0.5 * sign * (top + bottom);
+            if (mean / specimen_.width > 0.5 * header_.peak_axial_stress) {
+                worst = std::max(worst, std::abs(top - bottom) / mean);
+            }
+        }
+        return worst;
+    }
+
+    /// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
+    [[nodiscard]] double damping_load_at(std::size_t peak_row) const {
+        const std::vector<double>& strain = history_[HistoryColumn::axial_strain];
+        double sum = 0;
+        double travel = 0;
+        for (std::size_t i = peak_row; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak_row]); --i) {
+            const double way = std::abs(strain[i] - strain[i - 1]);
+            sum += way * history_[HistoryColumn::damping_load][i];
+            travel += way;
+        }
+        return travel > 0 ? sum / travel : 0;
+    }
+
+    void finish_header() {
+        header_.steps = state_.step;
+        header_.integrations = state_.integrations;
+        driver_->complete(header_, state_.time);
+        const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
+        const std::size_t peak = peak_row(header_, history_);
+        header_.peak_axial_stress = sign * history_[HistoryColumn::axial_stress][peak];
+        header_.platen_force_difference = platen_force_difference(peak, sign);
+        header_.damping_load = damping_load_at(peak);
+        header_.ledger_residual = header_.energy_scale > 0 ? largest_imbalance_ / header_.energy_scale : 0;
+        if (header_.ledger_residual > unstable_residual) {
+            throw_unstable(header_.ledger_residual);
+        }
+        const double external = history_[HistoryColumn::energy_external].back();
+        header_.damping_share = external > 0 ? history_[HistoryColumn::energy_damping].back() / external : 0;
+        double sum = 0;
+        double squares = 0;
+        double n = 0;
+        for (std::size_t i = 0; i < history_.size(); ++i) {
+            if (history_[HistoryColumn::time][i] >= header_.isotropic_end_time) {
+                const double p = history_[HistoryColumn::confining_pressure][i];
+                sum += p;
+                squares += p * p;
+                n += 1;
+            }
+        }
+        header_.confinement_mean = sum / n;
+        header_.confinement_deviation =
+            std::sqrt(std::max(0.0, squares / n - header_.confinement_mean * header_.confinement_mean));
+    }
+
+    const Specimen& specimen_;
+    const SimulationRequest& request_;
+    Setup setup_;
+    const Assemblage& assemblage_ = setup_.assemblage;
+    const Boundary& boundary_ = setup_.boundary;
+    const StepParameters& parameters_ = setup_.parameters;
+    Gauges gauges_;
+    double transit_time_;  ///< of a bar wave over the height, s
+    std::unique_ptr<RunDriver> driver_;
+    State state_;
+    CrackCatalogue catalogue_;
+    RunHeader header_;
+    Progress progress_;
+    History history_;
+    Team team_;
+    LoadingFeedback feedback_;
+    std::size_t rows_written_ = 0;
+    double largest_imbalance_ = 0;  ///< of the energy ledger, J
+    double last_axial_stress_ = 0;  ///< tension positive, Pa
+    double peak_ = 0;               ///< of the driven stress, Pa
+    std::optional<RunWriter> writer_;
+    std::optional<FrameKeeper> frames_;
+    bool last_row_stands_ = false;  ///< of what it goes on from
+    std::string checkpoint_;        ///< its file
+    std::optional<CheckpointClock> checkpoint_clock_;
+};
+
+}  // namespace
+
+std::size_t peak_row(const RunHeader& header, const History& history) {
+    const double sign = header.test == name_of(TestKind::tension) ? 1 : -1;
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
+    return static_cast<std::size_t>(peak - stress.begin());
+}
+
+TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity) {
+    Simulation simulation(specimen, request, label, verbosity);
+    simulation.run();
+    return simulation.outcome();
+}
+
+SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& request, const std::string& output,
+                           Verbosity verbosity, Provenance provenance) {
+    const auto begin = std::chrono::steady_clock::now();
+    Simulation simulation(specimen, request, std::string(name_of(request.loading.test)), verbosity);
+    simulation.write_to(output);
+    SimulationSummary summary;
+    summary.header = simulation.run();
+    summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    summary.ns_per_grain_step =
+        1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
+    summary.tensile_cracks = simulation.catalogue().tensile_points() / 2;
+    summary.shear_cracks = simulation.catalogue().shear_points() / 2;
+    if (request.sensitivity) {
+        summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
+    }
+    provenance.wall_time = summary.wall_time;
+    provenance.threads = simulation.threads();
+    simulation.finish(summary.sensitivity, provenance);
+    return summary;
+}
+
+}  // namespace graincrack

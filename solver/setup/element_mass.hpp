@@ -1,0 +1,28 @@
+// Mass on top for the few elements that would ask for the shortest steps.
+#pragma once
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/law/contact_law.hpp"
+
+namespace graincrack {
+
+/// What a run with mass scaling adds at most, of the mass of the specimen. Of Augig granite in 1,122 grains (seeds 1, 2) steps
+/// with groups get 27 and 49 % longer, their parts without 16 and 8 %; half as much mass gives 14 and 32 %, 14 and 6 %.
+inline constexpr double most_added_mass = 0.02;
+
+/// Makes those elements denser that have the highest frequencies: alone, which limits the step with mass scaling, and with their
+/// share of what may hold their nodes, which limits that without. Half of the mass goes to the one, half to the other, each so
+/// that none is left above a common level; where both ask for it, it counts once. They are slivers, and grains that others hold
+/// by long edges. An element's centre of mass stays, and what rests does not feel it; gravity pulls the mass of the rock.
+///
+/// No frequency of an assembly is above the highest of its parts, for any split of the springs between them (B. M. Irons, 1970,
+/// Int J Numer Methods Eng 2; a spring between two nodes counts on each as one of twice its stiffness to the ground). The stable
+/// step itself is found as ever, by `stable_time_step`.
+///
+/// \param density of the rock, kg/m³
+/// \param share of the mass of the specimen to be added at most, ≥ 0
+/// \return share that was added
+double weigh_down_stiffest(Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double density, double share);
+
+}  // namespace graincrack

@@ -1,0 +1,120 @@
+// A loading program as its file tells it: what is held, driven and loaded, stage after stage, and what is watched.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "share/probe_file.hpp"
+#include "share/run_file.hpp"
+#include "solver/model/amplitude.hpp"
+#include "solver/vector2.hpp"
+
+namespace graincrack {
+
+/// Where a control acts: named parts of the boundary, a box, or what is in both.
+struct Region {
+    std::vector<std::string> parts;  ///< none: everywhere
+    double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
+    double bottom = -std::numeric_limits<double>::infinity(), top = std::numeric_limits<double>::infinity();  ///< m
+    [[nodiscard]] bool has(const Vector2& p) const { return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top; }
+};
+
+/// What a control may prescribe.
+enum class Action : std::uint8_t { velocity_x, velocity_y, traction_x, traction_y, pressure, count };
+inline constexpr std::size_t n_actions = static_cast<std::size_t>(Action::count);
+constexpr std::string_view name_of(Action action) {
+    constexpr std::array<std::string_view, n_actions> names{"velocity_x", "velocity_y", "traction_x", "traction_y", "pressure"};
+    return names[static_cast<std::size_t>(action)];
+}
+constexpr bool is_velocity(Action action) { return action <= Action::velocity_y; }
+
+/// New functions of a control, by action; those that are missing go on as they were.
+using Settings = std::array<std::optional<TimeFunction>, n_actions>;
+
+/// [boundary.NAME]: a part of the specimen that is driven or loaded.
+struct Control {
+    std::string name;
+    Region region;
+    Settings start;                        ///< from the start of the program on; what is missing is free, or 0
+    std::array<bool, n_actions> is_set{};  ///< anywhere in the program
+};
+
+/// [platens]: rigid platens below and above.
+struct ProgramPlatens {
+    bool glued = false;
+    double max_strain = 0.05;  ///< approach over height that they may reach
+};
+
+/// [initial.NAME]: velocity at the start.
+struct InitialVelocity {
+    Region region;
+    Vector2 velocity;  ///< m/s
+};
+
+/// [probe.NAME]
+struct ProbeRequest {
+    std::string name;
+    bool is_circle = false;
+    Vector2 centre;     ///< or point, m
+    double radius = 0;  ///< m
+};
+
+/// A value that ends a stage when it is reached, from whichever side: a column of the history, or of a probe.
+struct Condition {
+    std::string probe;       ///< "" for the history
+    std::size_t column = 0;  ///< of the history or the probe
+    std::string name;        ///< as the file spells it
+    double value = 0;
+};
+
+/// [stage.NAME]
+struct Stage {
+    std::string name;
+    std::optional<TimeFunction> platen_speed;     ///< approach of each platen, m/s
+    std::optional<TimeFunction> platen_pressure;  ///< mean axial pressure a servo aims at, Pa
+    std::map<std::string, Settings> settings;     ///< by control
+    double longest_time = 0;                      ///< s
+    std::optional<double> rest;                   ///< unbalanced ratio below which the specimen is at rest
+    std::optional<double> peak_drop;              ///< fall below the stage's highest axial stress, share of it
+    std::vector<Condition> until;
+};
+
+struct Program {
+    std::string file;  ///< where it was read from
+    std::string name;
+    std::string text;                ///< the file as it is
+    std::vector<std::string> order;  ///< of stages by name; a name may come again
+    std::vector<Stage> stages;
+    std::vector<Control> controls;
+    std::optional<ProgramPlatens> platens;
+    std::vector<InitialVelocity> initial_velocities;
+    std::vector<ProbeRequest> probes;
+    Vector2 gravity;                     ///< m/s²
+    std::optional<double> damping;       ///< local; --damping wins
+    std::optional<double> row_interval;  ///< between rows of the history, s
+    std::string start_from;              ///< run file with a saved state, or ""
+
+    [[nodiscard]] const Stage& stage(const std::string& stage_name) const;
+    /// The longest it can take, s.
+    [[nodiscard]] double longest_time() const;
+    /// Why its masses must be as they are: it drives nodes, makes waves or starts in motion; "" where it may be slow.
+    [[nodiscard]] std::string why_dynamic() const;
+};
+
+/// Reads a program. \throws InputError naming file, line and key, what is wrong, and what would be right
+Program read_program(const std::string& file);
+/// The same from text; `name` stands for the file in messages.
+Program parse_program(const std::string& text, const std::string& name);
+
+/// Columns of a probe: of every control, of a point, of a circle.
+const std::vector<ProbeColumn>& control_columns();
+const std::vector<ProbeColumn>& point_columns();
+const std::vector<ProbeColumn>& circle_columns();
+
+}  // namespace graincrack

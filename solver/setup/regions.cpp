@@ -1,0 +1,172 @@
+#include "solver/setup/regions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double relative_slack = 1e-9;  // of the specimen's size, as in the schema
+
+std::vector<std::uint8_t> numbers_of(const std::vector<std::string>& parts, const Specimen& s, const std::string& where) {
+    std::vector<std::uint8_t> numbers;
+    for (const std::string& part : parts) {
+        const auto found = std::find(s.part_names.begin(), s.part_names.end(), part);
+        if (found == s.part_names.end()) {
+            throw InputError(fmt::format("{}: on: the specimen has no boundary part {}; it has {}", where, part,
+                                         fmt::join(s.part_names, ", ")));
+        }
+        numbers.push_back(static_cast<std::uint8_t>(found - s.part_names.begin()));
+    }
+    return numbers;
+}
+
+/// Later controls take over the components of a node that earlier ones had.
+void drive_nodes(const RegionMembers& members, const std::array<std::int32_t, n_actions>& channels, std::int32_t control,
+                 std::vector<DrivenNode>& by_node) {
+    for (const std::int32_t i : members.nodes) {
+        by_node[i].node = i;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            if (channels[axis] != no_channel) {
+                by_node[i].channel[axis] = channels[axis];
+                by_node[i].control[axis] = control;
+            }
+        }
+    }
+}
+
+void load_edges(const RegionMembers& members, const std::array<std::int32_t, n_actions>& channels, std::int32_t control,
+                const Assemblage& a, const Specimen& s, Drives& drives) {
+    for (const std::size_t e : members.edges) {
+        LoadedEdge edge;
+        edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
+        edge.traction = {channels[static_cast<std::size_t>(Action::traction_x)],
+                         channels[static_cast<std::size_t>(Action::traction_y)]};
+        edge.pressure = channels[static_cast<std::size_t>(Action::pressure)];
+        edge.control = control;
+        edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
+        drives.edges.push_back(edge);
+    }
+}
+
+Drives make_drives(const Assemblage& a, const Specimen& s, const Program& program) {
+    const ChannelNumbers channels = number_channels(program);
+    Drives drives;
+    drives.gravity = program.gravity;
+    std::vector<DrivenNode> by_node(a.position.size());
+    for (std::size_t c = 0; c < program.controls.size(); ++c) {
+        const Control& control = program.controls[c];
+        const std::string where = fmt::format("{}: boundary.{}", program.file, control.name);
+        const RegionMembers members = members_of(control.region, a, s, where);
+        const auto is_set = [&](Action action) { return control.is_set[static_cast<std::size_t>(action)]; };
+        if (is_set(Action::velocity_x) || is_set(Action::velocity_y)) {
+            drive_nodes(members, channels[c], static_cast<std::int32_t>(c), by_node);
+        }
+        if (is_set(Action::traction_x) || is_set(Action::traction_y) || is_set(Action::pressure)) {
+            if (members.edges.empty()) {
+                throw InputError(where +
+                                 ": there is no boundary edge to load; a part of the boundary, or a box that holds some, fits");
+            }
+            load_edges(members, channels[c], static_cast<std::int32_t>(c), a, s, drives);
+        }
+    }
+    std::copy_if(by_node.begin(), by_node.end(), std::back_inserter(drives.nodes),
+                 [](const DrivenNode& n) { return n.channel[0] != no_channel || n.channel[1] != no_channel; });
+    arrange_drives(a, drives);
+    return drives;
+}
+
+}  // namespace
+
+ChannelNumbers number_channels(const Program& program) {
+    ChannelNumbers numbers;
+    std::int32_t next = 0;
+    for (const Control& control : program.controls) {
+        numbers.emplace_back();
+        for (std::size_t i = 0; i < n_actions; ++i) {
+            numbers.back()[i] = control.is_set[i] ? next++ : no_channel;
+        }
+    }
+    return numbers;
+}
+
+RegionMembers members_of(const Region& region, const Assemblage& a, const Specimen& s, const std::string& where) {
+    const double slack = relative_slack * (s.width + s.height);
+    const Region wide{region.parts, region.left - slack, region.right + slack, region.bottom - slack, region.top + slack};
+    const std::vector<std::uint8_t> parts = numbers_of(region.parts, s, where);
+    RegionMembers members;
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) {
+            continue;
+        }
+        const std::int32_t first = a.node_of_specimen[s.boundary_edges[e][0]];
+        const std::int32_t second = a.node_of_specimen[s.boundary_edges[e][1]];
+        if (wide.has(a.position[first]) && wide.has(a.position[second])) {
+            members.edges.push_back(e);
+        }
+        for (const std::int32_t i : {first, second}) {
+            if (!parts.empty() && wide.has(a.position[i])) {
+                members.nodes.push_back(i);
+            }
+        }
+    }
+    for (std::int32_t i = 0; i < a.n_nodes() && parts.empty(); ++i) {
+        if (wide.has(a.position[i]) && a.mass[i] > 0) {
+            members.nodes.push_back(i);
+        }
+    }
+    std::sort(members.nodes.begin(), members.nodes.end());
+    members.nodes.erase(std::unique(members.nodes.begin(), members.nodes.end()), members.nodes.end());
+    if (members.nodes.empty()) {
+        throw InputError(
+            fmt::format("{}: nothing of the specimen is there; it reaches from {} mm to {} mm along x and from {} mm to "
+                        "{} mm along y",
+                        where, -500 * s.width, 500 * s.width, -500 * s.height, 500 * s.height));
+    }
+    return members;
+}
+
+Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Program& program, const ContactParameters& contact,
+                               double platen_friction) {
+    std::array<Platen, 2> platens;
+    for (std::size_t p = 0; p < 2; ++p) {
+        platens[p].side = p == top_platen ? 1 : -1;
+        platens[p].position = platens[p].side * (program.platens ? s.height / 2 : std::numeric_limits<double>::infinity());
+    }
+    double reach = 0;
+    if (program.platens) {
+        reach = 2 * s.statistics.mean_edge + program.platens->max_strain * s.height;
+        for (Platen& platen : platens) {
+            platen.normal_stiffness = contact.normal_stiffness;
+            platen.shear_stiffness = program.platens->glued ? 0 : contact.shear_stiffness;
+            platen.tan_friction = std::tan(platen_friction);
+            platen.bonded = program.platens->glued;
+        }
+    }
+    Boundary boundary = make_boundary(a, s, platens, reach, {});
+    boundary.drives = make_drives(a, s, program);
+    return boundary;
+}
+
+void set_initial_velocities(const Program& program, const Assemblage& a, const Specimen& s, State& state) {
+    for (const InitialVelocity& initial : program.initial_velocities) {
+        for (const std::int32_t i : members_of(initial.region, a, s, program.file + ": initial").nodes) {
+            state.velocity[i] = initial.velocity;
+        }
+    }
+    for (std::size_t block = 0; block < a.grain_blocks.size(); ++block) {
+        const Range nodes = a.grain_blocks[block].nodes;
+        double energy = 0;
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            energy += 0.5 * a.mass[i] * dot(state.velocity[i], state.velocity[i]);
+        }
+        state.grain_sums[block].load_work += energy;
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,38 @@
+// A program on a specimen: who is driven, who is loaded, by which channel.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "share/material.hpp"
+#include "share/specimen.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/setup/program.hpp"
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+/// Channel of each action of each control, `no_channel` where it is never set; numbered control by control.
+using ChannelNumbers = std::vector<std::array<std::int32_t, n_actions>>;
+ChannelNumbers number_channels(const Program& program);
+
+/// Nodes and boundary edges of a region, ascending, in internal indices of nodes and rows of /boundary. Corners within 1e-9 of
+/// the specimen's size of a box belong to it.
+struct RegionMembers {
+    std::vector<std::int32_t> nodes;
+    std::vector<std::size_t> edges;
+};
+/// \param where what a message names, such as "shear.toml: boundary.upper"
+/// \throws InputError if the specimen has no part of a wanted name, or nothing there
+RegionMembers members_of(const Region& region, const Assemblage& assemblage, const Specimen& specimen, const std::string& where);
+
+/// Platens (with the contacts' stiffness per area) and drives of a program. Where two controls drive the same component of a node
+/// the later one in the file does.
+/// \param platen_friction rad \throws InputError
+Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& specimen, const Program& program,
+                               const ContactParameters& contact, double platen_friction);
+
+/// Gives the nodes their initial velocities, later ones of the file winning, and books their kinetic energy as external.
+void set_initial_velocities(const Program& program, const Assemblage& assemblage, const Specimen& specimen, State& state);
+
+}  // namespace graincrack

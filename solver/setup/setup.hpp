@@ -1,0 +1,21 @@
+// What a run computes with, found once from specimen and request.
+#pragma once
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/step/step.hpp"
+
+namespace graincrack {
+
+struct Setup {
+    Assemblage assemblage;
+    Boundary boundary;
+    StepParameters parameters;
+    double mass_scaling_factor = 0;  ///< β, 0: none
+    double added_mass = 0;           ///< to the stiffest elements, of the mass of the specimen
+    double stable_time_step = 0;     ///< s
+};
+Setup make_setup(const Specimen& specimen, const SimulationRequest& request);
+
+}  // namespace graincrack

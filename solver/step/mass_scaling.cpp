@@ -1,0 +1,376 @@
+#include "solver/model/vertex_clusters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "share/error.hpp"
+#include "solver/model/state.hpp"
+#include "solver/step/step.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t groups_per_block = 32;
+
+/// Representative of `i` in a forest of parents, with the way there shortened.
+std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+/// The lowest node that each node shares a vertex with.
+std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
+    std::vector<std::int32_t> parent(a.position.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (const ContactGeometry& g : a.contacts) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            const std::int32_t i = root_of(parent, g.nodes[p]);
+            const std::int32_t j = root_of(parent, g.nodes[2 + p]);
+            parent[std::max(i, j)] = std::min(i, j);
+        }
+    }
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        parent[i] = root_of(parent, i);
+    }
+    return parent;
+}
+
+/// Cuts a sequence sorted by group into one range a group.
+template <class GroupOf>
+std::vector<Range> ranges_of_groups(std::int32_t count, std::int32_t n_groups, GroupOf&& group_of) {
+    std::vector<Range> ranges(n_groups);
+    std::int32_t i = 0;
+    for (std::int32_t g = 0; g < n_groups; ++g) {
+        ranges[g].begin = i;
+        while (i < count && group_of(i) == g) {
+            ++i;
+        }
+        ranges[g].end = i;
+    }
+    return ranges;
+}
+
+bool holds(const MassScaling::Tie& tie, const State& s) {
+    return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
+}
+
+/// Lists the members of a block that platens hold.
+void find_held(const MassScaling& scaling, std::int32_t block, GroupState& g) {
+    const Range members = scaling.members_of(block);
+    g.held[block].clear();
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        if (const std::uint8_t holder = g.holder[g.component[i]]; holder != 0) {
+            g.held[block].push_back({i - members.begin, holder});
+        }
+    }
+}
+
+/// Finds the components of a group by its ties, and whether a platen holds them.
+void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, GroupState& g) {
+    const Range members = scaling.groups[group];
+    const Range ties = scaling.ties_of_group[group];
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.component[i] = i;
+        g.inverse_mass[i] = 0;
+        g.holder[i] = 0;
+    }
+    for (std::int32_t t = ties.begin; t < ties.end; ++t) {
+        if (g.tied[t] != 0) {
+            const std::int32_t i = root_of(g.component, scaling.ties[t].first);
+            const std::int32_t j = root_of(g.component, scaling.ties[t].second);
+            g.component[std::max(i, j)] = std::min(i, j);
+        }
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.component[i] = root_of(g.component, i);
+        g.inverse_mass[g.component[i]] += a.mass[scaling.members[i]];
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.inverse_mass[i] = g.inverse_mass[i] > 0 ? 1 / g.inverse_mass[i] : 0.0;
+    }
+    g.whole[group] = 1;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        if (g.supported[i] != 0) {
+            g.inverse_mass[g.component[i]] = 0;
+            g.holder[g.component[i]] = g.supported[i];
+        }
+        if (g.component[i] != members.begin) {
+            g.whole[group] = 0;
+        }
+    }
+}
+
+/// The mean velocity of those a member is held together with.
+/// \param is_with (i, j): members i and j are held together
+/// \param platen what it is if there are none: the velocity of the platen that holds it
+template <class IsWith>
+Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range members, std::int32_t i, const State& s,
+                      const Vector2& platen, IsWith&& is_with) {
+    Vector2 momentum;
+    double mass = 0;
+    for (std::int32_t j = members.begin; j < members.end; ++j) {
+        if (is_with(i, j)) {
+            const std::int32_t node = scaling.members[j];
+            momentum += a.mass[node] * s.velocity[node];
+            mass += a.mass[node];
+        }
+    }
+    return mass > 0 ? (1 / mass) * momentum : platen;
+}
+
+/// Kinetic energy ½ vᵀM' v of a group, J, with `own` times that of its masses as they are.
+double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group,
+                      const State& s, double own) {
+    const Range members = scaling.groups[group];
+    const GroupState& g = s.groups;
+    double sum = 0;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = scaling.members[i];
+        const std::uint8_t holder = g.holder[g.component[i]];
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[holder], [&](std::int32_t k, std::int32_t j) {
+            return g.component[j] == g.component[k] && holder == 0;
+        });
+        const Vector2 relative = s.velocity[node] - mean;
+        sum += a.mass[node] * (own * dot(s.velocity[node], s.velocity[node]) + scaling.factor * dot(relative, relative));
+    }
+    return 0.5 * sum;
+}
+
+/// ½ Δt F·v of some members, J: what is between ½ v(n−½)ᵀM' v(n−½) and the energy ½ v(n−½)ᵀM' v(n+½) of the ledger.
+double half_impulse_work(const StepParameters& parameters, Range members, const State& s) {
+    double sum = 0;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const std::int32_t node = parameters.mass_scaling.members[i];
+        sum += dot(s.force[node], s.velocity[node]);
+    }
+    return 0.5 * parameters.time_step * sum;
+}
+
+/// Gives those that part their velocities and those that meet their momentum: neither makes energy, seen from the platen where
+/// one holds them.
+void regroup(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group, State& s) {
+    GroupState& g = s.groups;
+    const Range members = scaling.groups[group];
+    const Range ties = scaling.ties_of_group[group];
+    const auto of_group = [&members](const auto& all) {
+        return std::vector(all.begin() + members.begin, all.begin() + members.end);
+    };
+    const std::vector<std::int32_t> old_component = of_group(g.component);
+    const std::vector<std::uint8_t> old_holder = of_group(g.holder);
+    for (std::int32_t t = ties.begin; t < ties.end; ++t) {
+        g.tied[t] = holds(scaling.ties[t], s) ? 1 : 0;
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        g.supported[i] = s.touching[scaling.members[i]];
+    }
+    find_components(a, scaling, group, g);
+    // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
+    const auto held_by = [&](std::int32_t i) { return old_holder[old_component[i - members.begin] - members.begin]; };
+    const auto holder_now = [&](std::int32_t i) { return g.holder[g.component[i]]; };
+    std::vector<Vector2> specific_momentum;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[held_by(i)], [&](std::int32_t k, std::int32_t j) {
+            return old_component[j - members.begin] == old_component[k - members.begin] && g.component[j] == g.component[k] &&
+                   !(held_by(k) != 0 && holder_now(k) != 0);
+        });
+        specific_momentum.push_back((1 + scaling.factor) * s.velocity[scaling.members[i]] - scaling.factor * mean);
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        s.velocity[scaling.members[i]] = specific_momentum[i - members.begin];
+    }
+    std::vector<Vector2> velocity;
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        const Vector2 mean =
+            mean_velocity(a, scaling, members, i, s, platens[holder_now(i)],
+                          [&](std::int32_t k, std::int32_t j) { return g.component[j] == g.component[k] && holder_now(k) == 0; });
+        const Vector2 own = s.velocity[scaling.members[i]];
+        velocity.push_back(mean + (1 / (1 + scaling.factor)) * (own - mean));
+    }
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        s.velocity[scaling.members[i]] = velocity[i - members.begin];
+    }
+}
+
+/// Cuts groups into blocks.
+void cut_blocks(MassScaling& m) {
+    for (std::int32_t g = 0; g < static_cast<std::int32_t>(m.groups.size()); ++g) {
+        if (m.groups[g].size() > members_per_block) {
+            throw InputError(fmt::format("{} nodes meet at one vertex; mass scaling can take {}: use --mass-scaling none",
+                                         m.groups[g].size(), members_per_block));
+        }
+        const bool fits = !m.blocks.empty() && m.blocks.back().size() < groups_per_block &&
+                          m.groups[g].end - m.groups[m.blocks.back().begin].begin <= members_per_block;
+        if (fits) {
+            m.blocks.back().end = g + 1;
+        } else {
+            m.blocks.push_back({g, g + 1});
+        }
+    }
+}
+
+}  // namespace
+
+MassScaling make_mass_scaling(const Assemblage& a, double factor) {
+    MassScaling m;
+    m.factor = factor;
+    if (!m.is_on()) {
+        return m;
+    }
+    const std::vector<std::int32_t> vertex = vertex_of_nodes(a);
+    m.members.resize(a.position.size());
+    std::iota(m.members.begin(), m.members.end(), 0);
+    std::stable_sort(m.members.begin(), m.members.end(), [&](std::int32_t i, std::int32_t j) { return vertex[i] < vertex[j]; });
+    std::vector<std::int32_t> member_of_node(a.position.size());
+    std::vector<std::int32_t> group_of_node(a.position.size());
+    std::int32_t n_groups = 0;
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        const std::int32_t node = m.members[i];
+        n_groups += vertex[node] == node ? 1 : 0;  // the lowest node comes first
+        member_of_node[node] = i;
+        group_of_node[node] = n_groups - 1;
+    }
+    for (std::int32_t point = 0; point < 2 * a.n_contacts(); ++point) {
+        const auto& nodes = a.contacts[point / 2].nodes;
+        m.ties.push_back({member_of_node[nodes[point % 2]], member_of_node[nodes[2 + point % 2]], point,
+                          group_reach * 2 * a.contacts[point / 2].point_area});
+    }
+    const auto group_of_tie = [&](const MassScaling::Tie& tie) { return group_of_node[m.members[tie.first]]; };
+    std::stable_sort(m.ties.begin(), m.ties.end(),
+                     [&](const MassScaling::Tie& l, const MassScaling::Tie& r) { return group_of_tie(l) < group_of_tie(r); });
+    m.groups = ranges_of_groups(a.n_nodes(), n_groups, [&](std::int32_t i) { return group_of_node[m.members[i]]; });
+    m.ties_of_group = ranges_of_groups(static_cast<std::int32_t>(m.ties.size()), n_groups,
+                                       [&](std::int32_t t) { return group_of_tie(m.ties[t]); });
+    cut_blocks(m);
+    for (const std::int32_t node : m.members) {
+        m.mass.insert(m.mass.end(), 2, a.mass[node]);
+        m.inverse_mass.insert(m.inverse_mass.end(), 2, a.inverse_mass[node]);
+    }
+    return m;
+}
+
+GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, const State& s) {
+    GroupState g;
+    g.component.resize(scaling.members.size());
+    g.inverse_mass.resize(scaling.members.size());
+    g.holder.resize(scaling.members.size());
+    g.whole.resize(scaling.groups.size());
+    g.sums.resize(scaling.blocks.size());
+    for (const MassScaling::Tie& tie : scaling.ties) {
+        g.tied.push_back(holds(tie, s) ? 1 : 0);
+    }
+    g.supported.resize(scaling.members.size());
+    for (std::int32_t group = 0; group < static_cast<std::int32_t>(scaling.groups.size()); ++group) {
+        find_components(a, scaling, group, g);
+    }
+    return g;
+}
+
+void complete_group_state(const MassScaling& scaling, State& s) {
+    GroupState& g = s.groups;
+    std::vector<bool> may_touch(s.touching.size(), false);
+    for (const PlatenPoint& point : s.platen_points) {
+        may_touch[point.node] = true;
+    }
+    g.holder.assign(scaling.members.size(), 0);
+    for (std::size_t i = 0; i < scaling.members.size(); ++i) {
+        std::uint8_t& holder = g.holder[g.component[i]];
+        holder = std::max(holder, g.supported[i]);
+    }
+    g.whole.assign(scaling.groups.size(), 1);
+    g.cracked.assign(scaling.blocks.size(), 0);
+    g.platen_members.assign(scaling.blocks.size(), {});
+    g.held.resize(scaling.blocks.size());
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        find_held(scaling, block, g);
+        const Range groups = scaling.blocks[block];
+        for (std::int32_t group = groups.begin; group < groups.end; ++group) {
+            for (std::int32_t i = scaling.groups[group].begin; i < scaling.groups[group].end; ++i) {
+                if (g.component[i] != scaling.groups[group].begin) {
+                    g.whole[group] = 0;
+                }
+                if (may_touch[scaling.members[i]]) {
+                    g.platen_members[block].push_back(i);
+                }
+            }
+        }
+    }
+    g.block_of_point.resize(scaling.ties.size());
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        const Range groups = scaling.blocks[block];
+        for (std::int32_t t = scaling.ties_of_group[groups.begin].begin; t < scaling.ties_of_group[groups.end - 1].end; ++t) {
+            g.block_of_point[scaling.ties[t].point] = block;
+            g.cracked[block] |= s.failed[scaling.ties[t].point];
+        }
+    }
+}
+
+namespace {
+
+/// Whether a group of a block may have changed: a point of it has failed, or a platen has come or gone.
+bool may_change(const MassScaling& scaling, std::int32_t block, const State& s) {
+    const GroupState& g = s.groups;
+    return g.cracked[block] != 0 || std::any_of(g.platen_members[block].begin(), g.platen_members[block].end(),
+                                                [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.members[i]]; });
+}
+
+}  // namespace
+
+void update_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                   State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    GroupState& g = s.groups;
+    if (!may_change(scaling, block, s)) {
+        return;
+    }
+    const PlatenVelocities platens(loading, parameters.time_step);
+    for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
+        const Range ties = scaling.ties_of_group[group];
+        const Range members = scaling.groups[group];
+        bool changes = false;
+        for (std::int32_t t = ties.begin; t < ties.end; ++t) {
+            changes = changes || (s.failed[scaling.ties[t].point] != 0 && holds(scaling.ties[t], s) != (g.tied[t] != 0));
+        }
+        for (std::int32_t i = members.begin; i < members.end; ++i) {
+            changes = changes || g.supported[i] != s.touching[scaling.members[i]];
+        }
+        if (!changes) {
+            continue;
+        }
+        const auto energy = [&] {
+            return kinetic_energy(a, scaling, platens, group, s, 1) + half_impulse_work(parameters, members, s);
+        };
+        const double before = energy();
+        regroup(a, scaling, platens, group, s);
+        g.sums[block].shed += before - energy();
+        find_held(scaling, block, g);
+    }
+}
+
+void shed_added_mass(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, double time_step,
+                     State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    const double shorter = 1 - time_step / parameters.time_step;
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+        s.groups.sums[block].shed += added_kinetic_energy(a, parameters, loading, block, s) +
+                                     shorter * half_impulse_work(parameters, scaling.members_of(block), s);
+    }
+}
+
+double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                            const State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    const PlatenVelocities platens(loading, parameters.time_step);
+    double sum = 0;
+    for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
+        sum += kinetic_energy(a, scaling, platens, group, s, 0);
+    }
+    return sum;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,238 @@
+// The group stage of a step with mass scaling: damping and integration, block by block. It works on arrays on the stack: members
+// side by side, x and y after each other, as both are treated alike. Sums over those held together are taken one by one; all else
+// is for vector units.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "solver/model/vertex_clusters.hpp"
+#include "solver/model/state.hpp"
+#include "solver/step/step.hpp"
+#include "solver/simd.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t lanes = 8;  // of the widest vector unit
+static_assert(2 * members_per_block % lanes == 0);
+
+/// Members of a block.
+struct Batch {
+    static constexpr std::int32_t size = 2 * members_per_block;
+    alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
+    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
+    alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
+    alignas(64) double mean_drag[size];                               ///< drag of the mean less the mean of drags, per mass
+    alignas(64) double drag[size];
+};
+
+Vector2 pair_at(const double* values, std::ptrdiff_t i) { return {values[2 * i], values[2 * i + 1]}; }
+void set_pair(double* values, std::ptrdiff_t i, const Vector2& pair) {
+    values[2 * i] = pair.x;
+    values[2 * i + 1] = pair.y;
+}
+
+void gather(const MassScaling& scaling, Range members, const State& s, Batch& b) {
+    const Vector2* const force = s.force.data();
+    const Vector2* const last_force = s.last_force.data();
+    const Vector2* const velocity = s.velocity.data();
+    for (std::int32_t i = 0; i < members.size(); ++i) {
+        const std::int32_t node = scaling.members[members.begin + i];
+        set_pair(b.force, i, force[node]);
+        set_pair(b.change, i, force[node] - last_force[node]);
+        set_pair(b.velocity, i, velocity[node]);
+    }
+}
+
+/// Calls `whole(first, last)` for every group that is one component, `torn(first, last)` for all others; places within the block.
+template <class Whole, class Torn>
+void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupState& g, Whole&& whole, Torn&& torn) {
+    const Range groups = scaling.blocks[block];
+    const std::int32_t origin = scaling.groups[groups.begin].begin;
+    for (std::int32_t group = groups.begin; group < groups.end; ++group) {
+        const Range members{scaling.groups[group].begin - origin, scaling.groups[group].end - origin};
+        g.whole[group] != 0 ? whole(members) : torn(members);
+    }
+}
+
+/// Mean acceleration, its change and mean velocity of those held together.
+void find_means(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+    const std::int32_t origin = scaling.members_of(block).begin;
+    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
+    for_each_group(
+        scaling, block, g,
+        [&](Range members) {
+            Vector2 force;
+            Vector2 change;
+            Vector2 momentum;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                force += pair_at(b.force, i);
+                change += pair_at(b.change, i);
+                momentum += mass[2 * i] * pair_at(b.velocity, i);
+            }
+            const double share = g.inverse_mass[origin + members.begin];
+            const Vector2 acceleration = share * force;
+            const Vector2 acceleration_change = share * change;
+            const Vector2 velocity = share * momentum;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_acceleration, i, acceleration);
+                set_pair(b.mean_change, i, acceleration_change);
+                set_pair(b.mean_velocity, i, velocity);
+            }
+        },
+        [&](Range members) {
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_acceleration, i, {});
+                set_pair(b.mean_change, i, {});
+                set_pair(b.mean_velocity, i, {});
+                const std::int32_t first = g.component[origin + i] - origin;
+                const double share = g.inverse_mass[origin + first];
+                set_pair(b.mean_acceleration, first, pair_at(b.mean_acceleration, first) + share * pair_at(b.force, i));
+                set_pair(b.mean_change, first, pair_at(b.mean_change, first) + share * pair_at(b.change, i));
+                set_pair(b.mean_velocity, first,
+                         pair_at(b.mean_velocity, first) + (share * mass[2 * i]) * pair_at(b.velocity, i));
+            }
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                const std::int32_t first = g.component[origin + i] - origin;
+                set_pair(b.mean_acceleration, i, pair_at(b.mean_acceleration, first));
+                set_pair(b.mean_change, i, pair_at(b.mean_change, first));
+                set_pair(b.mean_velocity, i, pair_at(b.mean_velocity, first));
+            }
+        });
+}
+
+/// Drag of the relative motion of each.
+GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
+    const Damping damping = shares;
+    for (std::int32_t k = 0; k < count; ++k) {
+        b.drag[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
+                                  b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
+    }
+}
+
+/// Mean of these drags, to be taken off.
+void find_mean_drags(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+    const std::int32_t origin = scaling.members_of(block).begin;
+    for_each_group(
+        scaling, block, g,
+        [&](Range members) {
+            Vector2 drag;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                drag += pair_at(b.drag, i);
+            }
+            const Vector2 mean = g.inverse_mass[origin + members.begin] * drag;
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_drag, i, mean);
+            }
+        },
+        [&](Range members) {
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_drag, i, {});
+                const std::int32_t first = g.component[origin + i] - origin;
+                set_pair(b.mean_drag, first, pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.drag, i));
+            }
+            for (std::int32_t i = members.begin; i < members.end; ++i) {
+                set_pair(b.mean_drag, i, pair_at(b.mean_drag, g.component[origin + i] - origin));
+            }
+        });
+}
+
+/// Drag of both motions into `drag`, and the damped acceleration of the mean.
+GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
+    const Damping damping = shares;
+    for (std::int32_t k = 0; k < count; ++k) {
+        const double mean = damping_force(damping, b.mean_acceleration[k], b.mean_change[k], b.mean_velocity[k]);
+        b.drag[k] += mass[k] * (mean - b.mean_drag[k]);
+        b.mean_acceleration[k] += mean;
+    }
+}
+
+/// Everything up to the drags of a block. The mean motion of those that a platen holds is the platen's, and is not damped.
+void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t block,
+          const State& s, Batch& b) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    const Range members = scaling.members_of(block);
+    const std::int32_t count = 2 * members.size();
+    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
+    gather(scaling, members, s, b);
+    find_means(scaling, block, s.groups, b);
+    for (const auto& [i, holder] : s.groups.held[block]) {
+        set_pair(b.mean_velocity, i, platens[holder]);
+    }
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
+    find_mean_drags(scaling, block, s.groups, b);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damps(), count, b); });
+}
+
+/// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
+GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Batch& b) {
+    for (std::int32_t k = count; k % lanes != 0; ++k) {
+        b.drag[k] = b.velocity[k] = b.mean_velocity[k] = 0;
+    }
+    // The new velocities into `mean_velocity`, which is not needed any more.
+    for (std::int32_t k = 0; k < count; ++k) {
+        const double mean = (1 - own) * b.mean_acceleration[k];
+        b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.drag[k]));
+    }
+    double absorbed[lanes] = {};
+    for (std::int32_t k = 0; k < count; k += lanes) {
+        for (std::int32_t l = 0; l < lanes; ++l) {
+            absorbed[l] -= b.drag[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
+        }
+    }
+    return ((absorbed[0] + absorbed[1]) + (absorbed[2] + absorbed[3])) +
+           ((absorbed[4] + absorbed[5]) + (absorbed[6] + absorbed[7]));
+}
+
+/// Of the platen that holds a component, m/s².
+Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t holder) {
+    const std::size_t platen = holder - 1U;
+    return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};
+}
+
+}  // namespace
+
+void damp_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                 State& s) {
+    Batch b;
+    damp(a, parameters, PlatenVelocities(loading, parameters.time_step), block, s, b);
+    const Range members = parameters.mass_scaling.members_of(block);
+    for (std::int32_t i = members.begin; i < members.end; ++i) {
+        s.drag[parameters.mass_scaling.members[i]] = pair_at(b.drag, i - members.begin);
+    }
+}
+
+void integrate_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                      State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    const double dt = parameters.time_step;
+    Batch b;
+    damp(a, parameters, PlatenVelocities(loading, dt), block, s, b);
+    for (const auto& [i, holder] : s.groups.held[block]) {
+        set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, holder));
+    }
+    const Range members = scaling.members_of(block);
+    const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
+    double absorbed = 0;
+    run_on(a.vector_target,
+           [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
+    s.groups.sums[block].damping += 0.5 * dt * absorbed;
+    for (const auto& [i, holder] : s.groups.held[block]) {
+        const Vector2 against_platen =
+            (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) - platen_acceleration(loading, dt, holder);
+        const double force = -scaling.factor * scaling.mass[2 * (members.begin + i)] * against_platen.y;  // of the added mass
+        s.groups.sums[block].platen_work +=
+            0.5 * force * (loading.increment_before[holder - 1U] + loading.increment_after[holder - 1U]);
+    }
+    Vector2* const velocity = s.velocity.data();
+    Vector2* const displacement = s.displacement.data();
+    for (std::int32_t i = 0; i < members.size(); ++i) {
+        const std::int32_t node = scaling.members[members.begin + i];
+        const Vector2 moved = pair_at(b.mean_velocity, i);
+        velocity[node] = moved;
+        displacement[node] += dt * moved;
+        s.last_force[node] = s.force[node];
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,200 @@
+// The node stage of a step: forces of elements, contacts, platens and membrane summed in a fixed order, then damping and
+// integration, block by block.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver/step/step.hpp"
+#include "solver/simd.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t batch_elements = 64;
+
+/// Elements side by side: edge displacements in, nodal forces out.
+struct Batch {
+    alignas(64) double a_x[batch_elements], a_y[batch_elements], b_x[batch_elements], b_y[batch_elements];
+    alignas(64) double f1_x[batch_elements], f1_y[batch_elements], f2_x[batch_elements], f2_y[batch_elements];
+};
+
+/// Geometry of the elements of a batch.
+struct Triangles {
+    const double *gradient1_x, *gradient1_y, *gradient2_x, *gradient2_y, *area;
+};
+Triangles triangles_from(const TriangleTable& t, std::int32_t e) {
+    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e], &t.area[e]};
+}
+
+GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, const PlaneElasticity& elasticity, std::int32_t count,
+                                           Batch& b) {
+    const PlaneElasticity c = elasticity;
+    const Triangles t = triangles;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
+        const TriangleForces f = triangle_forces(g, triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}));
+        b.f1_x[i] = f.on_node1.x;
+        b.f1_y[i] = f.on_node1.y;
+        b.f2_x[i] = f.on_node2.x;
+        b.f2_y[i] = f.on_node2.y;
+    }
+}
+
+void add_elements(const Assemblage& a, Range range, State& s) {
+    Batch batch;
+    for (std::int32_t begin = range.begin; begin < range.end; begin += batch_elements) {
+        const std::int32_t count = std::min(batch_elements, range.end - begin);
+        const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[begin];
+        const Vector2* const displacement = s.displacement.data();
+        for (std::int32_t i = 0; i < count; ++i) {
+            const auto [n0, n1, n2] = nodes[i];
+            const Vector2 u0 = displacement[n0];
+            const Vector2 to1 = displacement[n1] - u0;
+            const Vector2 to2 = displacement[n2] - u0;
+            batch.a_x[i] = to1.x;
+            batch.a_y[i] = to1.y;
+            batch.b_x[i] = to2.x;
+            batch.b_y[i] = to2.y;
+        }
+        const Triangles triangles = triangles_from(a.element_geometry, begin);
+        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, a.elasticity, count, batch); });
+        Vector2* const force = s.force.data();
+        for (std::int32_t i = 0; i < count; ++i) {
+            const auto [n0, n1, n2] = nodes[i];
+            const Vector2 f1{batch.f1_x[i], batch.f1_y[i]};
+            const Vector2 f2{batch.f2_x[i], batch.f2_y[i]};
+            force[n0] -= f1 + f2;
+            force[n1] += f1;
+            force[n2] += f2;
+        }
+    }
+}
+
+/// Forces of contacts on the nodes of a block; sets `state.force`.
+void gather_contacts(const Assemblage& a, const GrainBlock& block, State& s) {
+    const double* const value = s.contact_force.data();
+    const std::array<std::int32_t, 2>* const slots = a.slots.data();
+    Vector2* const force = s.force.data();
+    for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
+        const auto [first, second] = slots[i];
+        force[i] = {value[first] + value[second], value[first + contacts_per_block] + value[second + contacts_per_block]};
+    }
+    for (std::int32_t i = block.further_slots.begin; i < block.further_slots.end; ++i) {
+        const auto [node, slot] = a.further_slots[i];
+        s.force[node] += {value[slot], value[slot + contacts_per_block]};
+    }
+}
+
+void add_touches(std::int32_t block, State& s) {
+    const TouchList& list = s.touches;
+    const Range gathers = list.gathers_of_block[block];
+    for (std::int32_t i = gathers.begin; i < gathers.end; ++i) {
+        const TouchGather& gather = list.gathers[i];
+        for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
+            s.force[gather.node] += list.moving.forces[list.gathered_slots[k]];
+        }
+    }
+}
+
+void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit, State& s) {
+    const Range points = boundary.platen_points_of_block[block];
+    for (std::int32_t i = points.begin; i < points.end; ++i) {
+        PlatenPoint& point = s.platen_points[i];
+        const Platen& platen = boundary.platens[point.platen];
+        const Vector2& u = s.displacement[point.node];
+        const double platen_displacement = loading.platen_displacement[point.platen];
+        const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
+        s.force[point.node] += r.force;
+        const double penetration = platen_penetration(platen, point, u, platen_displacement);
+        if (platen.bonded || penetration > -group_reach * point.tributary) {
+            s.touching[point.node] = static_cast<std::uint8_t>(1 + point.platen);
+        }
+        if (commit) {
+            point.anchor = r.anchor;
+            point.shear = r.shear;
+            s.grain_sums[block].platen_friction += r.friction;
+            s.grain_sums[block].platen_work +=
+                0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
+        }
+    }
+}
+
+void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure, std::int32_t block, State& s) {
+    const double half_pressure = 0.5 * pressure;
+    const Range edges = boundary.membrane_edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        const auto [first, second] = boundary.membrane_edges[i];
+        const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
+        s.membrane_force[i] = {-half_pressure * along.y, half_pressure * along.x};
+        s.force[first] += s.membrane_force[i];
+        s.force[second] += s.membrane_force[i];
+    }
+}
+
+/// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
+GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const Damping& shares, const double* inverse_mass,
+                                    const Vector2* force, Vector2* last_force, Vector2* velocity, Vector2* displacement) {
+    const Damping damping = shares;
+    double absorbed = 0;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const Vector2 old_velocity = velocity[i];
+        const Vector2 drag = damping_force(damping, force[i], force[i] - last_force[i], old_velocity);
+        last_force[i] = force[i];
+        const double rate = time_step * inverse_mass[i];
+        const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + drag.x), old_velocity.y + rate * (force[i].y + drag.y)};
+        velocity[i] = new_velocity;
+        displacement[i].x += time_step * new_velocity.x;
+        displacement[i].y += time_step * new_velocity.y;
+        absorbed -= drag.x * (old_velocity.x + new_velocity.x) + drag.y * (old_velocity.y + new_velocity.y);
+    }
+    return 0.5 * time_step * absorbed;
+}
+
+}  // namespace
+
+void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit,
+                      State& s) {
+    const GrainBlock& range = a.grain_blocks[block];
+    std::fill(s.touching.begin() + range.nodes.begin, s.touching.begin() + range.nodes.end, std::uint8_t{0});
+    gather_contacts(a, range, s);
+    add_elements(a, range.elements, s);
+    add_touches(block, s);
+    add_platens(boundary, loading, block, commit, s);
+    add_membrane(a, boundary, loading.pressure, block, s);
+    if (!boundary.drives.empty()) {
+        add_drives(a, boundary.drives, loading, block, s);
+    }
+}
+
+void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t block, double time_step, State& s) {
+    double work = 0;
+    const Range edges = boundary.membrane_edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        const auto [first, second] = boundary.membrane_edges[i];
+        work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
+    }
+    s.grain_sums[block].membrane_work += work;
+    if (!boundary.drives.empty()) {
+        s.grain_sums[block].load_work += load_half_work(a, boundary.drives, block, time_step, s);
+    }
+}
+
+void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
+                     State& s) {
+    const Range nodes = a.grain_blocks[block].nodes;
+    GrainSums& sums = s.grain_sums[block];
+    const double dt = parameters.time_step;
+    book_half_work(a, boundary, block, dt, s);
+    hold_driven(boundary.drives, block, s);
+    const std::int32_t n = nodes.size();
+    double absorbed = 0;
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        absorbed = move_nodes(n, dt, parameters.damps(), &a.inverse_mass[nodes.begin], &s.force[nodes.begin],
+                              &s.last_force[nodes.begin], &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
+    });
+    sums.damping += absorbed;
+    sums.reaction_work += lead_driven(a, boundary.drives, block, dt, s);
+    book_half_work(a, boundary, block, dt, s);
+}
+
+}  // namespace graincrack

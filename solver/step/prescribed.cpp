@@ -1,0 +1,144 @@
+#include "solver/model/prescribed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+namespace {
+
+double value_of(const StepLoading& loading, std::int32_t channel, double otherwise) {
+    return channel == no_channel || loading.channels.empty() ? otherwise : loading.channels[channel];
+}
+
+template <class Item, class NodeOf>
+std::vector<Range> ranges_by_block(const Assemblage& a, const std::vector<Item>& items, NodeOf&& node_of) {
+    std::vector<Range> ranges;
+    std::int32_t i = 0;
+    for (const GrainBlock& block : a.grain_blocks) {
+        Range range{i, i};
+        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < block.nodes.end) {
+            ++range.end;
+        }
+        i = range.end;
+        ranges.push_back(range);
+    }
+    return ranges;
+}
+
+void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoading& loading, std::int32_t index, State& s) {
+    const auto [first, second] = edge.nodes;
+    const double half_pressure = 0.5 * value_of(loading, edge.pressure, 0);
+    const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
+    const double half_length = 0.5 * edge.length;
+    const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
+                       half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
+    s.drives.load[index] = load;
+    s.drives.pressing[index] = -half_pressure * along.y;
+    s.force[first] += load;
+    s.force[second] += load;
+}
+
+/// Takes the force off a component that is driven.
+void take_reaction(double velocity, double& force, double& reaction) {
+    const bool driven = !std::isnan(velocity);
+    reaction = driven ? -force : 0;
+    force = driven ? 0 : force;
+}
+
+/// Moves a driven component. \return work of its reaction, J
+double lead(double prescribed, double old_velocity, double reaction, double inertia, double time_step, double old_displacement,
+            double& velocity, double& displacement) {
+    if (std::isnan(prescribed)) {
+        return 0;
+    }
+    velocity = prescribed;
+    displacement = old_displacement + time_step * prescribed;
+    const double force = reaction + inertia * (prescribed - old_velocity);
+    return 0.5 * time_step * force * (old_velocity + prescribed);
+}
+
+}  // namespace
+
+void arrange_drives(const Assemblage& a, Drives& drives) {
+    std::sort(drives.nodes.begin(), drives.nodes.end(), [](const DrivenNode& l, const DrivenNode& r) { return l.node < r.node; });
+    std::stable_sort(drives.edges.begin(), drives.edges.end(),
+                     [](const LoadedEdge& l, const LoadedEdge& r) { return l.nodes < r.nodes; });
+    drives.nodes_of_block = ranges_by_block(a, drives.nodes, [](const DrivenNode& n) { return n.node; });
+    drives.edges_of_block = ranges_by_block(a, drives.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
+}
+
+void add_drives(const Assemblage& a, const Drives& drives, const StepLoading& loading, std::int32_t block, State& s) {
+    const Range nodes = a.grain_blocks[block].nodes;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        s.force[i] += a.rock_mass[i] * drives.gravity;
+    }
+    const Range edges = drives.edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        add_edge_load(a, drives.edges[i], loading, i, s);
+    }
+    const Range driven = drives.nodes_of_block[block];
+    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+        const DrivenNode& node = drives.nodes[i];
+        DriveState::Node& state = s.drives.nodes[i];
+        Vector2& force = s.force[node.node];
+        state.velocity = {value_of(loading, node.channel[0], NAN), value_of(loading, node.channel[1], NAN)};
+        take_reaction(state.velocity.x, force.x, state.reaction.x);
+        take_reaction(state.velocity.y, force.y, state.reaction.y);
+    }
+}
+
+double load_half_work(const Assemblage& a, const Drives& drives, std::int32_t block, double time_step, const State& s) {
+    double work = 0;
+    const Range edges = drives.edges_of_block[block];
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
+        const auto [first, second] = drives.edges[i].nodes;
+        work += dot(s.drives.load[i], s.velocity[first] + s.velocity[second]);
+    }
+    Vector2 momentum;
+    const Range nodes = a.grain_blocks[block].nodes;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        momentum += a.rock_mass[i] * s.velocity[i];
+    }
+    return 0.5 * time_step * (work + dot(drives.gravity, momentum));
+}
+
+double reaction_half_work(const Drives& drives, double time_step, const State& s) {
+    double work = 0;
+    for (std::size_t i = 0; i < drives.nodes.size(); ++i) {
+        work += dot(s.drives.nodes[i].reaction, s.velocity[drives.nodes[i].node]);
+    }
+    return 0.5 * time_step * work;
+}
+
+void hold_driven(const Drives& drives, std::int32_t block, State& s) {
+    if (drives.nodes.empty()) {
+        return;
+    }
+    const Range driven = drives.nodes_of_block[block];
+    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+        s.drives.nodes[i].displacement = s.displacement[drives.nodes[i].node];
+        s.drives.nodes[i].old_velocity = s.velocity[drives.nodes[i].node];
+    }
+}
+
+double lead_driven(const Assemblage& a, const Drives& drives, std::int32_t block, double time_step, State& s) {
+    if (drives.nodes.empty()) {
+        return 0;
+    }
+    double work = 0;
+    const Range driven = drives.nodes_of_block[block];
+    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+        const std::int32_t node = drives.nodes[i].node;
+        const DriveState::Node& n = s.drives.nodes[i];
+        const double inertia = a.mass[node] / time_step;
+        work += lead(n.velocity.x, n.old_velocity.x, n.reaction.x, inertia, time_step, n.displacement.x, s.velocity[node].x,
+                     s.displacement[node].x);
+        work += lead(n.velocity.y, n.old_velocity.y, n.reaction.y, inertia, time_step, n.displacement.y, s.velocity[node].y,
+                     s.displacement[node].y);
+    }
+    return work;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,31 @@
+#include "solver/step/thread_team.hpp"
+
+namespace graincrack {
+
+Team::Team(int n_threads) : barrier_(n_threads) {
+    for (int thread = 1; thread < n_threads; ++thread) {
+        others_.emplace_back([this, thread] {
+            for (barrier_.wait(); work_ != nullptr; barrier_.wait()) {
+                (*work_)(thread);
+                barrier_.wait();
+            }
+        });
+    }
+}
+
+Team::~Team() {
+    work_ = nullptr;
+    barrier_.wait();
+    for (std::thread& thread : others_) {
+        thread.join();
+    }
+}
+
+void Team::run(const std::function<void(int)>& work) {
+    work_ = &work;
+    barrier_.wait();
+    work(0);
+    barrier_.wait();
+}
+
+}  // namespace graincrack

@@ -1,0 +1,93 @@
+// A team of threads that walk through many steps together: contiguous shares of blocks and a cheap barrier.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "solver/model/assemblage.hpp"
+
+namespace graincrack {
+
+/// Barrier for a fixed number of threads. Spins while the others are about to come; where they do not come in time, because
+/// processors are busy with something else or fewer than threads, it sleeps and leaves them the processor.
+class SpinBarrier {
+public:
+    explicit SpinBarrier(int n_threads) : n_threads_(n_threads) {}
+    void wait() {
+        if (n_threads_ == 1) {
+            return;
+        }
+        const std::uint32_t generation = generation_.load(std::memory_order_acquire);
+        if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == n_threads_) {
+            arrived_.store(0, std::memory_order_relaxed);
+            generation_.store(generation + 1, std::memory_order_release);
+            generation_.notify_all();
+            return;
+        }
+        // Once in a while it finds out whether spinning pays again.
+        const bool patient = patient_.load(std::memory_order_relaxed) || generation % waits_between_trials == 0;
+        for (int spins = patient ? patient_spins : impatient_spins; spins > 0; --spins) {
+            if (generation_.load(std::memory_order_acquire) != generation) {
+                if (patient) {
+                    patient_.store(true, std::memory_order_relaxed);
+                }
+                return;
+            }
+#if defined(__x86_64__)
+            __builtin_ia32_pause();
+#endif
+        }
+        patient_.store(false, std::memory_order_relaxed);
+        while (generation_.load(std::memory_order_acquire) == generation) {
+            generation_.wait(generation, std::memory_order_acquire);
+        }
+    }
+
+private:
+    static constexpr int patient_spins = 20000;  // some 250 µs: what one thread may do alone between two pieces of work
+    static constexpr int impatient_spins = 100;
+    static constexpr std::uint32_t waits_between_trials = 64;
+    const int n_threads_;
+    alignas(64) std::atomic<int> arrived_{0};
+    alignas(64) std::atomic<std::uint32_t> generation_{0};
+    alignas(64) std::atomic<bool> patient_{true};
+};
+
+/// Threads that live as long as the team and wait at a barrier between two pieces of work: asleep if that takes long.
+class Team {
+public:
+    explicit Team(int n_threads);
+    ~Team();
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+    [[nodiscard]] int size() const { return static_cast<int>(others_.size()) + 1; }
+    /// Runs `work(thread)` for every thread 0 … size − 1, thread 0 in the caller; returns when all are done.
+    void run(const std::function<void(int)>& work);
+    /// For work that goes on in steps: returns when all threads of the team have called it.
+    void wait() { barrier_.wait(); }
+
+private:
+    SpinBarrier barrier_;
+    const std::function<void(int)>* work_ = nullptr;  ///< none: the team ends
+    std::vector<std::thread> others_;
+};
+
+/// Threads worth having: each must have at least `elements_per_thread` elements to work on.
+inline int worthwhile_threads(int wanted, std::size_t n_elements, std::size_t elements_per_thread) {
+    return std::max(1, std::min(wanted, static_cast<int>(n_elements / std::max<std::size_t>(elements_per_thread, 1))));
+}
+
+/// Share of thread `thread` of `n` items.
+inline Range share_of(std::size_t n, int thread, int n_threads) {
+    const auto at = [&](int t) {
+        return static_cast<std::int32_t>(n * static_cast<std::size_t>(t) / static_cast<std::size_t>(n_threads));
+    };
+    return {at(thread), at(thread + 1)};
+}
+
+}  // namespace graincrack
