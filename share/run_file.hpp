@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "share/contact_state.hpp"
 #include "share/fracture_process_zone.hpp"
 #include "share/material.hpp"
 #include "share/quantities.hpp"
@@ -17,11 +18,6 @@
 #include "share/specimen.hpp"
 
 namespace graincrack {
-
-/// State of a contact point (dataset /frames/NNNN/state).
-enum class PointState : std::uint8_t { intact = 0, failed_tension = 1, failed_shear = 2, separated = 3 };
-/// Mode of a micro-crack (dataset /cracks/mode).
-enum class CrackMode : std::uint8_t { tensile = 0, shear = 1 };
 
 /// Part of the load that damping may carry before a run warns.
 inline constexpr double trusted_damping_load = 0.01;

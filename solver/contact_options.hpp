@@ -5,7 +5,7 @@
 #include <string>
 
 #include "share/command_line.hpp"
-#include "solver/run/simulation.hpp"
+#include "solver/setup/request.hpp"
 
 namespace graincrack {
 

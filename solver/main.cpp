@@ -12,6 +12,8 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/units.hpp"
+#include "solver/run/plan.hpp"
+#include "solver/run/simulation.hpp"
 #include "solver/solve_options.hpp"
 
 namespace {

@@ -8,8 +8,9 @@
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
-#include "solver/run/checkpoint.hpp"
 #include "solver/contact_options.hpp"
+#include "solver/loading/program_file.hpp"
+#include "solver/run/checkpoint.hpp"
 
 namespace graincrack {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "share/progress.hpp"
-#include "solver/run/simulation.hpp"
+#include "solver/setup/request.hpp"
 
 namespace graincrack {
 

@@ -1,12 +1,12 @@
-// The touch stage of most steps: the touches that go on, moved side by side, and where the nodes find their forces.
+#include "solver/detection/active_contacts.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/model/state.hpp"
-#include "solver/step/step.hpp"
-#include "solver/model/contact_pairs.hpp"
+#include "solver/detection/node_edge_contact.hpp"
+#include "solver/simd.hpp"
 
 namespace graincrack {
 namespace {
@@ -154,13 +154,14 @@ void settle_touches(std::int32_t block, TouchList& list) {
     }
 }
 
-void TouchList::append_moving(const Outline& outline, std::int32_t block, std::int32_t index) {
-    const std::int32_t at = first_awake(block) + moving.count[block]++;
-    const auto& [first, second] = outline.edges[pairs[index].edge].nodes;
-    const Touch& touch = touches[index];
+void append_moving(const Outline& outline, std::int32_t block, std::int32_t index, TouchList& list) {
+    MovingTouches& moving = list.moving;
+    const std::int32_t at = list.first_awake(block) + moving.count[block]++;
+    const auto& [first, second] = outline.edges[list.pairs[index].edge].nodes;
+    const Touch& touch = list.touches[index];
     moving.changed[block] = moving.changed[block] != 0 || moving.pair[at] != index ? 1 : 0;
     moving.pair[at] = index;
-    moving.nodes[at] = {pairs[index].node, first, second};
+    moving.nodes[at] = {list.pairs[index].node, first, second};
     moving.live[at] = touch.active ? 1 : 0;
     moving.area[at] = touch.area;
     moving.allowance[at] = touch.allowance;
@@ -168,7 +169,16 @@ void TouchList::append_moving(const Outline& outline, std::int32_t block, std::i
     moving.stretch[at] = touch.stretch;
     moving.pull[at] = touch.pull;
     moving.place[at] = touch.near_first ? 0 : 1;
-    std::copy_n(&forces[3 * static_cast<std::size_t>(index)], 3, &moving.forces[3 * static_cast<std::size_t>(at)]);
+    std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &moving.forces[3 * static_cast<std::size_t>(at)]);
+}
+
+double stored_in_touches(const ContactLaw& law, const TouchList& list) {
+    double energy = 0;
+    list.for_moving([&](std::int32_t i) {
+        const Touch& touch = list.touches[list.moving.pair[i]];
+        energy += touch.active ? touch_energy(law, touch) : 0;
+    });
+    return energy;
 }
 
 void take_up_touches(const Assemblage& a, TouchList& list) {
@@ -188,7 +198,7 @@ void take_up_touches(const Assemblage& a, TouchList& list) {
         for (std::int32_t i = list.first_awake(block); i < end; ++i) {
             const Touch& touch = list.touches[list.awake[i]];
             if (touch.active || touch.pull != 0) {
-                list.append_moving(a.outline, block, list.awake[i]);
+                append_moving(a.outline, block, list.awake[i], list);
             }
         }
     }

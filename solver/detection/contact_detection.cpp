@@ -1,14 +1,12 @@
-// The review of touches: every awake pair of a node and an edge. A block of nodes is worked on in passes: where they are (side by
-// side), what becomes of their touches (one by one), how these move (side by side), and which begin.
+#include "solver/detection/contact_detection.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "solver/model/state.hpp"
-#include "solver/step/step.hpp"
+#include "solver/detection/active_contacts.hpp"
 #include "solver/detection/pair_geometry.hpp"
-#include "solver/model/contact_pairs.hpp"
 
 namespace graincrack {
 namespace {
@@ -149,7 +147,7 @@ void carry_on(Group& group) {
     }
     for (std::size_t k = 0; k < count; ++k) {
         if (const std::int32_t on = carry_on(group, active[k]); on >= 0) {
-            group.block.state.touches.append_moving(group.block.assemblage.outline, group.block.index, group.pair(on));
+            append_moving(group.block.assemblage.outline, group.block.index, group.pair(on), group.block.state.touches);
         }
     }
 }
@@ -199,7 +197,7 @@ void begin_touches(Group& group) {
         if (may_begin(group, i)) {
             const TouchGeometry g = group.geometry(i);
             group.touch(i) = {true, g.place < 0.5, area_of(group, i), g.depth, 0, 0, 0};
-            group.block.state.touches.append_moving(group.block.assemblage.outline, group.block.index, group.pair(i));
+            append_moving(group.block.assemblage.outline, group.block.index, group.pair(i), group.block.state.touches);
         }
     }
 }
@@ -261,15 +259,6 @@ void review_touches(const Assemblage& a, const StepParameters& parameters, std::
     for_groups(begin_touches);
     list.moving.changed[index] = list.moving.changed[index] != 0 || list.moving.count[index] != before ? 1 : 0;
     list.friction[index] += block.friction;
-}
-
-double stored_in_touches(const ContactLaw& law, const TouchList& list) {
-    double energy = 0;
-    list.for_moving([&](std::int32_t i) {
-        const Touch& touch = list.touches[list.moving.pair[i]];
-        energy += touch.active ? touch_energy(law, touch) : 0;
-    });
-    return energy;
 }
 
 }  // namespace graincrack

@@ -21,8 +21,9 @@
 #include <cmath>
 
 #include "solver/law/contact_law.hpp"
-#include "solver/vector2.hpp"
+#include "solver/model/contact_pairs.hpp"
 #include "solver/simd.hpp"
+#include "solver/vector2.hpp"
 
 namespace graincrack {
 
@@ -44,17 +45,6 @@ GRAINCRACK_INLINE TouchGeometry touch_geometry(const Vector2& edge, const Vector
 inline TouchGeometry touch_geometry(const Vector2& node, const Vector2& first, const Vector2& second) {
     return touch_geometry(second - first, node - first);
 }
-
-/// What a touch remembers.
-struct Touch {
-    bool active = false;
-    bool near_first = true;  ///< nearer to the first end of the edge than to the second
-    double area = 0;         ///< A of the node, m²
-    double allowance = 0;    ///< m
-    double pressing = 0;     ///< e at the last update, m
-    double stretch = 0;      ///< q, m
-    double pull = 0;         ///< as a depth, ½ e o/(e + o), m: of one that has ended, its forces in the step after
-};
 
 /// Forces of a touch.
 struct TouchForces {

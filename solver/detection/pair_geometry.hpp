@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/model/state.hpp"
 #include "solver/detection/node_edge_contact.hpp"
+#include "solver/model/state.hpp"
 #include "solver/simd.hpp"
 
 namespace graincrack {

@@ -1,5 +1,5 @@
 // What is listed, kept, handed over and woken between steps.
-#include "solver/model/contact_pairs.hpp"
+#include "solver/detection/pair_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,10 @@
 #include <limits>
 #include <numeric>
 
-#include "solver/model/state.hpp"
-#include "solver/step/step.hpp"
+#include "solver/detection/active_contacts.hpp"
+#include "solver/detection/contact_detection.hpp"
 #include "solver/detection/pair_geometry.hpp"
+#include "solver/detection/pair_search.hpp"
 
 namespace graincrack {
 namespace {
@@ -353,14 +354,6 @@ Speeds find_speeds(const std::vector<Vector2>& velocity) {
 }
 
 }  // namespace
-
-TouchList make_touch_list(const Assemblage& a) {
-    TouchList list;
-    list.loose.assign(2 * a.contacts.size(), 0);
-    list.released.assign(a.contacts.size(), 0);
-    list.gathers_of_block.assign(a.grain_blocks.size(), Range{});
-    return list;
-}
 
 bool look_after_touches(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
     TouchList& list = s.touches;

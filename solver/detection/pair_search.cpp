@@ -1,11 +1,10 @@
 // The search: cells over exposed edges, and the pairs near each other.
+#include "solver/detection/pair_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-
-#include "solver/model/state.hpp"
-#include "solver/model/contact_pairs.hpp"
 
 namespace graincrack {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "share/run_file.hpp"
+#include "share/contact_state.hpp"
 
 namespace graincrack {
 

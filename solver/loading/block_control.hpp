@@ -9,9 +9,6 @@ inline constexpr int parts_of_block = 5;
 /// Travel of a block over speed and duration of its parts: the platens start within the first and stop within the last.
 inline constexpr double moving_share_of_block = 1 - 1.0 / parts_of_block;
 
-/// Unbalanced ratio that counts as rest. Between blocks of 1.5e-4 of strain it falls below within some wave transits.
-inline constexpr double default_rest_tolerance = 1e-4;
-
 class BlockControl {
 public:
     /// \param speed of each platen within a block, m/s

@@ -1,4 +1,6 @@
 // The program's file: TOML, strict. share/doc/programs.md describes it.
+#include "solver/loading/program_file.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +12,6 @@
 
 #include "share/error.hpp"
 #include "share/units.hpp"
-#include "solver/setup/program.hpp"
 #include "solver/loading/toml_table.hpp"
 
 namespace graincrack {

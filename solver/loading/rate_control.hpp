@@ -31,10 +31,6 @@ struct RateMeasures {
     double near_failure = 0;      ///< how much of a line across the specimen is near failure or slides, 0 to 1
 };
 
-/// Rise of the load over itself in a wave transit up to which it is quasi-static while there is damage.
-/// \see share/doc/equilibrium.md
-inline constexpr double default_rate_tolerance = 1.5e-3;
-
 /// A specimen as the control sees it: a bar between platens.
 struct RateScales {
     double height = 0;        ///< m

@@ -2,59 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "share/material.hpp"
 #include "share/specimen.hpp"
 #include "solver/loading/block_control.hpp"
-#include "solver/model/boundary.hpp"
 #include "solver/loading/rate_control.hpp"
+#include "solver/model/boundary.hpp"
+#include "solver/setup/request.hpp"
 
 namespace graincrack {
-
-enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
-constexpr std::string_view name_of(TestKind test) {
-    switch (test) {
-        case TestKind::uniaxial: return "uniaxial";
-        case TestKind::triaxial: return "triaxial";
-        case TestKind::brazilian: return "brazilian";
-        case TestKind::tension: return "tension";
-        case TestKind::program: return "program";
-    }
-    return "?";
-}
-
-/// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
-enum class RateKind : std::uint8_t { fixed, automatic, blocks };
-constexpr std::string_view name_of(RateKind rate) {
-    switch (rate) {
-        case RateKind::fixed: return "fixed";
-        case RateKind::automatic: return "auto";
-        case RateKind::blocks: return "blocks";
-    }
-    return "?";
-}
-
-/// What a test asks of its loading.
-struct LoadingRequest {
-    TestKind test = TestKind::uniaxial;
-    RateKind rate = RateKind::fixed;
-    double platen_speed = 5e-3;  ///< of each platen, m/s; not of `automatic`
-    double rate_tolerance = default_rate_tolerance;
-    double rate_share = 1;  ///< of all speeds of `automatic`, see `RateControl`
-    std::int64_t block_steps = 5000;
-    double confining_pressure = 0;  ///< Pa
-    double platen_friction = 0;     ///< rad
-    double max_strain = 0.015;
-};
-
-/// Platens and membrane of a test. Platens have the contacts' stiffness per area; the caps of a tension test are glued on
-/// and smooth, so that they do not hinder the lateral contraction.
-Boundary make_test_boundary(const Assemblage& assemblage, const Specimen& specimen, const LoadingRequest& request,
-                            const ContactParameters& contact);
 
 /// What the loading needs to know of the specimen's answer.
 struct LoadingFeedback {

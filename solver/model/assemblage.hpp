@@ -10,8 +10,8 @@
 #include "share/specimen.hpp"
 #include "solver/model/element.hpp"
 #include "solver/model/surface.hpp"
-#include "solver/vector2.hpp"
 #include "solver/simd.hpp"
+#include "solver/vector2.hpp"
 
 namespace graincrack {
 
@@ -95,6 +95,22 @@ struct Assemblage {
 
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);
+
+/// Ranges of items sorted by node that fall into the node range of each block of grains.
+template <class Item, class NodeOf>
+std::vector<Range> ranges_by_block(const Assemblage& a, const std::vector<Item>& items, NodeOf&& node_of) {
+    std::vector<Range> ranges;
+    std::int32_t i = 0;
+    for (const GrainBlock& block : a.grain_blocks) {
+        Range range{i, i};
+        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < block.nodes.end) {
+            ++range.end;
+        }
+        i = range.end;
+        ranges.push_back(range);
+    }
+    return ranges;
+}
 
 /// Below a fifth of its length a mid-edge (of the two facing edges) has lost its direction: the grains have turned by over
 /// 150° to each other and face each other no more. Compared as squares.

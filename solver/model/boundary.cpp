@@ -25,22 +25,6 @@ SpecimenFaces specimen_faces(const Assemblage& a, const Specimen& s) {
     return o;
 }
 
-/// Ranges of `nodes` (sorted) that fall into the node range of each block.
-template <class NodeOf>
-std::vector<Range> ranges_by_block(const Assemblage& a, std::int32_t count, NodeOf&& node_of) {
-    std::vector<Range> ranges;
-    std::int32_t i = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
-        Range range{i, i};
-        while (range.end < count && node_of(range.end) < block.nodes.end) {
-            ++range.end;
-        }
-        i = range.end;
-        ranges.push_back(range);
-    }
-    return ranges;
-}
-
 }  // namespace
 
 Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<Platen, 2>& platens, double reach,
@@ -64,16 +48,14 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
             }
         }
     }
-    b.platen_points_of_block = ranges_by_block(a, static_cast<std::int32_t>(b.platen_points.size()),
-                                               [&](std::int32_t i) { return b.platen_points[i].node; });
+    b.platen_points_of_block = ranges_by_block(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
         if (std::find(membrane_parts.begin(), membrane_parts.end(), s.boundary_part[e]) != membrane_parts.end()) {
             b.membrane_edges.push_back({a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]});
         }
     }
     std::sort(b.membrane_edges.begin(), b.membrane_edges.end());
-    b.membrane_edges_of_block = ranges_by_block(a, static_cast<std::int32_t>(b.membrane_edges.size()),
-                                                [&](std::int32_t i) { return b.membrane_edges[i][0]; });
+    b.membrane_edges_of_block = ranges_by_block(a, b.membrane_edges, [](const auto& edge) { return edge[0]; });
     return b;
 }
 

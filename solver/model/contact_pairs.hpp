@@ -13,21 +13,19 @@
 #include <vector>
 
 #include "solver/model/assemblage.hpp"
-#include "solver/law/contact_law.hpp"
-#include "solver/detection/node_edge_contact.hpp"
 
 namespace graincrack {
 
-/// Where touches begin and how they pass on; see touch_review.cpp and share/doc/touches.md.
-namespace touch_rule {
-inline constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
-inline constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several
-                                             // grains meet and would hold each other
-inline constexpr double deep = 6e-3;         // of the mean edge: a node as far in a grain as that is kept out even so
-}  // namespace touch_rule
-
-struct State;
-struct StepParameters;
+/// What a touch remembers.
+struct Touch {
+    bool active = false;
+    bool near_first = true;  ///< nearer to the first end of the edge than to the second
+    double area = 0;         ///< A of the node, m²
+    double allowance = 0;    ///< m
+    double pressing = 0;     ///< e at the last update, m
+    double stretch = 0;      ///< q, m
+    double pull = 0;         ///< as a depth, ½ e o/(e + o), m: of one that has ended, its forces in the step after
+};
 
 /// A node and an edge of another grain that are near each other.
 struct TouchPair {
@@ -89,45 +87,9 @@ struct TouchList {
             }
         }
     }
-    /// Adds a pair of the list to the moving ones of its block.
-    void append_moving(const Outline& outline, std::int32_t block, std::int32_t index);
 };
-
-/// Whether a node behind an edge is by more than `margin` (m) in front of the face on the other side of a convex corner of the
-/// edge, or nearer to that face: it has come through that one, or is held there by a contact. Nothing comes through an edge that
-/// is bonded to another grain.
-bool came_through_neighbour(const Assemblage& assemblage, const State& state, const TouchPair& pair,
-                            const TouchGeometry& geometry, double margin);
-
-/// All pairs of an exposed node and an exposed edge of another grain it is not tied to, nearer than `margin` (m); ascending.
-std::vector<TouchPair> find_pairs(const Assemblage& assemblage, double margin, const State& state);
 
 /// An empty list; pre-existing cracks are found by the first search.
 TouchList make_touch_list(const Assemblage& assemblage);
-
-/// Looks after the list between two steps: finds contacts that lost their cohesion, releases those that moved far, searches
-/// anew where that or the way the nodes have gone since the last search asks for it, and says when to look again
-/// (`next_check`). With mass scaling there are no touches: it changes nothing but the list and returns true when one begins, or a
-/// contact is to be released, and is to be called again with masses as they are. Serial; what it does depends on the state only.
-/// \param shortest steps there are to the next look at least
-bool look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
-
-/// Moves the touches of a block to the present displacements: their forces, friction into the sums.
-void move_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
-
-/// Does so too, and decides before it which touches end or pass on to another edge, and after it which begin.
-void review_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
-
-/// Writes what the moving touches of a block have become into the list.
-void settle_touches(std::int32_t block, TouchList& list);
-
-/// Makes the touches of the list that go on into moving ones, after a look or where a run goes on from a saved state.
-void take_up_touches(const Assemblage& assemblage, TouchList& list);
-
-/// Finds by node where the forces of the moving touches are; to be called where a review has changed them.
-void arrange_gathers(const Assemblage& assemblage, TouchList& list);
-
-/// Stored in all touches, J.
-double stored_in_touches(const ContactLaw& law, const TouchList& list);
 
 }  // namespace graincrack

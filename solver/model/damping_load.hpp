@@ -17,8 +17,6 @@
 
 namespace graincrack {
 
-struct State;
-
 struct DampingLoad {
     std::vector<Vector2> mean_displacement;  ///< [n] ū, m
     double damping_power = 0;                ///< ⟨−Σ Fd·v̄⟩, W
@@ -27,12 +25,5 @@ struct DampingLoad {
     /// Of the load of the platens; 0 while they do no work.
     [[nodiscard]] double share() const { return platen_power > 0 ? damping_power / platen_power : 0; }
 };
-
-/// Wave transits over which motion and power are averaged.
-inline constexpr double mean_transits = 4;
-
-/// Takes the means on to the time of the state, after `measure`, by `state.drag` and the present displacements.
-/// \param platen_power of both platens now, W \param time_constant of the means, s
-void follow_damping_load(const State& state, double platen_power, double time_constant, DampingLoad& load);
 
 }  // namespace graincrack

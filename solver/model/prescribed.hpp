@@ -11,13 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "solver/model/assemblage.hpp"
 #include "solver/model/amplitude.hpp"
+#include "solver/model/assemblage.hpp"
 
 namespace graincrack {
-
-struct State;
-struct StepLoading;
 
 /// No channel, nor control.
 inline constexpr std::int32_t no_channel = -1;
@@ -63,18 +60,5 @@ struct DriveState {
     std::vector<Vector2> load;     ///< of an edge, on each of its ends, N
     std::vector<double> pressing;  ///< the part of it along x that is pressure, N
 };
-
-/// Adds gravity and the edges' loads to `state.force`, then takes the forces off driven components and keeps them as reactions.
-void add_drives(const Assemblage& assemblage, const Drives& drives, const StepLoading& loading, std::int32_t block, State& state);
-
-/// Work of gravity and of the edges' loads over half a step at the present velocities, J.
-double load_half_work(const Assemblage& assemblage, const Drives& drives, std::int32_t block, double time_step,
-                      const State& state);
-/// Work of the reactions over half a step at the velocities that led here, as if driven nodes went on at them, J.
-double reaction_half_work(const Drives& drives, double time_step, const State& state);
-
-/// Before and after the nodes of a block are moved: driven components move as prescribed. \return work of their reactions, J
-void hold_driven(const Drives& drives, std::int32_t block, State& state);
-double lead_driven(const Assemblage& assemblage, const Drives& drives, std::int32_t block, double time_step, State& state);
 
 }  // namespace graincrack

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/law/contact_law.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/law/contact_law.hpp"
+#include "solver/model/contact_pairs.hpp"
 #include "solver/model/damping_load.hpp"
 #include "solver/model/vertex_clusters.hpp"
-#include "solver/model/contact_pairs.hpp"
 
 namespace graincrack {
 

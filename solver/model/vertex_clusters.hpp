@@ -30,9 +30,6 @@
 
 namespace graincrack {
 
-struct State;
-struct StepParameters;
-
 /// Opening of a separated contact at which its nodes part, over its length. What moves freely has its own mass, and would run
 /// deep into a contact that is stiff for that mass; it must be slowed before. At the speed to which a grain springs back from
 /// 100 MPa, σ/√(ρ E) = 12 m/s, a step with mass scaling (5e-7 s) takes it 1.2e-3 of a 5 mm edge.
@@ -62,6 +59,9 @@ struct MassScaling {
         return {groups[blocks[block].begin].begin, groups[blocks[block].end - 1].end};
     }
 };
+/// Representative of `i` in a forest of parents, with the way there shortened.
+std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i);
+
 /// \throws InputError if more nodes meet at a vertex than a block can hold
 MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 
@@ -100,12 +100,6 @@ struct GroupState {
         }
     }
 };
-/// The groups of the state as it is, away from platens.
-GroupState make_group_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
-
-/// Finds what follows from the rest of the state: `whole`, `held` and where groups may change.
-void complete_group_state(const MassScaling& scaling, State& state);
-
 /// Velocities of the platens, by `GroupState::holder`.
 class PlatenVelocities {
 public:
@@ -117,29 +111,5 @@ public:
 private:
     std::array<Vector2, 3> velocity_;
 };
-
-/// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
-/// books what they shed.
-void update_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                   State& state);
-
-/// Damping of a block of groups, into `state.drag`: of the mean motion of those held together against the force on all of
-/// them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it: the forces
-/// in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
-void damp_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                 State& state);
-
-/// Takes the added mass away for good, at the present velocities and `state.force`, and books what it sheds.
-/// \param time_step of the steps to come, s
-void shed_added_mass(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, double time_step,
-                     State& state);
-
-/// Damps and integrates the nodes of a block of groups: v += Δt M'⁻¹ (F + Fd), u += Δt v.
-void integrate_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
-                      std::int32_t block, State& state);
-
-/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a block of groups, v against the platen where one holds them, J.
-double added_kinetic_energy(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
-                            std::int32_t block, const State& state);
 
 }  // namespace graincrack

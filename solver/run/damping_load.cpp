@@ -1,9 +1,7 @@
-#include "solver/model/damping_load.hpp"
+#include "solver/run/damping_load.hpp"
 
 #include <cmath>
 #include <cstddef>
-
-#include "solver/model/state.hpp"
 
 namespace graincrack {
 

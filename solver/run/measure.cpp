@@ -4,6 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/detection/active_contacts.hpp"
+#include "solver/step/mass_scaling.hpp"
+#include "solver/step/mass_scaling_step.hpp"
+#include "solver/step/nodal_forces.hpp"
+#include "solver/step/prescribed.hpp"
+
 namespace graincrack {
 namespace {
 

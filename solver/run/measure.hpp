@@ -7,7 +7,7 @@
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
-#include "solver/step/step.hpp"
+#include "solver/model/step_parameters.hpp"
 
 namespace graincrack {
 

@@ -1,3 +1,5 @@
+#include "solver/run/plan.hpp"
+
 #include "solver/run/program_driver.hpp"
 #include "solver/setup/setup.hpp"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "solver/loading/standard_tests.hpp"
 #include "solver/loading/stage_control.hpp"
+#include "solver/loading/standard_tests.hpp"
 #include "solver/run/simulation.hpp"
 
 namespace graincrack {

@@ -10,6 +10,8 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
+#include "solver/detection/active_contacts.hpp"
+#include "solver/step/mass_scaling.hpp"
 
 namespace graincrack {
 namespace {

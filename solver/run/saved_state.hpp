@@ -7,8 +7,8 @@
 
 #include "share/run_file.hpp"
 #include "solver/loading/stage_control.hpp"
-#include "solver/setup/setup.hpp"
 #include "solver/model/state.hpp"
+#include "solver/setup/setup.hpp"
 
 namespace graincrack {
 

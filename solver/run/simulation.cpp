@@ -11,16 +11,17 @@
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
-#include "solver/run/crack_log.hpp"
 #include "solver/run/checkpoint.hpp"
+#include "solver/run/crack_log.hpp"
+#include "solver/run/damping_load.hpp"
 #include "solver/run/frame_output.hpp"
 #include "solver/run/measure.hpp"
-#include "solver/setup/regions.hpp"
 #include "solver/run/run_driver.hpp"
 #include "solver/run/saved_state.hpp"
 #include "solver/run/sensitivity.hpp"
+#include "solver/setup/regions.hpp"
 #include "solver/setup/setup.hpp"
-#include "solver/step/thread_team.hpp"
+#include "solver/step/step.hpp"
 
 namespace graincrack {
 namespace {

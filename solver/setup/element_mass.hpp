@@ -1,9 +1,9 @@
 // Mass on top for the few elements that would ask for the shortest steps.
 #pragma once
 
+#include "solver/law/contact_law.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/law/contact_law.hpp"
 
 namespace graincrack {
 

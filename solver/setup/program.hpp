@@ -107,11 +107,6 @@ struct Program {
     [[nodiscard]] std::string why_dynamic() const;
 };
 
-/// Reads a program. \throws InputError naming file, line and key, what is wrong, and what would be right
-Program read_program(const std::string& file);
-/// The same from text; `name` stands for the file in messages.
-Program parse_program(const std::string& text, const std::string& name);
-
 /// Columns of a probe: of every control, of a point, of a circle.
 const std::vector<ProbeColumn>& control_columns();
 const std::vector<ProbeColumn>& point_columns();

@@ -7,8 +7,8 @@
 #include "share/material.hpp"
 #include "share/specimen.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/setup/program.hpp"
 #include "solver/model/state.hpp"
+#include "solver/setup/program.hpp"
 
 namespace graincrack {
 

@@ -3,6 +3,7 @@
 #include "solver/setup/element_mass.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
+#include "solver/setup/test_boundary.hpp"
 
 namespace graincrack {
 

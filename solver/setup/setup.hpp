@@ -3,8 +3,8 @@
 
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/run/simulation.hpp"
-#include "solver/step/step.hpp"
+#include "solver/model/step_parameters.hpp"
+#include "solver/setup/request.hpp"
 
 namespace graincrack {
 

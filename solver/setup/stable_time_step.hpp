@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
+#include "solver/law/contact_law.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/law/contact_law.hpp"
 
 namespace graincrack {
 

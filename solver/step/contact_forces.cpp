@@ -1,12 +1,8 @@
-// The contact stage of a step: jumps of displacement → law → nodal forces, block by block.
-//
-// A block is worked on in passes over arrays on the stack: gather (scalar, indexed), frame and motion (vector), the law of
-// points that stay intact and of those that are spent (vector, no branch), the full law for all others (scalar, few), nodal
-// forces into the slots (vector). Sums are over fixed lanes, so that every vector unit adds in the same order.
+#include "solver/step/contact_forces.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "solver/step/step.hpp"
 #include "solver/simd.hpp"
 
 namespace graincrack {

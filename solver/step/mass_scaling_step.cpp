@@ -1,13 +1,9 @@
-// The group stage of a step with mass scaling: damping and integration, block by block. It works on arrays on the stack: members
-// side by side, x and y after each other, as both are treated alike. Sums over those held together are taken one by one; all else
-// is for vector units.
+#include "solver/step/mass_scaling_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "solver/model/vertex_clusters.hpp"
-#include "solver/model/state.hpp"
-#include "solver/step/step.hpp"
 #include "solver/simd.hpp"
 
 namespace graincrack {

@@ -1,11 +1,11 @@
-// The node stage of a step: forces of elements, contacts, platens and membrane summed in a fixed order, then damping and
-// integration, block by block.
+#include "solver/step/nodal_forces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "solver/step/step.hpp"
 #include "solver/simd.hpp"
+#include "solver/step/prescribed.hpp"
 
 namespace graincrack {
 namespace {

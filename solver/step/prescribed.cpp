@@ -1,30 +1,12 @@
-#include "solver/model/prescribed.hpp"
+#include "solver/step/prescribed.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "solver/model/state.hpp"
 
 namespace graincrack {
 namespace {
 
 double value_of(const StepLoading& loading, std::int32_t channel, double otherwise) {
     return channel == no_channel || loading.channels.empty() ? otherwise : loading.channels[channel];
-}
-
-template <class Item, class NodeOf>
-std::vector<Range> ranges_by_block(const Assemblage& a, const std::vector<Item>& items, NodeOf&& node_of) {
-    std::vector<Range> ranges;
-    std::int32_t i = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
-        Range range{i, i};
-        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < block.nodes.end) {
-            ++range.end;
-        }
-        i = range.end;
-        ranges.push_back(range);
-    }
-    return ranges;
 }
 
 void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoading& loading, std::int32_t index, State& s) {
@@ -60,14 +42,6 @@ double lead(double prescribed, double old_velocity, double reaction, double iner
 }
 
 }  // namespace
-
-void arrange_drives(const Assemblage& a, Drives& drives) {
-    std::sort(drives.nodes.begin(), drives.nodes.end(), [](const DrivenNode& l, const DrivenNode& r) { return l.node < r.node; });
-    std::stable_sort(drives.edges.begin(), drives.edges.end(),
-                     [](const LoadedEdge& l, const LoadedEdge& r) { return l.nodes < r.nodes; });
-    drives.nodes_of_block = ranges_by_block(a, drives.nodes, [](const DrivenNode& n) { return n.node; });
-    drives.edges_of_block = ranges_by_block(a, drives.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
-}
 
 void add_drives(const Assemblage& a, const Drives& drives, const StepLoading& loading, std::int32_t block, State& s) {
     const Range nodes = a.grain_blocks[block].nodes;

@@ -2,103 +2,18 @@
 
 #include <algorithm>
 
-#include "solver/step/thread_team.hpp"
+#include "solver/detection/active_contacts.hpp"
+#include "solver/detection/contact_detection.hpp"
+#include "solver/detection/pair_list.hpp"
+#include "solver/step/contact_forces.hpp"
+#include "solver/step/load_clock.hpp"
+#include "solver/step/mass_scaling.hpp"
+#include "solver/step/mass_scaling_step.hpp"
+#include "solver/step/nodal_forces.hpp"
 
 namespace graincrack {
 
-State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& specimen) {
-    State s;
-    s.displacement.resize(a.position.size());
-    s.velocity.resize(a.position.size());
-    s.force.resize(a.position.size());
-    s.last_force.resize(a.position.size());
-    s.damping_load.mean_displacement.resize(a.position.size());
-    s.drag.resize(a.position.size());
-    s.touching.resize(a.position.size());
-    s.contact_force.resize(a.n_slot_values());
-    s.points = PointMemories(2 * a.contacts.size());
-    s.opening.resize(2 * a.contacts.size());
-    s.sliding.resize(2 * a.contacts.size());
-    s.slip.resize(2 * a.contacts.size());
-    s.failed.resize(2 * a.contacts.size());
-    s.spent.resize(2 * a.contacts.size());
-    s.cohesion_left.assign(2 * a.contacts.size(), 1);
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
-            s.points.of(2 * c) = s.points.of(2 * c + 1) = broken_contact();
-            s.failed[2 * c] = s.failed[2 * c + 1] = 1;  // and spent as soon as the law has seen them
-            s.cohesion_left[2 * c] = s.cohesion_left[2 * c + 1] = 0;
-        }
-    }
-    s.fracture_energy.resize(2 * a.contacts.size());
-    s.touches = make_touch_list(a);
-    s.platen_points = boundary.platen_points;
-    s.membrane_force.resize(boundary.membrane_edges.size());
-    s.drives.nodes.resize(boundary.drives.nodes.size());
-    s.drives.load.resize(boundary.drives.edges.size());
-    s.drives.pressing.resize(boundary.drives.edges.size());
-    s.grain_sums.resize(a.grain_blocks.size());
-    s.contact_sums.resize(a.contact_blocks.size());
-    s.events.resize(a.contact_blocks.size());
-    return s;
-}
-
 namespace {
-
-/// Platens and pressure at step `k` of a batch: the same arithmetic in every thread.
-class LoadingClock {
-public:
-    LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& s)
-        : batch_(batch),
-          n_steps_(n_steps),
-          time_step_(time_step),
-          origin_time_(s.origin_time),
-          steps_since_origin_(s.step - s.origin_step),
-          now_(s.loading) {
-        now_.channels.resize(batch.channels == nullptr ? 0 : batch.channels->size());
-        prepare();
-    }
-    [[nodiscard]] const StepLoading& now() const { return now_; }
-    /// From here on every step is `parts` steps.
-    void part(std::int64_t parts) {
-        n_steps_ *= parts;
-        k_ *= parts;
-        steps_since_origin_ *= parts;
-        time_step_ /= static_cast<double>(parts);
-        prepare();
-    }
-    void tick() {
-        ++k_;
-        for (std::size_t p = 0; p < 2; ++p) {
-            now_.platen_displacement[p] += now_.increment_after[p];
-            now_.increment_before[p] = now_.increment_after[p];
-        }
-        prepare();
-    }
-
-private:
-    void prepare() {
-        const double share = (static_cast<double>(k_) + 0.5) / static_cast<double>(n_steps_);
-        for (std::size_t p = 0; p < 2; ++p) {
-            const double velocity = batch_.velocity_begin[p] + share * (batch_.velocity_end[p] - batch_.velocity_begin[p]);
-            now_.increment_after[p] = time_step_ * velocity;
-        }
-        const double done = static_cast<double>(k_) / static_cast<double>(n_steps_);
-        now_.pressure = batch_.pressure_begin + done * (batch_.pressure_end - batch_.pressure_begin);
-        const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
-        for (std::size_t i = 0; i < now_.channels.size(); ++i) {
-            const Channel& channel = (*batch_.channels)[i];
-            now_.channels[i] = channel.at(channel.of_velocity ? time + 0.5 * time_step_ : time);
-        }
-    }
-    BatchLoading batch_;
-    std::int64_t n_steps_;
-    double time_step_;
-    double origin_time_;
-    std::int64_t steps_since_origin_;
-    std::int64_t k_ = 0;
-    StepLoading now_;
-};
 
 /// Whether the last review found other touches than there were before.
 bool have_changed(const TouchList& list) {

@@ -1,4 +1,9 @@
 #include "tests/benchmark/stages.hpp"
+#include "solver/setup/test_boundary.hpp"
+#include "solver/step/contact_forces.hpp"
+#include "solver/step/mass_scaling.hpp"
+#include "solver/step/mass_scaling_step.hpp"
+#include "solver/step/nodal_forces.hpp"
 
 #include <utility>
 

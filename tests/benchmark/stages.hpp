@@ -9,8 +9,8 @@
 #include "solver/loading/standard_tests.hpp"
 #include "solver/model/vertex_clusters.hpp"
 #include "solver/run/measure.hpp"
-#include "solver/step/step.hpp"
 #include "solver/setup/stable_time_step.hpp"
+#include "solver/step/step.hpp"
 #include "tests/support/augig_granite.hpp"
 
 namespace graincrack::benchmark {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/detection/active_contacts.hpp"
+#include "solver/detection/contact_detection.hpp"
 #include "tests/benchmark/stages.hpp"
 #include "tests/support/specimens.hpp"
 

@@ -8,6 +8,7 @@
 #include "mesher/specimen_maker.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/setup/stable_time_step.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"

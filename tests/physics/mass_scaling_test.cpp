@@ -10,6 +10,7 @@
 
 #include "share/h5_file.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"

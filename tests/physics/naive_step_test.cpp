@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesher/specimen_maker.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/naive_step.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"

@@ -5,6 +5,7 @@
 
 #include "share/h5_file.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesher/specimen_maker.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/detection/contact_detection.hpp"
+#include "solver/detection/pair_list.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/overlap.hpp"
 #include "tests/support/small_run.hpp"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/step/nodal_forces.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/model/boundary.hpp"
 #include "solver/law/contact_law.hpp"
 #include "solver/law/damping.hpp"
+#include "solver/model/boundary.hpp"
 
 namespace graincrack::test {
 

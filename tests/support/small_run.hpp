@@ -7,8 +7,8 @@
 
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/measure.hpp"
-#include "solver/step/step.hpp"
 #include "solver/setup/stable_time_step.hpp"
+#include "solver/step/step.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/specimens.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "solver/run/damping_load.hpp"
 #include "solver/run/measure.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "share/error.hpp"
+#include "solver/setup/test_boundary.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"

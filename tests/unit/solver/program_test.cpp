@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "share/error.hpp"
+#include "solver/loading/program_file.hpp"
 #include "solver/loading/stage_control.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"

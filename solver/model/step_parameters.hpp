@@ -1,0 +1,29 @@
+// Constants of a run that the step needs.
+#pragma once
+
+#include <cstdint>
+
+#include "solver/law/contact_law.hpp"
+#include "solver/law/damping.hpp"
+#include "solver/model/vertex_clusters.hpp"
+
+namespace graincrack {
+
+struct StepParameters {
+    ContactLaw law;
+    double time_step = 0;  ///< s
+    double damping = 0;    ///< α
+    DampingForm damping_form = DampingForm::combined;
+    MassScaling mass_scaling = {};
+    /// With mass scaling, steps of masses as they are that go into one: grains that touch move freely, with their own mass, and
+    /// the long step is not stable for contacts as stiff as bonded ones. From the first touch on each step is made of so many.
+    std::int64_t parts = 1;
+    [[nodiscard]] Damping damps() const { return make_damping(damping, damping_form); }
+};
+
+/// The parameters of the parts of a step, without mass scaling.
+inline StepParameters parameters_of_parts(const StepParameters& p) {
+    return {p.law, p.time_step / static_cast<double>(p.parts), p.damping, p.damping_form, {}, 1};
+}
+
+}  // namespace graincrack

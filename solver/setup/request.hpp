@@ -1,0 +1,87 @@
+// What is asked of a run, besides the specimen.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "share/material.hpp"
+#include "solver/law/contact_law.hpp"
+#include "solver/law/damping.hpp"
+#include "solver/setup/program.hpp"
+#include "solver/simd.hpp"
+
+namespace graincrack {
+
+/// Rise of the load over itself in a wave transit up to which it is quasi-static while there is damage.
+/// \see share/doc/equilibrium.md
+inline constexpr double default_rate_tolerance = 1.5e-3;
+
+/// Unbalanced ratio that counts as rest. Between blocks of 1.5e-4 of strain it falls below within some wave transits.
+inline constexpr double default_rest_tolerance = 1e-4;
+
+enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
+constexpr std::string_view name_of(TestKind test) {
+    switch (test) {
+        case TestKind::uniaxial: return "uniaxial";
+        case TestKind::triaxial: return "triaxial";
+        case TestKind::brazilian: return "brazilian";
+        case TestKind::tension: return "tension";
+        case TestKind::program: return "program";
+    }
+    return "?";
+}
+
+/// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
+enum class RateKind : std::uint8_t { fixed, automatic, blocks };
+constexpr std::string_view name_of(RateKind rate) {
+    switch (rate) {
+        case RateKind::fixed: return "fixed";
+        case RateKind::automatic: return "auto";
+        case RateKind::blocks: return "blocks";
+    }
+    return "?";
+}
+
+/// What a test asks of its loading.
+struct LoadingRequest {
+    TestKind test = TestKind::uniaxial;
+    RateKind rate = RateKind::fixed;
+    double platen_speed = 5e-3;  ///< of each platen, m/s; not of `automatic`
+    double rate_tolerance = default_rate_tolerance;
+    double rate_share = 1;  ///< of all speeds of `automatic`, see `RateControl`
+    std::int64_t block_steps = 5000;
+    double confining_pressure = 0;  ///< Pa
+    double platen_friction = 0;     ///< rad
+    double max_strain = 0.015;
+};
+
+/// Everything a run is made of, besides the specimen.
+struct SimulationRequest {
+    LoadingRequest loading;          ///< of a test; of a program only what platens are like
+    std::optional<Program> program;  ///< instead of one of the four tests
+    Material material;               ///< with the contact parameters to use
+    ContactParameters contact;       ///< derived from it, validated
+    std::string fracture_energy_choice = "mode-i";
+    PlaneCondition plane = PlaneCondition::strain;
+    LawVariant law = LawVariant::consistent;
+    Coupling coupling = Coupling::full;
+    double peak_drop = 0.3;
+    double damping = 0.8;
+    DampingForm damping_form = DampingForm::combined;
+    bool mass_scaling = false;                  ///< selective
+    std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
+    double time_step_fraction = 0.7;
+    bool save_state = false;                    ///< at the end, for another run to go on from
+    std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
+    std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
+    bool sensitivity = false;                   ///< run again with one thing changed at a time
+    int frames = 20;
+    int threads = 1;                            ///< at most
+    std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given
+    std::size_t elements_per_thread = 250;      ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
+};
+
+}  // namespace graincrack

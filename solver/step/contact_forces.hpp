@@ -1,0 +1,14 @@
+// The contact stage of a step: the law at every contact that has not been released, block by block.
+#pragma once
+
+#include <cstdint>
+
+#include "solver/model/assemblage.hpp"
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+/// Advances the contacts of a block to the present displacements: histories, slots, energies, events.
+void advance_contacts(const Assemblage& assemblage, const ContactLaw& law, std::int32_t block, std::int64_t step, State& state);
+
+}  // namespace graincrack

@@ -1,0 +1,50 @@
+#include "solver/step/load_clock.hpp"
+
+#include <cstddef>
+
+namespace graincrack {
+
+LoadingClock::LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& s)
+    : batch_(batch),
+      n_steps_(n_steps),
+      time_step_(time_step),
+      origin_time_(s.origin_time),
+      steps_since_origin_(s.step - s.origin_step),
+      now_(s.loading) {
+    now_.channels.resize(batch.channels == nullptr ? 0 : batch.channels->size());
+    prepare();
+}
+
+void LoadingClock::part(std::int64_t parts) {
+    n_steps_ *= parts;
+    k_ *= parts;
+    steps_since_origin_ *= parts;
+    time_step_ /= static_cast<double>(parts);
+    prepare();
+}
+
+void LoadingClock::tick() {
+    ++k_;
+    for (std::size_t p = 0; p < 2; ++p) {
+        now_.platen_displacement[p] += now_.increment_after[p];
+        now_.increment_before[p] = now_.increment_after[p];
+    }
+    prepare();
+}
+
+void LoadingClock::prepare() {
+    const double share = (static_cast<double>(k_) + 0.5) / static_cast<double>(n_steps_);
+    for (std::size_t p = 0; p < 2; ++p) {
+        const double velocity = batch_.velocity_begin[p] + share * (batch_.velocity_end[p] - batch_.velocity_begin[p]);
+        now_.increment_after[p] = time_step_ * velocity;
+    }
+    const double done = static_cast<double>(k_) / static_cast<double>(n_steps_);
+    now_.pressure = batch_.pressure_begin + done * (batch_.pressure_end - batch_.pressure_begin);
+    const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
+    for (std::size_t i = 0; i < now_.channels.size(); ++i) {
+        const Channel& channel = (*batch_.channels)[i];
+        now_.channels[i] = channel.at(channel.of_velocity ? time + 0.5 * time_step_ : time);
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,31 @@
+// Platens, pressure and amplitudes at each step of an interval of loading.
+#pragma once
+
+#include <cstdint>
+
+#include "solver/model/boundary.hpp"
+#include "solver/model/state.hpp"
+
+namespace graincrack {
+
+/// The same arithmetic in every thread.
+class LoadingClock {
+public:
+    LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& state);
+    [[nodiscard]] const StepLoading& now() const { return now_; }
+    /// From here on every step is `parts` steps.
+    void part(std::int64_t parts);
+    void tick();
+
+private:
+    void prepare();
+    BatchLoading batch_;
+    std::int64_t n_steps_;
+    double time_step_;
+    double origin_time_;
+    std::int64_t steps_since_origin_;
+    std::int64_t k_ = 0;
+    StepLoading now_;
+};
+
+}  // namespace graincrack
