@@ -4,8 +4,8 @@
 //     graincrack-post plot cracks uniaxial.h5 --frame peak -o cracks.png
 #include <iostream>
 
-#include "post/commands.hpp"
-#include "post/options.hpp"
+#include "post/command_line.hpp"
+#include "post/commands/commands.hpp"
 #include "share/error.hpp"
 
 int main(int argc, char** argv) {

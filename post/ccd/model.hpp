@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "post/regression.hpp"
-#include "post/statistics.hpp"
+#include "post/fit/regression.hpp"
+#include "post/fit/statistics.hpp"
 
 namespace graincrack::ccd {
 

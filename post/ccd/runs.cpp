@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "post/ccd/assignment.hpp"
-#include "post/statistics.hpp"
+#include "post/fit/statistics.hpp"
 #include "share/error.hpp"
 
 namespace graincrack::ccd {

@@ -8,7 +8,7 @@
 #include "post/ccd/design.hpp"
 #include "post/ccd/runs.hpp"
 #include "post/ccd/solve.hpp"
-#include "post/table.hpp"
+#include "post/table/table.hpp"
 
 namespace graincrack::ccd {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "post/load_curve.hpp"
-#include "post/table.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/table/table.hpp"
 
 namespace graincrack {
 

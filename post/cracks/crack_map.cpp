@@ -21,7 +21,7 @@
 #include <utility>
 
 #include "post/cracks/run_state.hpp"
-#include "post/output_file.hpp"
+#include "post/table/output_file.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {

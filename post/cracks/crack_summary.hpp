@@ -8,8 +8,8 @@
 
 #include "post/cracks/emission.hpp"
 #include "post/cracks/fragments.hpp"
-#include "post/load_curve.hpp"
-#include "post/table.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/table/table.hpp"
 
 namespace graincrack {
 

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <vector>
 
-#include "post/statistics.hpp"
-#include "post/table.hpp"
+#include "post/fit/statistics.hpp"
+#include "post/table/table.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {

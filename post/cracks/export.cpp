@@ -12,7 +12,7 @@
 #include "post/cracks/emission.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
-#include "post/output_file.hpp"
+#include "post/table/output_file.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {

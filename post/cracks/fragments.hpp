@@ -6,7 +6,7 @@
 #include <ostream>
 #include <vector>
 
-#include "post/table.hpp"
+#include "post/table/table.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {

@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "post/table.hpp"
+#include "post/table/table.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {

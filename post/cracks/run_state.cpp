@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "post/load_curve.hpp"
+#include "post/measure/load_curve.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {

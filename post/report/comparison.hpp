@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "post/envelope.hpp"
+#include "post/fit/envelope.hpp"
 #include "post/report/test_report.hpp"
 #include "share/material.hpp"
 

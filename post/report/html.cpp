@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "post/picture/picture.hpp"
+#include "post/chart/picture.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "post/picture/drawing.hpp"
+#include "post/chart/drawing.hpp"
 
 namespace graincrack::html {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "post/strength.hpp"
+#include "post/measure/strength.hpp"
 #include "share/progress.hpp"
 
 namespace graincrack {

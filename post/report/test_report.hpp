@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "post/brazilian.hpp"
 #include "post/cracks/crack_summary.hpp"
-#include "post/load_curve.hpp"
-#include "post/moduli.hpp"
-#include "post/strength.hpp"
-#include "post/thresholds.hpp"
+#include "post/measure/brazilian.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/measure/moduli.hpp"
+#include "post/measure/strength.hpp"
+#include "post/measure/thresholds.hpp"
 
 namespace graincrack {
 

@@ -1,10 +1,10 @@
-#include "post/brazilian.hpp"
+#include "post/measure/brazilian.hpp"
 
 #include <gtest/gtest.h>
 
 #include "post/cracks/crack_network.hpp"
-#include "post/strength.hpp"
-#include "post/strength_summary.hpp"
+#include "post/measure/strength.hpp"
+#include "post/measure/strength_summary.hpp"
 #include "synthetic_run.hpp"
 
 namespace graincrack {

@@ -1,4 +1,4 @@
-#include "post/picture/chart.hpp"
+#include "post/chart/chart.hpp"
 
 #include <gtest/gtest.h>
 

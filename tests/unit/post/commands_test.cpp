@@ -1,4 +1,4 @@
-#include "post/commands.hpp"
+#include "post/commands/commands.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,11 +1,11 @@
-#include "post/picture/contour.hpp"
+#include "post/chart/contour.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "post/picture/labels.hpp"
+#include "post/chart/labels.hpp"
 
 namespace graincrack {
 namespace {

@@ -11,9 +11,9 @@
 #include "post/ccd/model.hpp"
 #include "post/ccd/solve.hpp"
 #include "post/cracks/emission.hpp"
-#include "post/envelope.hpp"
-#include "post/size_effect.hpp"
-#include "post/trend.hpp"
+#include "post/fit/envelope.hpp"
+#include "post/fit/size_effect.hpp"
+#include "post/fit/trend.hpp"
 #include "tests/support/normal.hpp"
 
 namespace graincrack {

@@ -1,4 +1,4 @@
-#include "post/picture/drawing.hpp"
+#include "post/chart/drawing.hpp"
 
 #include <gtest/gtest.h>
 

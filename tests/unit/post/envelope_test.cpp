@@ -1,4 +1,4 @@
-#include "post/envelope_table.hpp"
+#include "post/commands/envelope_table.hpp"
 
 #include <gtest/gtest.h>
 

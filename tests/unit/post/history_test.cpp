@@ -1,4 +1,4 @@
-#include "post/history.hpp"
+#include "post/measure/history.hpp"
 
 #include <gtest/gtest.h>
 

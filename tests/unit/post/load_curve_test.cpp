@@ -1,4 +1,4 @@
-#include "post/load_curve.hpp"
+#include "post/measure/load_curve.hpp"
 
 #include <gtest/gtest.h>
 

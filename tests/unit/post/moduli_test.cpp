@@ -1,4 +1,4 @@
-#include "post/moduli.hpp"
+#include "post/measure/moduli.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "post/picture/picture.hpp"
+#include "post/chart/picture.hpp"
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
@@ -9,19 +9,19 @@
 #include <fstream>
 
 #include "post/cracks/run_state.hpp"
-#include "post/picture/plot_counts.hpp"
-#include "post/picture/plot_cracks.hpp"
-#include "post/picture/plot_curve.hpp"
-#include "post/picture/plot_emission.hpp"
-#include "post/picture/plot_energy.hpp"
-#include "post/picture/plot_envelope.hpp"
-#include "post/picture/plot_fragments.hpp"
-#include "post/picture/plot_law.hpp"
-#include "post/picture/plot_rosette.hpp"
-#include "post/picture/plot_specimen.hpp"
-#include "post/picture/plot_strength.hpp"
-#include "post/picture/plot_table.hpp"
-#include "post/picture/plot_thresholds.hpp"
+#include "post/plot/counts.hpp"
+#include "post/plot/cracks.hpp"
+#include "post/plot/curve.hpp"
+#include "post/plot/emission.hpp"
+#include "post/plot/energy.hpp"
+#include "post/plot/envelope.hpp"
+#include "post/plot/fragments.hpp"
+#include "post/plot/law.hpp"
+#include "post/plot/rosette.hpp"
+#include "post/plot/specimen.hpp"
+#include "post/plot/strength.hpp"
+#include "post/plot/table.hpp"
+#include "post/plot/thresholds.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"

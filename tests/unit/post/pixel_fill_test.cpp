@@ -1,8 +1,8 @@
-#include "post/picture/pixel_fill.hpp"
+#include "post/chart/pixel_fill.hpp"
 
 #include <gtest/gtest.h>
 
-#include "post/picture/plot_specimen.hpp"
+#include "post/plot/specimen.hpp"
 #include "synthetic_run.hpp"
 
 namespace graincrack {

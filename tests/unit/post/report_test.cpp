@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "post/picture/picture.hpp"
+#include "post/chart/picture.hpp"
 #include "post/report/html.hpp"
 #include "post/report/test_report.hpp"
 #include "share/error.hpp"

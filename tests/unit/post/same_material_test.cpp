@@ -1,4 +1,4 @@
-#include "post/same_material.hpp"
+#include "post/measure/comparable.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "post/size_effect.hpp"
+#include "post/fit/size_effect.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "post/picture/plot_size_effect.hpp"
+#include "post/plot/size_effect.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"

@@ -1,4 +1,4 @@
-#include "post/statistics.hpp"
+#include "post/fit/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "post/strength.hpp"
+#include "post/measure/strength.hpp"
 
 #include <gtest/gtest.h>
 

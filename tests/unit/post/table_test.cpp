@@ -1,4 +1,4 @@
-#include "post/table.hpp"
+#include "post/table/table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "post/thresholds.hpp"
+#include "post/measure/thresholds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "post/moduli.hpp"
+#include "post/measure/moduli.hpp"
 #include "synthetic_run.hpp"
 
 namespace graincrack {

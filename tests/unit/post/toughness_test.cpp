@@ -1,4 +1,4 @@
-#include "post/toughness.hpp"
+#include "post/measure/toughness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "post/trend.hpp"
+#include "post/fit/trend.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "post/picture/plot_trend.hpp"
+#include "post/plot/trend.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 #include "tests/support/check.hpp"

@@ -1,0 +1,193 @@
+#include "post/chart/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace graincrack {
+
+Colour palette::series(std::size_t i) {
+    static constexpr std::array<Colour, 7> colours{
+        {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {90, 90, 90}}};
+    return colours[i % colours.size()];
+}
+
+Colour palette::phase(std::size_t i) {
+    static constexpr std::array<Colour, 5> colours{{grain, {214, 224, 238}, {238, 221, 206}, {205, 224, 210}, {226, 212, 232}}};
+    return colours[i % colours.size()];
+}
+
+void Drawing::polygon(std::span<const Pixel> corners, Colour fill) {
+    auto* last = shapes_.empty() ? nullptr : std::get_if<Polygons>(&shapes_.back());
+    if (last == nullptr || last->sides != corners.size() || !(last->fill == fill)) {
+        shapes_.emplace_back(Polygons{{}, corners.size(), fill});
+        last = &std::get<Polygons>(shapes_.back());
+    }
+    last->corners.insert(last->corners.end(), corners.begin(), corners.end());
+}
+
+void Drawing::line(Pixel from, Pixel to, double width, Colour colour) {
+    auto* last = shapes_.empty() ? nullptr : std::get_if<Strokes>(&shapes_.back());
+    if (last == nullptr || last->width != width || !(last->colour == colour)) {
+        shapes_.emplace_back(Strokes{{}, width, colour});
+        last = &std::get<Strokes>(shapes_.back());
+    }
+    last->ends.insert(last->ends.end(), {from, to});
+}
+
+void Drawing::rectangle(Pixel top_left, Pixel bottom_right, Colour fill) {
+    polygon({top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}}, fill);
+}
+
+namespace {
+
+void move(Polygons& polygons, const auto& moved) {
+    for (Pixel& p : polygons.corners) p = moved(p);
+}
+void move(Strokes& strokes, const auto& moved) {
+    for (Pixel& p : strokes.ends) p = moved(p);
+}
+void move(Polyline& line, const auto& moved) {
+    for (Pixel& p : line.points) p = moved(p);
+}
+void move(Text& text, const auto& moved) { text.at = moved(text.at); }
+
+std::size_t marks_of(const Polygons& polygons) { return polygons.size(); }
+std::size_t marks_of(const Strokes& strokes) { return strokes.size(); }
+std::size_t marks_of(const Polyline& /*line*/) { return 1; }
+std::size_t marks_of(const Text& /*text*/) { return 1; }
+
+}  // namespace
+
+void Drawing::add(const Drawing& other, Pixel offset) {
+    const auto moved = [&](Pixel p) { return Pixel{p.x + offset.x, p.y + offset.y}; };
+    for (const Shape& shape : other.shapes_) {
+        shapes_.push_back(shape);
+        std::visit([&](auto& own) { move(own, moved); }, shapes_.back());
+    }
+}
+
+std::size_t Drawing::n_marks() const {
+    std::size_t n = 0;
+    for (const Shape& shape : shapes_) n += std::visit([](const auto& own) { return marks_of(own); }, shape);
+    return n;
+}
+
+double text_width(const std::string& words, double size) {
+    // Bytes that continue a UTF-8 character are not counted; DejaVu Sans, the widest of the fonts tried, has 0.58 em a letter.
+    const auto letters = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    return 0.58 * size * static_cast<double>(letters);
+}
+
+std::string escape_xml(const std::string& text) {
+    std::string out;
+    for (char c : text) {
+        switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
+        }
+    }
+    return out;
+}
+
+namespace {
+
+std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
+
+void append_path(std::string& path, std::span<const Pixel> points) {
+    char command = 'M';
+    for (const Pixel& p : points) {
+        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", command, p.x, p.y);
+        command = 'L';
+    }
+}
+
+/// Collects shapes into SVG elements; shapes of one style become one path.
+class SvgWriter {
+public:
+    void operator()(const Polygons& polygons) {
+        begin(fmt::format("fill=\"{}\"", hex(polygons.fill)));
+        for (std::size_t i = 0; i < polygons.size(); ++i) {
+            append_path(path_, polygons[i]);
+            path_ += 'Z';
+        }
+    }
+    void operator()(const Strokes& strokes) {
+        begin_stroke(strokes.width, strokes.colour);
+        for (std::size_t i = 0; i < strokes.ends.size(); i += 2) append_path(path_, std::span(strokes.ends).subspan(i, 2));
+    }
+    void operator()(const Polyline& line) {
+        begin_stroke(line.width, line.colour);
+        append_path(path_, line.points);
+    }
+    void operator()(const Text& text) {
+        end();
+        static constexpr std::array<const char*, 3> anchors{"start", "middle", "end"};
+        fmt::format_to(
+            std::back_inserter(body_),
+            "<text x=\"{0:.2f}\" y=\"{1:.2f}\" font-size=\"{2:.1f}\" fill=\"{3}\" text-anchor=\"{4}\"{5}{6}>{7}</text>\n",
+            text.at.x, text.at.y, text.size, hex(text.colour), anchors[static_cast<std::size_t>(text.anchor)],
+            text.bold ? " font-weight=\"bold\"" : "",
+            text.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x, text.at.y) : "",
+            escape_xml(text.words));
+    }
+    void end() {
+        if (!path_.empty()) fmt::format_to(std::back_inserter(body_), "<path {} d=\"{}\"/>\n", style_, path_);
+        path_.clear();
+        style_.clear();
+    }
+    [[nodiscard]] const std::string& body() const { return body_; }
+
+private:
+    void begin_stroke(double width, Colour colour) {
+        begin(
+            fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                        hex(colour), width));
+    }
+    void begin(const std::string& style) {
+        if (style != style_) {
+            end();
+            style_ = style;
+        }
+    }
+    std::string body_;
+    std::string style_;
+    std::string path_;
+};
+
+}  // namespace
+
+std::string to_svg(const Drawing& drawing) {
+    SvgWriter writer;
+    for (const Drawing::Shape& shape : drawing.shapes()) std::visit(writer, shape);
+    writer.end();
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+        "font-family=\"Arial, Liberation Sans, Helvetica, sans-serif\">\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n{2}</svg>\n",
+        drawing.width(), drawing.height(), writer.body());
+}
+
+std::vector<double> round_ticks(double low, double high, int wanted) {
+    std::vector<double> ticks;
+    if (!(high > low) || wanted < 1) return ticks;
+    const double raw = (high - low) / wanted;
+    const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+    double step = 10 * decade;
+    for (double factor : {1.0, 2.0, 5.0}) {
+        if (factor * decade >= raw * (1 - 1e-9)) {
+            step = factor * decade;
+            break;
+        }
+    }
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1) ticks.push_back(k * step);
+    return ticks;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,209 @@
+#include "post/chart/map_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/chart/pixel_fill.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr double platen_height = 16;
+/// Grains of shorter edges, in pixels, have no outlines: they would be a grey haze.
+constexpr double least_edge = 4;
+
+struct Box {
+    std::array<double, 2> low;
+    std::array<double, 2> high;
+};
+
+Box bounds(const Positions& places) {
+    Box box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const auto& place : places) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            box.low[axis] = std::min(box.low[axis], place[axis]);
+            box.high[axis] = std::max(box.high[axis], place[axis]);
+        }
+    }
+    return box;
+}
+
+/// The bounds of what moved, but no more than a tenth beyond the specimen at rest: chips that flew off are left out.
+Box view_box(const Specimen& specimen, const Positions& positions) {
+    const Box rest = bounds(specimen.node_position);
+    Box box = bounds(positions);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double reach = 0.1 * (rest.high[axis] - rest.low[axis]);
+        box.low[axis] = std::clamp(box.low[axis], rest.low[axis] - reach, rest.low[axis] + reach);
+        box.high[axis] = std::clamp(box.high[axis], rest.high[axis] - reach, rest.high[axis] + reach);
+    }
+    return box;
+}
+
+/// 1, 2 or 5 × 10^k below a length.
+double round_length(double length) {
+    const double decade = std::pow(10.0, std::floor(std::log10(length)));
+    for (double factor : {5.0, 2.0}) {
+        if (factor * decade <= length) return factor * decade;
+    }
+    return decade;
+}
+
+}  // namespace
+
+Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification) {
+    Positions places = specimen.node_position;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i][0] += magnification * frame.displacement[i][0];
+        places[i][1] += magnification * frame.displacement[i][1];
+    }
+    return places;
+}
+
+struct MapView::Layout {
+    Box box;
+    double scale;
+    Pixel origin;
+    int width;
+    int height;
+
+    Layout(const Specimen& specimen, const Positions& positions, std::size_t title_lines, const MapPage& page)
+        : box(view_box(specimen, positions)) {
+        const double extent_x = box.high[0] - box.low[0];
+        const double extent_y = box.high[1] - box.low[1];
+        scale = std::min((page.width - 2 * page.margin) / extent_x, page.largest_height / extent_y);
+        width = static_cast<int>(page.width);
+        const double title = 1.35 * page.title_size + 1.35 * page.text_size * static_cast<double>(title_lines - 1);
+        const double top = 20 + title + platen_height + 14;
+        height = static_cast<int>(std::ceil(top + scale * extent_y + platen_height + std::max(page.legend_height, 20.0)));
+        origin = {(width - scale * extent_x) / 2, top + scale * extent_y};
+    }
+};
+
+MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const MapPage& page)
+    : MapView(specimen, std::move(positions), title, page, Layout(specimen, positions, title.size(), page)) {}
+
+MapView::MapView(const Specimen& specimen, Positions&& positions, const std::vector<std::string>& title, const MapPage& page,
+                 const Layout& layout)
+    : specimen_(specimen),
+      positions_(std::move(positions)),
+      page_(page),
+      low_(layout.box.low),
+      high_(layout.box.high),
+      scale_(layout.scale),
+      origin_(layout.origin),
+      drawing_(layout.width, layout.height) {
+    double y = 20;
+    bool first = true;
+    for (const std::string& words : title) {
+        const double size = first ? page.title_size : page.text_size;
+        y += 1.35 * size;
+        drawing_.text({{page.margin, y - 6}, words, size, palette::ink, Anchor::start, first});
+        first = false;
+    }
+}
+
+Pixel MapView::pixel(std::array<double, 2> place) const {
+    return {origin_.x + scale_ * (place[0] - low_[0]), origin_.y - scale_ * (place[1] - low_[1])};
+}
+
+bool MapView::visible(std::array<double, 2> place) const {
+    const double slack = 2 / scale_;
+    return place[0] >= low_[0] - slack && place[0] <= high_[0] + slack && place[1] >= low_[1] - slack &&
+           place[1] <= high_[1] + slack;
+}
+
+void MapView::stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour) {
+    if (visible({(from[0] + to[0]) / 2, (from[1] + to[1]) / 2})) drawing_.line(pixel(from), pixel(to), width, colour);
+}
+
+void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour) {
+    stroke(positions_[static_cast<std::size_t>(from)], positions_[static_cast<std::size_t>(to)], width, colour);
+}
+
+template <class Draw>
+void MapView::each_grain(const GrainColour& colour, const Draw& draw) const {
+    for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
+        const auto& nodes = specimen_.element_nodes[e];
+        const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
+        const auto [a, b, c] = std::array{place(0), place(1), place(2)};
+        if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
+        const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
+        draw(pixel(a), pixel(b), pixel(c), colour ? colour(grain) : palette::phase(specimen_.grain_phase[grain]));
+    }
+}
+
+void MapView::draw_grains(const GrainColour& colour) {
+    const double edge = specimen_.statistics.mean_edge > 0 ? specimen_.statistics.mean_edge * scale_ : 1e3;
+    if (edge < least_edge) return draw_small_grains(colour);
+    each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
+    const double thin = std::clamp(0.03 * edge, 0.3, 1.2);
+    const auto apart = [&](std::int32_t a, std::int32_t b) {
+        const auto& p = positions_[static_cast<std::size_t>(a)];
+        const auto& q = positions_[static_cast<std::size_t>(b)];
+        return std::hypot(p[0] - q[0], p[1] - q[1]) * scale_ > 0.2 * thin;
+    };
+    for (const auto& nodes : specimen_.contact_nodes) {
+        draw_outline(nodes[0], nodes[1], thin, palette::outline);
+        const bool gapes = apart(nodes[0], nodes[2]) || apart(nodes[1], nodes[3]);
+        if (gapes) draw_outline(nodes[2], nodes[3], thin, palette::outline);
+    }
+    for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.6 * thin, palette::rim);
+}
+
+bool MapView::draw_pre_existing_cracks(double width) {
+    bool any = false;
+    for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
+        if (specimen_.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        draw_outline(specimen_.contact_nodes[c][0], specimen_.contact_nodes[c][1], width, palette::pre_existing);
+        any = true;
+    }
+    return any;
+}
+
+void MapView::draw_small_grains(const GrainColour& colour) {
+    PixelFill fill(pixel({low_[0], high_[1]}), pixel({high_[0], low_[1]}));
+    each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
+    fill.draw(drawing_);
+    for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.5, palette::rim);
+}
+
+void MapView::draw_platen(double y, bool above, double half_width) {
+    const Pixel left = pixel({-half_width, y});
+    const Pixel right = pixel({half_width, y});
+    const double outside = left.y + (above ? -platen_height : platen_height);
+    drawing_.rectangle({left.x, std::min(left.y, outside)}, {right.x, std::max(left.y, outside)}, palette::platen);
+}
+
+void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
+    double y = drawing_.height() - page_.legend_height / 2 + 8;
+    const double size = page_.text_size;
+    double x = page_.margin;
+    for (const LegendEntry& entry : entries) {
+        if (entry.width > 14) {
+            drawing_.rectangle({x, y - 8 - entry.width / 2}, {x + 40, y - 8 + entry.width / 2}, entry.colour);
+        } else {
+            drawing_.line({x, y - 8}, {x + 40, y - 8}, entry.width, entry.colour);
+        }
+        drawing_.text({{x + 52, y}, entry.words, size});
+        x += 52 + text_width(entry.words, size) + 26;
+    }
+    const double length = round_length(0.2 * (high_[0] - low_[0]));
+    const std::string words = format_quantity(length, Dimension::length);
+    const double right = drawing_.width() - page_.margin;
+    const double left = right - length * scale_;
+    if (left - 14 - text_width(words, size) < x) {  // no room beside the entries
+        const double line = 1.6 * size;
+        y += line;
+        drawing_.set_height(drawing_.height() + static_cast<int>(line));
+    }
+    drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
+    for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);
+    drawing_.text({{left - 14, y}, words, size, palette::ink, Anchor::end});
+}
+
+}  // namespace graincrack

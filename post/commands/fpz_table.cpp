@@ -1,0 +1,111 @@
+#include "post/commands/fpz_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace graincrack {
+
+namespace {
+
+/// Writes rows: quantity, plane, value, unit, equation.
+class FpzWriter {
+public:
+    FpzWriter(std::ostream& out, TableFormat format) : table_(out, {"quantity", "plane", "value", "unit", "equation"}, format) {}
+    void row(const std::string& quantity, const std::string& plane, double value, const std::string& unit,
+             const std::string& equation) {
+        table_.row({quantity, plane.empty() ? Cell() : Cell(plane), value, unit, equation});
+    }
+    /// A fracture energy with what follows from it and the contact's tensile strength.
+    void energy(const std::string& name, const std::string& plane, double energy, double zone, double ultimate,
+                const std::string& equation) {
+        row(name + "_fracture_energy", plane, energy, "J/m2", equation);
+        row(name + "_ultimate_opening", plane, ultimate * 1e3, "mm", "14");
+        row(name + "_contact_zone_length", plane, zone * 1e3, "mm", "16 with the contact's strength: (9 pi/32) E~ Gf/tc^2");
+    }
+
+private:
+    TableWriter table_;
+};
+
+void write_plane(FpzWriter& table, const Material& material, PlaneCondition condition) {
+    const Rock& rock = material.rock;
+    const ContactMaterial& contact = material.contact;
+    const std::string plane(name_of(condition));
+    const double kt = fpz::normal_stiffness(rock, condition);
+    const double ks = fpz::shear_stiffness(rock, condition);
+    const double critical_opening = fpz::critical_displacement(contact.tensile_strength, kt);
+    table.row("effective_modulus", plane, fpz::effective_modulus(rock, condition) * 1e-9, "GPa", "32");
+    table.row("mode_i_zone_thickness", plane, fpz::mode_i_zone_thickness(rock, condition) * 1e3, "mm", "33");
+    table.row("mode_ii_zone_thickness", plane, fpz::mode_ii_zone_thickness(rock, condition) * 1e3, "mm", "34");
+    // Eqs 3–6: k = modulus/thickness, written out in plane stress and plane strain.
+    table.row("contact_normal_stiffness", plane, kt * 1e-9, "MPa/mm", "3-6");
+    table.row("contact_shear_stiffness", plane, ks * 1e-9, "MPa/mm", "3-6");
+    table.row("stiffness_ratio", plane, ks / kt, "1", "3-6");
+    table.row("critical_opening", plane, critical_opening * 1e3, "mm", "8");
+    table.row("critical_sliding", plane, fpz::critical_displacement(contact.cohesion, ks) * 1e3, "mm", "11");
+    const auto energy = [&](const std::string& name, double value, const std::string& equation) {
+        table.energy(name, plane, value, fpz::contact_zone_length(rock, condition, value, contact.tensile_strength),
+                     fpz::ultimate_displacement(value, contact.tensile_strength, critical_opening), equation);
+    };
+    energy("mixed_mode", fpz::mixed_mode_fracture_energy(rock, condition), "32");
+    energy("mode_i", fpz::mode_i_fracture_energy(rock, condition), "32 with K_IC alone");
+}
+
+void write_grain_size(FpzWriter& table, const Rock& rock) {
+    table.row("zone_length", "", fpz::zone_length(rock) * 1e3, "mm", "16");
+    table.row("min_grain_size", "", fpz::min_grain_size(rock) * 1e3, "mm", "15, 17");
+    table.row("min_grain_size_shear", "", fpz::min_grain_size_shear(rock) * 1e3, "mm", "15, 17 with w_II");
+    table.row("max_grain_size", "", fpz::max_grain_size(rock) * 1e3, "mm", "15, 17");
+}
+
+/// Table 9: b(m, n), and the zone thickness that follows from it.
+void write_lennard_jones(FpzWriter& table, const Rock& rock) {
+    const double energy = fpz::mixed_mode_fracture_energy(rock, PlaneCondition::strain);
+    for (int m = 8; m <= 12; ++m) {
+        for (int n = 13; n <= 18; ++n) {
+            const double b = fpz::lennard_jones_b(m, n);
+            table.row(fmt::format("lennard_jones_b({},{})", m, n), "", b, "1", "31");
+            table.row(fmt::format("lennard_jones_zone_thickness({},{})", m, n), "strain",
+                      fpz::zone_thickness(energy, b, rock.tensile_strength) * 1e3, "mm", "30");
+        }
+    }
+}
+
+/// Appendix 2: strengths of contact and rock, for the paper's two readings of its mean edge.
+void write_macro_micro(FpzWriter& table, const Material& material) {
+    constexpr std::array<double, 2> edges{4.0e-3, 5.13e-3};
+    const Rock& rock = material.rock;
+    const double tc = material.contact.tensile_strength;
+    for (double edge : edges) {
+        const std::string suffix = fmt::format("({:.4g} mm)", edge * 1e3);
+        const double force = rock.mode_i_toughness * std::sqrt(edge / std::numbers::pi);
+        const double strength = fpz::contact_tensile_strength_from_toughness(rock.mode_i_toughness, edge);
+        table.row("first_contact_force_at_toughness" + suffix, "", force * 1e-3, "kN/m", "35-38");
+        table.row("contact_tensile_strength_from_toughness" + suffix, "", strength * 1e-6, "MPa", "39, 40");
+        table.row("mode_i_toughness_over_contact_strength" + suffix, "", rock.mode_i_toughness / (tc * std::sqrt(edge)), "1",
+                  "41");
+        table.row("mode_ii_toughness_over_contact_cohesion" + suffix, "",
+                  rock.mode_ii_toughness / (material.contact.cohesion * std::sqrt(edge)), "1", "42");
+        table.row("tensile_strength_over_contact_strength" + suffix, "", rock.tensile_strength / (tc * std::sqrt(edge)),
+                  "1/m^0.5", "44");
+    }
+    table.row("tensile_strength_from_toughness", "", fpz::tensile_strength_from_toughness(rock.mode_i_toughness) * 1e-6, "MPa",
+              "43");
+}
+
+}  // namespace
+
+void write_fpz_table(std::ostream& out, const Material& material, TableFormat format) {
+    FpzWriter table(out, format);
+    table.row("shear_modulus", "", fpz::shear_modulus(material.rock) * 1e-9, "GPa", "3-6");
+    write_plane(table, material, PlaneCondition::strain);
+    write_plane(table, material, PlaneCondition::stress);
+    write_grain_size(table, material.rock);
+    write_lennard_jones(table, material.rock);
+    write_macro_micro(table, material);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,100 @@
+#include "post/commands/info.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "share/h5_file.hpp"
+#include "share/provenance.hpp"
+#include "share/run_file.hpp"
+#include "share/schema.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+void line(std::ostream& out, const std::string& key, const std::string& value) {
+    out << fmt::format("  {:<24} {}\n", key, value);
+}
+
+void write_counts(std::ostream& out, const H5Input& file) {
+    const auto rows = [&](const char* path) { return file.has(path) ? std::to_string(file.extents(path).at(0)) : "0"; };
+    line(out, "grains", rows(schema::grain_phase.path));
+    line(out, "elements", rows(schema::element_nodes.path));
+    line(out, "nodes", rows(schema::node_position.path));
+    line(out, "contacts", rows(schema::contact_nodes.path));
+    line(out, "boundary_edges", rows(schema::boundary_edges.path));
+}
+
+void write_specimen_lines(std::ostream& out, const H5Input& file) {
+    const char* group = schema::specimen_group;
+    const auto length = [&](const char* name) {
+        if (file.has_attribute(group, name))
+            line(out, name, format_quantity(file.attribute<double>(group, name), Dimension::length));
+    };
+    line(out, "shape", file.attribute_or<std::string>(group, "shape", "unknown"));
+    length("width");
+    length("height");
+    length("mean_edge");
+    line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
+    line(out, "seed", std::to_string(file.attribute_or<std::int64_t>(group, "seed", 0)));
+    write_counts(out, file);
+}
+
+void write_run_lines(std::ostream& out, const H5Input& file) {
+    const char* group = schema::run_group;
+    const auto word = [&](const char* name) {
+        const auto text = file.attribute_or<std::string>(group, name, "");
+        line(out, name, text.empty() ? "unknown" : text);
+    };
+    const auto number = [&](const char* name, Dimension dimension) {
+        if (file.has_attribute(group, name)) line(out, name, format_quantity(file.attribute<double>(group, name), dimension));
+    };
+    const auto rows = [&](const std::string& path) { return std::to_string(file.has(path) ? file.extents(path).at(0) : 0); };
+    for (const char* name : {"test", "plane", "material", "contact_law", "coupling", "fracture_energy_choice"}) word(name);
+    number("fracture_energy", Dimension::fracture_energy);
+    number("contact_tensile_strength", Dimension::stress);
+    number("contact_cohesion", Dimension::stress);
+    number("contact_friction_angle", Dimension::angle);
+    number("confining_pressure", Dimension::stress);
+    word("rate");
+    number("platen_speed", Dimension::speed);
+    number("time_step", Dimension::time);
+    line(out, "steps", std::to_string(file.attribute_or<std::int64_t>(group, "steps", 0)));
+    word("stop_reason");
+    line(out, "history_rows", rows(std::string(schema::history_group) + "/time"));
+    line(out, "frames", std::to_string(file.has(schema::frames_group) ? file.children(schema::frames_group).size() : 0));
+    line(out, "failed_contact_points", rows(schema::crack_time.path));
+}
+
+void write_datasets(std::ostream& out, const H5Input& file) {
+    out << "  datasets\n";
+    for (const std::string& dataset : file.describe()) out << "    " << dataset << '\n';
+}
+
+void check_file(const H5Input& file) {
+    file.check();
+    (void)read_specimen(file);
+}
+
+}  // namespace
+
+void write_info(std::ostream& out, const std::string& path, bool check) {
+    const H5Input file(path);
+    if (check) check_file(file);
+    out << file.name() << '\n';
+    line(out, "kind", fmt::format("{}, schema {}", file.kind(), file.attribute<std::int64_t>("/", "schema_version")));
+    if (file.kind() == "run") write_run_lines(out, file);
+    write_specimen_lines(out, file);
+    write_datasets(out, file);
+    if (check) line(out, "check", "every dataset was read; the specimen is valid");
+}
+
+void write_digest(std::ostream& out, const std::string& path, bool check) {
+    const H5Input file(path);
+    if (check) check_file(file);
+    out << file.digest() << "  " << (path == "-" ? "-" : file.name()) << '\n';
+}
+
+}  // namespace graincrack

@@ -1,0 +1,170 @@
+#include "post/fit/envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "post/fit/regression.hpp"
+#include "post/measure/comparable.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+double friction_angle_of(double slope) { return slope > 0 ? std::asin((slope - 1) / (slope + 1)) : -std::numbers::pi / 2; }
+
+/// Variance of C = a/(2√b), linearised.
+double cohesion_variance(const Line& line, double cohesion) {
+    const double by_intercept = 1 / (2 * std::sqrt(line.slope));  // dC/da
+    const double by_slope = -cohesion / (2 * line.slope);         // dC/db
+    return by_intercept * by_intercept * line.intercept_variance + 2 * by_intercept * by_slope * line.covariance +
+           by_slope * by_slope * line.slope_variance;
+}
+
+std::optional<Estimate> curvature_of(std::span<const double> confining, std::span<const double> strength) {
+    const double scale = *std::max_element(confining.begin(), confining.end());
+    DesignMatrix design;
+    for (const double pressure : confining) design.push_back({1, pressure / scale, std::pow(pressure / scale, 2)});
+    const auto fit = regress(design, {strength.begin(), strength.end()});
+    if (!fit) return std::nullopt;
+    const double unit = 1 / (scale * scale);
+    return estimate(fit->coefficients[2] * unit, std::pow(fit->standard_error(2) * unit, 2), fit->freedom);
+}
+
+/// \throws InputError if two compression tests cannot stand in one envelope
+void require_comparable(const RunData& run, const RunData& first, CappedRuns capped_runs) {
+    const auto refuse = [&](const std::string& what) {
+        throw InputError(run.name + ": differs from " + first.name + " in " + what +
+                         "; compression tests of an envelope differ in confining pressure and seed only");
+    };
+    if (run.header.plane != first.header.plane) refuse("the plane condition");
+    if (capped_runs == CappedRuns::accept && run.header.max_strain != first.header.max_strain) refuse("the strain cap");
+}
+
+template <class Stress>
+EnvelopeAt fit_reached(const EnvelopeTests& tests, const Stress& stress_of) {
+    std::vector<double> confining;
+    std::vector<double> stress;
+    for (const EnvelopeTests::Test& test : tests.compression) {
+        const std::optional<double> reached = stress_of(test);
+        if (!reached) continue;
+        confining.push_back(test.confining);
+        stress.push_back(*reached);
+    }
+    EnvelopeAt result{stress.size(), std::nullopt};
+    if (std::set<double>(confining.begin(), confining.end()).size() > 1) result.envelope = fit_envelope(confining, stress);
+    return result;
+}
+
+/// All of one seed's tests; only seeds with all of the pressures.
+std::vector<std::vector<EnvelopeTests::Test>> whole_seeds(const EnvelopeTests& tests) {
+    std::map<std::int64_t, std::vector<EnvelopeTests::Test>> by_seed;
+    std::set<double> pressures;
+    for (const auto& test : tests.compression) {
+        by_seed[test.seed].push_back(test);
+        pressures.insert(test.confining);
+    }
+    std::vector<std::vector<EnvelopeTests::Test>> whole;
+    for (const auto& [seed, own] : by_seed) {
+        std::set<double> own_pressures;
+        for (const auto& test : own) own_pressures.insert(test.confining);
+        if (own_pressures == pressures) whole.push_back(own);
+    }
+    return whole;
+}
+
+}  // namespace
+
+std::vector<double> EnvelopeTests::confining() const {
+    std::vector<double> out;
+    for (const Test& test : compression) out.push_back(test.confining);
+    return out;
+}
+
+std::vector<double> EnvelopeTests::strength() const {
+    std::vector<double> out;
+    for (const Test& test : compression) out.push_back(test.strength);
+    return out;
+}
+
+Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength) {
+    Envelope envelope;
+    envelope.line = fit_mohr_coulomb(confining, strength);
+    envelope.cohesion.value = envelope.line.cohesion;
+    envelope.friction_angle.value = envelope.line.friction_angle;
+    envelope.hoek_brown = fit_hoek_brown(confining, strength);
+    envelope.curvature = curvature_of(confining, strength);
+    const std::optional<Line> line = fit_line(confining, strength);
+    if (!line || line->freedom < 1 || !(line->slope > 0)) return envelope;
+    const double half_slope = student_t_95(line->freedom) * std::sqrt(line->slope_variance);
+    envelope.friction_angle.low = friction_angle_of(line->slope - half_slope);
+    envelope.friction_angle.high = friction_angle_of(line->slope + half_slope);
+    envelope.cohesion = estimate(envelope.cohesion.value, cohesion_variance(*line, envelope.cohesion.value), line->freedom);
+    return envelope;
+}
+
+EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRuns capped_runs) {
+    EnvelopeTests tests;
+    const RunData* first_compression = nullptr;
+    require_same_settings(runs, "an envelope");
+    for (const RunData& run : runs) {
+        require_same_material(run, runs.front(), "an envelope");
+        if (run.header.test == "program") {
+            throw InputError(run.name +
+                             ": a program's peak is of no known pressure; an envelope needs uniaxial and triaxial tests");
+        }
+        const Strength strength = measure_strength(run);
+        if (is_compression(run.header)) {
+            if (first_compression != nullptr) require_comparable(run, *first_compression, capped_runs);
+            if (first_compression == nullptr) first_compression = &run;
+            tests.compression.push_back({run.header.confining_pressure, strength.value(), run.specimen.seed, strength.first_yield,
+                                         strength.stress_at_marks});
+        } else {
+            (run.header.test == "brazilian" ? tests.brazilian : tests.direct_tension).push_back(strength.value());
+        }
+        if (is_capped(run, strength, capped_runs, "an envelope")) ++tests.capped;
+    }
+    if (tests.compression.empty()) {
+        throw InputError(runs.front().name +
+                         ": no compression test among the runs; an envelope needs uniaxial and triaxial ones");
+    }
+    return tests;
+}
+
+EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {
+    return fit_reached(tests, [](const EnvelopeTests::Test& test) { return test.first_yield; });
+}
+
+EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark) {
+    return fit_reached(tests, [mark](const EnvelopeTests::Test& test) { return test.stress_at_marks.at(mark); });
+}
+
+std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {
+    const auto seeds = whole_seeds(tests);
+    if (seeds.size() < 2) return std::nullopt;
+    std::vector<double> cohesion;
+    std::vector<double> friction_angle;
+    std::vector<double> sigma_ci;
+    std::vector<double> mi;
+    for (const auto& own : seeds) {
+        EnvelopeTests one;
+        one.compression = own;
+        const Envelope envelope = fit_envelope(one.confining(), one.strength());
+        cohesion.push_back(envelope.cohesion.value);
+        friction_angle.push_back(envelope.friction_angle.value);
+        if (!envelope.hoek_brown) continue;
+        sigma_ci.push_back(envelope.hoek_brown->sigma_ci.value);
+        mi.push_back(envelope.hoek_brown->mi.value);
+    }
+    SeedEnvelopes result{seeds.size(), sample(cohesion), sample(friction_angle), std::nullopt, std::nullopt};
+    if (mi.size() == seeds.size()) {
+        result.sigma_ci = sample(sigma_ci);
+        result.mi = sample(mi);
+    }
+    return result;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,81 @@
+// Failure envelopes of a set of tests: Mohr–Coulomb and Hoek–Brown with 95 % intervals, beside the tensile strengths.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "post/fit/hoek_brown.hpp"
+#include "post/fit/statistics.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/measure/strength.hpp"
+#include "share/mohr_coulomb.hpp"
+
+namespace graincrack {
+
+/// Mohr–Coulomb line and Hoek–Brown curve through compressive strengths.
+struct Envelope {
+    MohrCoulomb line;         ///< σ1 = a + b σ3
+    Estimate cohesion;        ///< C = a/(2√b), Pa
+    Estimate friction_angle;  ///< sin φ = (b − 1)/(b + 1), rad
+    /// c of σ1 = a + b σ3 + c σ3², 1/Pa: below zero the envelope is concave, like Hoek–Brown's. Empty with two pressures.
+    std::optional<Estimate> curvature;
+    std::optional<HoekBrown> hoek_brown;  ///< through the compressive strengths alone
+    /// Tensile strength that the line has at σ1 = 0: a/b = 2C cos φ/(1 + sin φ), Pa.
+    [[nodiscard]] double tensile_strength() const { return line.intercept / line.slope; }
+};
+
+/// Fits both envelopes. The interval of φ is that of the slope b, through which it is monotone; the interval of C is
+/// linearised (C and φ stand in one line, so their errors are not independent).
+///
+/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
+/// \throws InputError unless there are strengths at two or more confining pressures
+Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength);
+
+/// What a set of runs says of the envelope of one material. Pa.
+struct EnvelopeTests {
+    struct Test {
+        double confining = 0;
+        double strength = 0;
+        std::int64_t seed = 0;
+        std::optional<double> first_yield = std::nullopt;           ///< see `first_yield`
+        std::array<std::optional<double>, 3> stress_at_marks = {};  ///< at `strain_marks`
+    };
+    std::vector<Test> compression;
+    std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
+    std::vector<double> direct_tension;  ///< tensile strengths
+    std::size_t capped = 0;              ///< runs whose largest stress stands for a peak
+    [[nodiscard]] std::vector<double> confining() const;
+    [[nodiscard]] std::vector<double> strength() const;
+    /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
+    [[nodiscard]] const std::vector<double>& tensile() const { return direct_tension.empty() ? brazilian : direct_tension; }
+};
+
+/// Sorts runs by test.
+/// \throws InputError for a run without a peak: one that the strain cap ended, unless accepted, or that was stopped; for one
+///         that differs from the first in law, rock or contact parameters, or in the plane condition from the other
+///         compression tests: one envelope is the envelope of one material
+EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRuns capped_runs);
+
+/// The envelope of another stress than the peak, through the tests that reached it.
+struct EnvelopeAt {
+    std::size_t runs = 0;              ///< tests that reached it
+    std::optional<Envelope> envelope;  ///< empty unless they have two or more confining pressures
+};
+EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests);
+/// At an axial strain, whatever came before: hardening tests without a peak compare there. \param mark of `strain_marks`
+EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark);
+
+/// Each seed with tests at all pressures of the set gives C, φ, σci and mi of its own; samples over these seeds. Empty with
+/// fewer than two such seeds; σci and mi are empty where a seed gives none.
+struct SeedEnvelopes {
+    std::size_t seeds = 0;
+    Sample cohesion;
+    Sample friction_angle;
+    std::optional<Sample> sigma_ci;
+    std::optional<Sample> mi;
+};
+std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests);
+
+}  // namespace graincrack

@@ -1,0 +1,50 @@
+// Strength against grain size: a power law with its interval, beside what theory and the paper say.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/fit/statistics.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/measure/strength.hpp"
+#include "post/table/table.hpp"
+
+namespace graincrack {
+
+/// strength = coefficient · (dp/1 mm)^exponent
+struct PowerLaw {
+    Estimate exponent;
+    double coefficient = 0;  ///< Pa: the strength at a mean edge of 1 mm
+};
+/// Straight line through logarithms: relative errors of equal size. Every run counts once, so a size weighs as its seeds.
+/// Empty unless there are two different edges.
+/// \param edge m \param strength Pa
+std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength);
+/// Non-linear least squares: absolute errors of equal size.
+std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std::vector<double>& strength);
+
+/// σt ∝ dp^½ at fixed contact parameters (paper, Eq 44).
+inline constexpr double theory_exponent = 0.5;
+/// The exponent the paper finds for σt (Fig 10).
+inline constexpr double paper_exponent = 0.39;
+
+/// Runs of one test at one confining pressure.
+struct SizeSeries {
+    std::string test;
+    double confining_pressure = 0;  ///< Pa
+    std::vector<double> edge;       ///< m
+    std::vector<double> strength;   ///< Pa
+    std::size_t capped = 0;
+    double contact_zone_length = 0;  ///< (9π/32) Ẽ Gf/tc², m
+};
+/// Mean edges of seeds of one size differ by up to a percent; scatter of 4 % in the strengths over this ratio of edges is an
+/// exponent of 0.2, half of what a size effect is.
+inline constexpr double least_edge_ratio = 1.2;
+/// \throws InputError for runs of different materials, without a peak, or of unknown mean edge, or for a series of one size
+std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRuns capped_runs);
+
+/// Two rows a series: log-log and non-linear.
+void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format, CappedRuns capped_runs);
+
+}  // namespace graincrack

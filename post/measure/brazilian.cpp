@@ -1,0 +1,68 @@
+#include "post/measure/brazilian.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/cracks/crack_network.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// Value of a column at a time, linear between rows.
+double at_time(const std::vector<double>& times, const std::vector<double>& column, double time) {
+    const auto after = std::lower_bound(times.begin(), times.end(), time);
+    if (after == times.begin()) return column.front();
+    if (after == times.end()) return column.back();
+    const auto row = static_cast<std::size_t>(after - times.begin()) - 1;
+    return CurvePoint{row, (time - times[row]) / (times[row + 1] - times[row])}.of(column);
+}
+
+std::optional<double> time_of_span(const Specimen& specimen, const std::vector<Crack>& cracks) {
+    CrackNetwork network(specimen);
+    for (const Crack& crack : cracks) {
+        if (network.add(crack) >= spanning_share * specimen.height) return crack.time;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> radius_of_first(const Specimen& specimen, const std::vector<Crack>& tensile, double peak_time) {
+    const auto late = std::find_if(tensile.begin(), tensile.end(), [&](const Crack& c) { return c.time > peak_time; });
+    const auto by_peak = static_cast<std::size_t>(late - tensile.begin());
+    if (by_peak == 0) return std::nullopt;
+    const std::size_t n = std::clamp<std::size_t>(by_peak / 20, std::min<std::size_t>(2, by_peak), by_peak);
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += std::hypot(tensile[i].position[0], tensile[i].position[1]);
+    return sum / static_cast<double>(n) / (specimen.width / 2);
+}
+
+std::string warning(const BrazilianSplit& split, double peak) {
+    std::string words;
+    const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+    if (!split.spanning_stress) {
+        add(fmt::format("tensile cracks never span {:.2g} D", spanning_share));
+    } else if (const double off = 1 - *split.spanning_stress / peak; std::abs(off) > 0.05) {
+        add(fmt::format("load at the span is {:.0f} % below the largest", 100 * off));
+    }
+    if (split.first_crack_radius && *split.first_crack_radius > 0.5) {
+        add(fmt::format("first cracks at {:.2f} R, not inside 0.5 R", *split.first_crack_radius));
+    }
+    return words;
+}
+
+}  // namespace
+
+BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks) {
+    const auto& times = run.history[HistoryColumn::time];
+    std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
+    BrazilianSplit split;
+    if (const auto time = time_of_span(specimen, cracks)) split.spanning_stress = at_time(times, curve.stress, *time);
+    std::erase_if(cracks, [](const Crack& c) { return c.mode != CrackMode::tensile; });
+    split.first_crack_radius = radius_of_first(specimen, cracks, times[curve.peak]);
+    split.warning = warning(split, curve.peak_stress());
+    return split;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,27 @@
+// Where and when a Brazilian disc splits: whether the largest load is that of the split, and whether it began inside.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/measure/load_curve.hpp"
+
+namespace graincrack {
+
+struct BrazilianSplit {
+    /// 2F/(π t D) when the tensile cracks of one network (linked by cracks of either mode) first span `spanning_share` of the
+    /// diameter along the load, Pa; empty if they never do.
+    std::optional<double> spanning_stress;
+    /// Mean distance of the first tensile cracks (the first 5 % of those at the peak, two points at least) from the centre
+    /// over the radius; empty without any.
+    std::optional<double> first_crack_radius;
+    /// What is wrong with taking 2Fmax/(π t D) for the tensile strength; empty if nothing is.
+    std::string warning;
+};
+inline constexpr double spanning_share = 0.8;
+
+/// \param cracks of the run, in any order
+BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks);
+
+}  // namespace graincrack

@@ -1,0 +1,74 @@
+#include "post/measure/comparable.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Derived in each plane condition from other numbers, the same strength differs in its last digits.
+bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
+
+}  // namespace
+
+std::string material_difference(const RunHeader& a, const RunHeader& b) {
+    if (a.contact_law != b.contact_law || a.coupling != b.coupling) return "the contact law";
+    if (a.fracture_energy_choice != b.fracture_energy_choice) return "the choice of the fracture energy";
+    if (a.rock.young_modulus != b.rock.young_modulus || a.rock.poisson_ratio != b.rock.poisson_ratio ||
+        a.rock.density != b.rock.density) {
+        return "the rock";
+    }
+    const ContactParameters& p = a.contact;
+    const ContactParameters& q = b.contact;
+    if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle ||
+        differs(p.open_shear_strength, q.open_shear_strength)) {
+        return "the contact parameters";
+    }
+    if (p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||
+        p.residual_friction_angle != q.residual_friction_angle) {
+        return "the residual strengths of the contacts";
+    }
+    if (a.plane == b.plane &&
+        (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
+         p.fracture_energy != q.fracture_energy || p.mode_ii_fracture_energy != q.mode_ii_fracture_energy)) {
+        return "the stiffness or fracture energy of the contacts";
+    }
+    return "";
+}
+
+std::string setting_difference(const RunHeader& a, const RunHeader& b) {
+    if (a.plane != b.plane) return "the plane condition";
+    // The mean speed of an automatic rate is a result.
+    if (a.rate != b.rate || a.rate_tolerance != b.rate_tolerance || (a.rate != "auto" && a.platen_speed != b.platen_speed)) {
+        return "the rate";
+    }
+    if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
+    if (a.damping != b.damping) return "the damping";
+    if (a.damping_form != b.damping_form) return "the form of the damping";
+    // Its factor follows the specimen.
+    if (a.mass_scaling != b.mass_scaling) return "the mass scaling";
+    if (a.platen_friction != b.platen_friction) return "the friction of the platens";
+    return "";
+}
+
+void require_same_settings(const std::vector<RunData>& runs, const std::string& what) {
+    std::map<std::pair<std::string, double>, const RunData*> first;
+    for (const RunData& run : runs) {
+        const RunData& other = *first.try_emplace({run.header.test, run.header.confining_pressure}, &run).first->second;
+        const std::string difference = setting_difference(run.header, other.header);
+        if (difference.empty()) continue;
+        throw InputError(run.name + ": differs from " + other.name + " in " + difference + "; " + what +
+                         " needs tests of one kind that differ in their seeds only");
+    }
+}
+
+void require_same_material(const RunData& run, const RunData& first, const std::string& what) {
+    const std::string difference = material_difference(run.header, first.header);
+    if (difference.empty()) return;
+    throw InputError(run.name + ": differs from " + first.name + " in " + difference + "; " + what +
+                     " needs tests of one material");
+}
+
+}  // namespace graincrack

@@ -1,0 +1,78 @@
+#include "post/measure/history.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <thread>
+
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+
+namespace graincrack {
+
+namespace {
+
+std::vector<std::string> history_columns() {
+    std::vector<std::string> columns;
+    for (const HistoryDataset& dataset : history_datasets) {
+        std::string name(dataset.name);
+        if (dataset.dimension != Dimension::one) name.append("_").append(si_unit(dataset.dimension));
+        columns.push_back(std::move(name));
+    }
+    return columns;
+}
+
+/// What was flushed so far; empty where the file is between two flushes, or gone.
+std::optional<History> peek(const std::string& part) {
+    std::ifstream file(part, std::ios::binary);
+    const std::vector<char> image{std::istreambuf_iterator<char>(file), {}};
+    if (image.empty()) return std::nullopt;
+    try {
+        return read_history(H5Input::from_image(image, part, "run"));
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+HistoryTable::HistoryTable(std::ostream& out, TableFormat format) : table_(out, history_columns(), format) {}
+
+void HistoryTable::row(const History& history, std::size_t index) {
+    std::vector<Cell> cells;
+    for (std::size_t c = 0; c < history_datasets.size(); ++c) {
+        const double value = history.columns[c][index];
+        cells.push_back(c == static_cast<std::size_t>(HistoryColumn::step) ? count_cell(value) : Cell(value));
+    }
+    table_.row(cells);
+}
+
+void write_history(std::ostream& out, const RunReader& run, TableFormat format) {
+    const History history = run.history();
+    HistoryTable table(out, format);
+    for (std::size_t i = 0; i < history.size(); ++i) table.row(history, i);
+}
+
+void follow_history(std::ostream& out, const std::string& name, TableFormat format, std::chrono::milliseconds pause) {
+    const std::string part = name + ".part";
+    const auto there = [](const std::string& file) { return std::filesystem::exists(file); };
+    if (!there(name) && !there(part)) throw InputError(name + ": no such file, nor " + part + " of a run in work");
+    HistoryTable table(out, format);
+    std::size_t written = 0;
+    const auto write = [&](const History& history) {
+        for (; written < history.size(); ++written) table.row(history, written);
+        out.flush();
+    };
+    // The name of a run in work may belong to an older file that it is about to replace: the part goes first.
+    while (there(part)) {
+        if (const std::optional<History> history = peek(part)) write(*history);
+        throw_if_interrupted();
+        if (!out) return;
+        std::this_thread::sleep_for(pause);
+    }
+    if (!there(name)) throw InputError(name + ": the run was given up; " + part + " is gone without a result");
+    write(RunReader(name).history());
+}
+
+}  // namespace graincrack

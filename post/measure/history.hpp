@@ -1,0 +1,32 @@
+// The history of a run as a table, of a finished run or of one that is still being written.
+#pragma once
+
+#include <chrono>
+#include <ostream>
+#include <string>
+
+#include "post/table/table.hpp"
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// Every column of /history, names with SI units, tension positive as in the file.
+class HistoryTable {
+public:
+    HistoryTable(std::ostream& out, TableFormat format);
+    void row(const History& history, std::size_t index);
+
+private:
+    TableWriter table_;
+};
+
+void write_history(std::ostream& out, const RunReader& run, TableFormat format);
+
+/// Writes the rows of a run as they appear, and ends when the run does. A run in work is NAME.part until it is finished;
+/// a finished one is written at once.
+/// \param pause between two looks
+/// \throws InputError if there is neither, or if the run was given up; Interrupted
+void follow_history(std::ostream& out, const std::string& name, TableFormat format,
+                    std::chrono::milliseconds pause = std::chrono::milliseconds(500));
+
+}  // namespace graincrack

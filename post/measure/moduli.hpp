@@ -1,0 +1,52 @@
+// Young's modulus and Poisson's ratio of a test by the conventions that laboratories use, and what the contacts predict.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/measure/load_curve.hpp"
+#include "post/table/table.hpp"
+#include "share/fracture_process_zone.hpp"
+
+namespace graincrack {
+
+/// Moduli by one convention, Pa. "Plane" values are the slopes as they are; material values are converted from plane strain
+/// by ν = ν'/(1+ν'), E = E'(1−ν²), and equal the plane ones in plane stress.
+struct ElasticPair {
+    double young_modulus = 0;
+    double poisson_ratio = 0;
+    double plane_young_modulus = 0;
+    double plane_poisson_ratio = 0;
+};
+
+/// Moduli of one run. Strains are those of the gauges over the central half; shares are those of the way from the start to
+/// the peak. In triaxial tests the start is the end of the isotropic stage, so that the confinement is held.
+struct Moduli {
+    ElasticPair chord;                ///< from the start to half the peak: the paper's
+    ElasticPair tangent;              ///< least squares between 40 and 60 % (ISRM 1979: tangent at half the strength)
+    ElasticPair average;              ///< least squares between 20 and 80 % (ISRM 1979: average of the straight part)
+    ElasticPair secant;               ///< from the start to the peak: the deformation modulus, failure included
+    double platen_young_modulus = 0;  ///< chord, material value, from the platens' approach
+    /// Mean fall of stress over platen strain from the peak to where it has lost the drop that makes it a peak (at most
+    /// 30 %), over the platens' plane chord modulus: 0 ductile, ∞ brittle. Empty if the test ended before.
+    std::optional<double> post_peak_slope_ratio;
+};
+
+/// Gauges and platens see the same modulus in a specimen at rest, but for what its ends do: 1 % in rectangles of 1,122 grains. A
+/// wave that is still on its way through the specimen makes it another.
+inline constexpr double gauge_tolerance = 0.03;
+
+/// Empty for a brazilian test, whose stress is not uniform. \throws InputError if the curve has no elastic part
+std::optional<Moduli> measure_moduli(const RunData& run);
+
+/// What the rock and its contacts' compliance predict for this assemblage (fpz::assemblage_moduli).
+fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& specimen);
+/// Length of all contacts over the area of all grains, 1/m.
+double contact_length_per_area(const Specimen& specimen);
+
+/// Writes the table `moduli`, DESIGN's columns and the thresholds; see share/doc/tables.md.
+void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
+
+}  // namespace graincrack

@@ -1,0 +1,141 @@
+#include "post/measure/strength.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "post/cracks/run_state.hpp"
+#include "post/measure/brazilian.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+const std::vector<std::string> columns{"file",
+                                       "test",
+                                       "seed",
+                                       "grains",
+                                       "mean_edge_mm",
+                                       "confining_pressure_MPa",
+                                       "peak_compressive_stress_MPa",
+                                       "tensile_strength_MPa",
+                                       "strain_at_peak",
+                                       "peak_kind",
+                                       "first_yield_MPa",
+                                       "tensile_cracks",
+                                       "shear_cracks",
+                                       "ledger_residual",
+                                       "platen_force_difference",
+                                       "steps",
+                                       "wall_time_s",
+                                       "ns_per_grain_step",
+                                       "stress_at_1_percent_MPa",
+                                       "stress_at_2_percent_MPa",
+                                       "stress_at_3_percent_MPa",
+                                       "spanning_strength_MPa",
+                                       "first_crack_radius_over_R",
+                                       "loading_arc_deg",
+                                       "warning",
+                                       "achieved_confining_pressure_MPa",
+                                       "contact_law",
+                                       "contact_tensile_strength_MPa",
+                                       "contact_cohesion_MPa",
+                                       "contact_friction_angle_deg",
+                                       "damping_load"};
+
+constexpr double degree = std::numbers::pi / 180;
+
+Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
+
+void append_split(std::vector<Cell>& row, const RunReader& reader, const RunData& run) {
+    const Specimen specimen = reader.specimen();
+    const BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
+    row.push_back(megapascal(split.spanning_stress));
+    row.push_back(cell(split.first_crack_radius));
+    row.emplace_back(specimen.loading_arc / degree);
+    row.emplace_back(split.warning);
+}
+
+std::vector<Cell> strength_row(const std::string& path) {
+    const RunReader reader(path);
+    const RunData run = run_data(reader);
+    const Strength strength = measure_strength(run);
+    const std::int64_t integrations = std::max(run.header.steps, run.header.integrations);
+    const double grain_steps = static_cast<double>(integrations) * static_cast<double>(run.specimen.grains);
+    const bool timed = grain_steps > 0 && run.wall_time > 0;
+    std::vector<Cell> row{run.name,
+                          run.header.test,
+                          run.specimen.seed,
+                          run.specimen.grains,
+                          run.specimen.mean_edge * 1e3,
+                          run.header.confining_pressure * 1e-6,
+                          megapascal(strength.peak_compressive_stress),
+                          megapascal(strength.tensile_strength),
+                          strength.strain_at_peak,
+                          strength.peak_kind,
+                          megapascal(strength.first_yield),
+                          count_cell(strength.tensile_cracks),
+                          count_cell(strength.shear_cracks),
+                          run.header.ledger_residual,
+                          run.header.platen_force_difference,
+                          run.header.steps,
+                          timed ? Cell(run.wall_time) : Cell(),
+                          timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell(),
+                          megapascal(strength.stress_at_marks[0]),
+                          megapascal(strength.stress_at_marks[1]),
+                          megapascal(strength.stress_at_marks[2])};
+    if (run.header.test == "brazilian") {
+        append_split(row, reader, run);
+    } else {
+        row.insert(row.end(), 4, Cell());
+    }
+    row.push_back(run.header.confining_pressure > 0 ? Cell(run.header.confinement_mean * 1e-6) : Cell());
+    const ContactParameters& contact = run.header.contact;
+    row.emplace_back(run.header.contact_law);
+    for (const double value : {contact.tensile_strength * 1e-6, contact.cohesion * 1e-6, contact.friction_angle / degree}) {
+        row.emplace_back(value);
+    }
+    row.emplace_back(run.header.damping_load);
+    return row;
+}
+
+}  // namespace
+
+Strength measure_strength(const RunData& run) {
+    const LoadCurve curve = load_curve(run);
+    Strength strength;
+    (is_compression(run.header) || run.header.test == "program" ? strength.peak_compressive_stress : strength.tensile_strength) =
+        curve.peak_stress();
+    strength.strain_at_peak = curve.axial_strain[curve.peak];
+    strength.peak_kind = peak_kind(run, curve);
+    strength.first_yield = first_yield(curve);
+    std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
+                   [&](double strain) { return stress_at_strain(curve, strain); });
+    strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];
+    strength.shear_cracks = run.history[HistoryColumn::shear_cracks][curve.peak];
+    return strength;
+}
+
+bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs, const std::string& what) {
+    if (strength.peak_kind == "drop") return false;
+    if (strength.peak_kind != "cap") {
+        throw InputError(run.name + ": was stopped (" + run.header.stop_reason + ") before a peak; " + what +
+                         " needs runs that fell behind their peak");
+    }
+    if (capped_runs == CappedRuns::refuse) {
+        throw InputError(
+            fmt::format("{}: ended by the strain cap ({:.3g} %) without a peak, its largest stress is no strength; "
+                        "run it further (--max-strain), or take it as it is with --capped accept",
+                        run.name, 100 * run.header.max_strain));
+    }
+    return true;
+}
+
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
+    write_file_rows(out, columns, runs, strength_row, format);
+}
+
+}  // namespace graincrack

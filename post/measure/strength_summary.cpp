@@ -1,0 +1,68 @@
+#include "post/measure/strength_summary.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "post/measure/comparable.hpp"
+#include "post/measure/strength.hpp"
+
+namespace graincrack {
+
+namespace {
+
+struct Members {
+    std::vector<double> strengths;
+    std::size_t capped = 0;
+};
+
+using Key = std::tuple<int, double, std::string>;  // order, confining pressure, test
+
+Key key_of(const RunHeader& header) {
+    const int order = header.test == "brazilian" ? 0 : is_compression(header) ? 2 : 1;
+    return {order, header.confining_pressure, header.test};
+}
+
+}  // namespace
+
+std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
+    std::map<Key, Members> sets;
+    require_same_settings(runs, "a mean over runs");
+    for (const RunData& run : runs) {
+        require_same_material(run, runs.front(), "a mean over runs");
+        const Strength strength = measure_strength(run);
+        Members& members = sets[key_of(run.header)];
+        members.strengths.push_back(strength.value());
+        if (strength.peak_kind != "drop") ++members.capped;
+    }
+    std::vector<StrengthGroup> groups;
+    std::optional<double> brazilian;
+    for (const auto& [key, members] : sets) {
+        StrengthGroup group{std::get<2>(key), std::get<1>(key), sample(members.strengths), members.capped, std::nullopt};
+        if (group.test == "brazilian") {
+            brazilian = group.strength.mean.value;
+        } else if (brazilian) {
+            group.ratio_to_brazilian = group.strength.mean.value / *brazilian;
+        }
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format) {
+    std::vector<RunData> runs;
+    for (const std::string& path : paths) runs.push_back(read_run_data(path));
+    const std::vector<StrengthGroup> groups = group_strengths(runs);
+    TableWriter table(out,
+                      {"test", "confining_pressure_MPa", "runs", "runs_without_peak", "strength_MPa", "strength_deviation_MPa",
+                       "strength_low_MPa", "strength_high_MPa", "ratio_to_brazilian"},
+                      format);
+    const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
+    for (const StrengthGroup& g : groups) {
+        table.row({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
+                   static_cast<std::int64_t>(g.capped), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
+                   megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian)});
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,31 @@
+// Strengths of a set of runs by test and confining pressure: means over seeds and their ratios.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "post/fit/statistics.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/table/table.hpp"
+
+namespace graincrack {
+
+/// Runs of one test at one confining pressure.
+struct StrengthGroup {
+    std::string test;
+    double confining_pressure = 0;  ///< Pa
+    Sample strength;                ///< Pa; largest stresses, of capped runs too
+    std::size_t capped = 0;         ///< runs without a peak
+    /// Mean over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
+    std::optional<double> ratio_to_brazilian;
+};
+
+/// Groups in the order brazilian, tension, then compression by rising pressure.
+/// \throws InputError if the runs are not of one material
+std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
+
+/// Table `strength --summary`.
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
+
+}  // namespace graincrack

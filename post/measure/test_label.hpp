@@ -1,0 +1,19 @@
+// Words for tests and states in titles.
+#pragma once
+
+#include <string>
+
+#include "post/measure/load_curve.hpp"
+
+namespace graincrack {
+
+/// "Uniaxial compression, Augig granite"; triaxial names its confinement.
+std::string test_title(const RunHeader& header);
+
+/// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension".
+std::string series_words(const std::string& test, double confining_pressure);
+
+/// "peak", or for a run without one "largest stress".
+std::string peak_words(const RunData& run);
+
+}  // namespace graincrack

@@ -1,0 +1,81 @@
+#include "post/measure/thresholds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/fit/statistics.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// Contraction since the start of axial loading, positive.
+std::vector<double> contraction(const LoadCurve& curve, VolumeKind kind) {
+    const double sides = kind == VolumeKind::plane ? 1 : 2;
+    std::vector<double> volume(curve.peak + 1);
+    for (std::size_t i = 0; i <= curve.peak; ++i) volume[i] = curve.gauge_axial_strain[i] - sides * curve.gauge_lateral_strain[i];
+    return volume;
+}
+
+/// Row of the largest contraction, if the volume grows again before the peak.
+std::optional<std::size_t> reversal(const std::vector<double>& volume, const LoadCurve& curve) {
+    const auto largest = std::max_element(volume.begin() + static_cast<std::ptrdiff_t>(curve.start), volume.end());
+    const auto row = static_cast<std::size_t>(largest - volume.begin());
+    if (row == curve.peak || row == curve.start) return std::nullopt;
+    return row;
+}
+
+std::optional<double> by_crack_strain(const LoadCurve& curve, const std::vector<double>& volume) {
+    const RowRange elastic = rows_between(curve, elastic_share[0], elastic_share[1]);
+    const std::size_t n = elastic.end - elastic.begin;
+    const auto line = fit_line(std::span(curve.stress).subspan(elastic.begin, n), std::span(volume).subspan(elastic.begin, n));
+    if (!line) return std::nullopt;
+    for (std::size_t i = elastic.end; i <= curve.peak; ++i) {
+        if (volume[i] - line->intercept - line->slope * curve.stress[i] <= -crack_strain_offset) return curve.stress[i];
+    }
+    return std::nullopt;
+}
+
+std::optional<double> by_lateral_response(const LoadCurve& curve, std::size_t damage) {
+    const std::vector<double>& lateral = curve.gauge_lateral_strain;
+    const double rise = curve.stress[damage] - curve.start_stress();
+    if (!(rise > 0)) return std::nullopt;
+    const double slope = (lateral[damage] - lateral[curve.start]) / rise;
+    double largest = 0;
+    std::optional<double> stress;
+    for (std::size_t i = curve.start; i < damage; ++i) {
+        const double below = lateral[curve.start] + slope * (curve.stress[i] - curve.start_stress()) - lateral[i];
+        if (below <= largest) continue;
+        largest = below;
+        stress = curve.stress[i];
+    }
+    return stress;
+}
+
+}  // namespace
+
+Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind) {
+    const std::vector<double> volume = contraction(curve, kind);
+    const std::optional<std::size_t> damage = reversal(volume, curve);
+    Thresholds thresholds;
+    thresholds.initiation_by_crack_strain = by_crack_strain(curve, volume);
+    if (damage) {
+        thresholds.damage = curve.stress[*damage];
+        thresholds.initiation_by_lateral_response = by_lateral_response(curve, *damage);
+    }
+    return thresholds;
+}
+
+std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share) {
+    const auto& tensile = run.history[HistoryColumn::tensile_cracks];
+    const auto& shear = run.history[HistoryColumn::shear_cracks];
+    const auto count = [&](std::size_t row) { return tensile[row] + shear[row] - tensile[curve.start] - shear[curve.start]; };
+    const double at_peak = count(curve.peak);
+    if (!(at_peak > 0)) return std::nullopt;
+    for (std::size_t row = curve.start; row <= curve.peak; ++row) {
+        if (count(row) > 0 && count(row) >= share * at_peak) return curve.stress[row];
+    }
+    return std::nullopt;
+}
+
+}  // namespace graincrack

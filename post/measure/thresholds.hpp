@@ -1,0 +1,35 @@
+// Crack initiation and crack damage: stresses at which a compression test leaves elasticity, by named methods.
+#pragma once
+
+#include <optional>
+
+#include "post/measure/load_curve.hpp"
+
+namespace graincrack {
+
+/// What "volume" means in a plane model. Neither compares with a laboratory value directly: there a cylinder widens to all
+/// sides, here one side is held (plane strain) or free (plane stress).
+enum class VolumeKind {
+    plane,     ///< ε1 + ε3, the change of area; in plane strain the true change of volume
+    pseudo_3d  ///< ε1 + 2 ε3, as if the third direction widened like the lateral one
+};
+
+/// Stresses in Pa, strains by the gauges over the central half, contraction positive. Empty: not reached before the peak.
+struct Thresholds {
+    /// Where the crack strain (volumetric strain less the elastic line, Martin & Chandler 1994) has fallen by
+    /// `crack_strain_offset`. The elastic line is fitted between `elastic_share` of the way to the peak.
+    std::optional<double> initiation_by_crack_strain;
+    /// Largest distance of the lateral strain below the line from the start to crack damage (Nicksiar & Martin 2012).
+    std::optional<double> initiation_by_lateral_response;
+    /// Largest contraction (Bieniawski 1967): from there on the specimen dilates.
+    std::optional<double> damage;
+};
+inline constexpr double crack_strain_offset = 1e-5;
+inline constexpr double elastic_share[2] = {0.1, 0.3};
+
+Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind);
+
+/// Stress at which as many contacts have failed as `share` of those failed at the peak, Pa; empty without any.
+std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share = 0.01);
+
+}  // namespace graincrack

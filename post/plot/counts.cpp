@@ -1,0 +1,56 @@
+#include "post/plot/counts.hpp"
+
+#include <fmt/format.h>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "post/measure/test_label.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+template <class Get>
+std::vector<double> column(const CrackCounts& counts, const Get& get) {
+    std::vector<double> values;
+    for (const CrackCounts::Moment& m : counts.moments) values.push_back(get(m));
+    return values;
+}
+
+}  // namespace
+
+Drawing draw_counts(const CrackCounts& counts, const RunData& run) {
+    using Moment = CrackCounts::Moment;
+    const std::vector<double> strain = column(counts, [](const Moment& m) { return 100 * m.axial_strain; });
+    const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
+    const ModeCounts& last = counts.moments.back().all;
+    if (last.tensile + last.shear == 0)
+        throw InputError(run.name + ": no micro-cracks; counts over the loading need a run with some");
+    Chart chart({test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains)}},
+                Axis{"axial strain, %", 0, 1.03 * largest(strain)},
+                Axis{"micro-cracks (contacts)", 0, 1.08 * std::max(last.tensile, last.shear)},
+                Axis{"stress, MPa", 0, 1.08 * largest(stress)});
+    const Stroke load{palette::outline, 3};
+    chart.line(strain, stress, load, Chart::Side::right);
+    const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& words) {
+        chart.line(strain, values, stroke);
+        chart.legend(stroke, words);
+    };
+    if (counts.pairs.size() == 1) {
+        draw(column(counts, [](const Moment& m) { return m.all.tensile; }), Stroke{palette::tensile, 4}, "tensile");
+        draw(column(counts, [](const Moment& m) { return m.all.shear; }), Stroke{palette::shear, 4}, "shear");
+    } else {
+        for (std::size_t i = 0; i < counts.pairs.size(); ++i) {
+            const Colour colour = palette::series(i);
+            draw(column(counts, [i](const Moment& m) { return m.by_pair[i].tensile; }), Stroke{colour, 4},
+                 counts.pairs[i] + ", tensile");
+            draw(column(counts, [i](const Moment& m) { return m.by_pair[i].shear; }), Stroke{colour, 3, true},
+                 counts.pairs[i] + ", shear");
+        }
+    }
+    chart.legend(load, "stress");
+    return chart.finish();
+}
+
+}  // namespace graincrack

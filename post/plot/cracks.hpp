@@ -1,0 +1,22 @@
+// Crack map of a run at one time: grains where they moved to, tensile cracks red, shear cracks black.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "post/chart/drawing.hpp"
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// Which state is drawn, and how.
+struct CrackMapOptions {
+    std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side
+    std::optional<double> time;  ///< s
+    double magnification = 1;    ///< of the displacements
+};
+
+/// \throws InputError, UsageError as `choose_frames`
+Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options);
+
+}  // namespace graincrack

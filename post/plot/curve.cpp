@@ -1,0 +1,148 @@
+#include "post/plot/curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/table/table_file.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+struct Run {
+    const RunData* data;
+    LoadCurve curve;
+    std::vector<double> lateral;  ///< widening negative in compression, narrowing negative in tension
+};
+
+std::string kind_of(const RunData& run) { return is_compression(run.header) ? "compression" : run.header.test; }
+
+std::vector<Run> prepare(const std::vector<RunData>& data) {
+    std::vector<Run> runs;
+    for (const RunData& run : data) {
+        if (kind_of(run) != kind_of(data.front())) {
+            throw InputError(run.name + ": a " + run.header.test + " test cannot share a plot with " + data.front().name +
+                             ", a " + data.front().header.test + " test; plot them apart");
+        }
+        Run prepared{&run, load_curve(run), {}};
+        prepared.lateral = prepared.curve.lateral_strain;
+        if (run.header.test != "tension") {
+            for (double& strain : prepared.lateral) strain = -strain;
+        }
+        runs.push_back(std::move(prepared));
+    }
+    return runs;
+}
+
+/// What all curves together span, in the units of the axes.
+struct Extent {
+    double stress = 0;
+    double strain = 0;
+    double lateral = 0;
+    void include(const std::vector<double>& axial, const std::vector<double>& across, const std::vector<double>& load) {
+        stress = std::max(stress, 1e-6 * largest(load));
+        strain = std::max(strain, 100 * largest(axial));
+        lateral = std::min(lateral, 100 * smallest(across));
+    }
+};
+
+double most_cracks(const RunData& run) {
+    return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
+}
+
+ChartText words(const std::vector<Run>& runs) {
+    const RunData& run = *runs[0].data;
+    if (runs.size() > 1) {
+        return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
+    }
+    return {test_title(run.header),
+            {fmt::format("seed {}, {} grains, mean edge {:.3g} mm", run.specimen.seed, run.specimen.grains,
+                         run.specimen.mean_edge * 1e3),
+             fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_words(run), 1e-6 * runs[0].curve.peak_stress(),
+                         100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
+}
+
+Chart page(const std::vector<Run>& runs, const Extent& extent, bool counts) {
+    // Rims that burst after the peak would squeeze the part that matters.
+    const double lateral = std::max(extent.lateral, -0.75 * extent.strain);
+    const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
+    const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
+    std::optional<Axis> right;
+    if (counts) right = Axis{"micro-cracks (contacts)", 0, 1.1 * most_cracks(*runs[0].data)};
+    return {words(runs), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
+}
+
+/// Counts of cracks against axial strain, on a scale of their own at the right.
+void draw_counts(Chart& chart, const Run& run) {
+    const std::vector<double> strain = times(run.curve.axial_strain, 100);
+    const auto draw = [&](HistoryColumn column, Colour colour, const std::string& name) {
+        chart.line(strain, run.data->history[column], Stroke{colour, 3}, Chart::Side::right);
+        chart.legend(Stroke{colour, 3}, name);
+    };
+    draw(HistoryColumn::shear_cracks, palette::shear, "shear cracks");
+    draw(HistoryColumn::tensile_cracks, palette::tensile, "tensile cracks");
+}
+
+void draw_run(Chart& chart, const Run& run, Colour colour) {
+    const std::vector<double> stress = times(run.curve.stress, 1e-6);
+    chart.line(times(run.lateral, 100), stress, Stroke{colour, 3});
+    chart.line(times(run.curve.axial_strain, 100), stress, Stroke{colour, 4.5});
+    const std::vector<double> at{100 * run.curve.axial_strain[run.curve.peak]};
+    chart.points(at, std::vector<double>{1e-6 * run.curve.peak_stress()}, Marker{colour});
+}
+
+void draw_laboratory(Chart& chart, const LaboratoryCurve& curve, Colour colour) {
+    const std::vector<double> stress = times(curve.stress, 1e-6);
+    chart.line(times(curve.axial_strain, 100), stress, Stroke{colour, 4, true});
+    if (!curve.lateral_strain.empty()) chart.line(times(curve.lateral_strain, 100), stress, Stroke{colour, 3, true});
+    chart.legend(Stroke{colour, 4, true}, "laboratory: " + curve.name);
+}
+
+std::string legend_words(const Run& run) {
+    const std::string name = std::filesystem::path(run.data->name).filename().string();
+    std::string text = fmt::format("{}: {} {:.4g} MPa", name, peak_words(*run.data), 1e-6 * run.curve.peak_stress());
+    if (run.data->header.test == "triaxial") text += fmt::format(" at {:.4g} MPa", 1e-6 * run.data->header.confining_pressure);
+    return text + fmt::format(", seed {}", run.data->specimen.seed);
+}
+
+std::vector<double> strains(const TableFile& table, const std::string& name) {
+    return table.has(name) ? table.numbers_or_nan(name) : times(table.numbers_or_nan(name + "_percent"), 0.01);
+}
+
+}  // namespace
+
+LaboratoryCurve read_laboratory_curve(const std::string& path) {
+    const TableFile table(path);
+    LaboratoryCurve curve;
+    curve.name = std::filesystem::path(table.name()).filename().string();
+    curve.axial_strain = strains(table, "axial_strain");
+    curve.stress = times(table.numbers_or_nan("stress_MPa"), 1e6);
+    if (table.has("lateral_strain") || table.has("lateral_strain_percent"))
+        curve.lateral_strain = strains(table, "lateral_strain");
+    return curve;
+}
+
+Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory) {
+    const std::vector<Run> runs = prepare(data);
+    Extent extent;
+    for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
+    for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
+    const bool counts = runs.size() == 1 && most_cracks(data.front()) > 0;
+    Chart chart = page(runs, extent, counts);
+    if (counts) draw_counts(chart, runs[0]);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        draw_run(chart, runs[i], palette::series(i));
+        chart.legend(Stroke{palette::series(i), 4.5}, runs.size() == 1 ? "stress" : legend_words(runs[i]));
+    }
+    for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], palette::series(runs.size() + i));
+    return chart.finish();
+}
+
+}  // namespace graincrack

@@ -1,0 +1,43 @@
+#include "post/plot/emission.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/chart/chart.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run) {
+    std::vector<double> magnitudes;
+    for (const EmissionEvent& event : events) {
+        if (event.moment > 0) magnitudes.push_back(event.magnitude());
+    }
+    if (magnitudes.empty()) throw InputError(run + ": no events of acoustic emission; the run has no micro-cracks");
+    std::sort(magnitudes.begin(), magnitudes.end());
+    std::vector<double> number;
+    for (std::size_t i = 0; i < magnitudes.size(); ++i) number.push_back(static_cast<double>(magnitudes.size() - i));
+    const auto fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
+    std::vector<std::string> words{fmt::format("{} events", events.size())};
+    words[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
+                                  fit->completeness, fit->events)
+                    : ", too few for a slope";
+    const auto [low, high] = padded_range(magnitudes, 0.08);
+    Chart chart({title, words}, Axis{"magnitude, per metre of thickness", low, high},
+                Axis{"events at or above", 0.8, 1.5 * number.front(), true});
+    const Marker marker{palette::series(0), MarkerShape::disc, 9};
+    chart.points(magnitudes, number, marker);
+    chart.legend(marker, "events");
+    if (fit) {
+        const double at = std::log10(static_cast<double>(fit->events));
+        const double end = fit->completeness + at / fit->b;
+        const Stroke stroke{palette::ink, 3.5};
+        chart.line(std::vector<double>{fit->completeness, end}, std::vector<double>{static_cast<double>(fit->events), 1}, stroke);
+        chart.legend(stroke, "slope b (Aki)");
+    }
+    return chart.finish();
+}
+
+}  // namespace graincrack

@@ -1,0 +1,13 @@
+// The energy ledger of a run over its strain.
+#pragma once
+
+#include "post/chart/drawing.hpp"
+#include "post/measure/load_curve.hpp"
+
+namespace graincrack {
+
+/// Every term of the ledger against axial strain (time, for a run that was not loaded along its axis), per metre of
+/// thickness; the largest residual in words.
+Drawing draw_energy(const RunData& run);
+
+}  // namespace graincrack

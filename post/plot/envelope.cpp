@@ -1,0 +1,172 @@
+#include "post/plot/envelope.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "post/table/table_file.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr double mega = 1e-6;
+constexpr double degrees = 180 / std::numbers::pi;
+
+struct Points {
+    std::vector<double> x;
+    std::vector<double> y;
+    void add(double px, double py) {
+        x.push_back(px);
+        y.push_back(py);
+    }
+};
+
+/// Half circle over two principal stresses, in MPa.
+Points circle(double low, double high) {
+    Points points;
+    constexpr int steps = 120;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = std::numbers::pi * i / steps;
+        points.add(mega * ((low + high) / 2 - (high - low) / 2 * std::cos(angle)), mega * (high - low) / 2 * std::sin(angle));
+    }
+    return points;
+}
+
+/// The part of the line above τ = 0, up to a normal stress.
+Points line_of(const Envelope& envelope, double high) {
+    const double tangent = std::tan(envelope.friction_angle.value);
+    const double cohesion = envelope.cohesion.value * mega;
+    const double low = tangent > 0 ? std::max(-cohesion / tangent, -high) : -high;
+    Points points;
+    for (const double normal : {low, high}) points.add(normal, cohesion + normal * tangent);
+    return points;
+}
+
+/// Where the circles of the curve σ1(σ3) touch their hull: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s = dσ1/dσ3.
+Points hull_of(const HoekBrown& fit, double largest) {
+    Points points;
+    const double lowest = -fit.tensile_strength();
+    constexpr int steps = 200;
+    for (int i = 1; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        const double confining = lowest + (largest - lowest) * share * share;  // finer where it bends
+        const double root = fit.strength(confining) - confining;
+        const double slope = 1 + fit.mi.value * fit.sigma_ci.value / (2 * root);
+        const double normal = confining + root / (slope + 1);
+        points.add(normal * mega, (normal - confining) * std::sqrt(slope) * mega);
+    }
+    return points;
+}
+
+double largest_confining(const EnvelopeTests& tests) {
+    double largest = 0;
+    for (const auto& test : tests.compression) largest = std::max(largest, test.confining);
+    return largest;
+}
+
+std::string interval_words(const Estimate& e, double factor) {
+    return e.low ? fmt::format(" [{:.1f}, {:.1f}]", *e.low * factor, *e.high * factor) : std::string();
+}
+
+std::string line_words(const Envelope& envelope) {
+    const auto& c = envelope.cohesion;
+    const auto& phi = envelope.friction_angle;
+    if (!std::isfinite(c.value)) return "no Mohr–Coulomb line: the strength falls with the confining pressure";
+    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * mega, interval_words(c, mega),
+                       phi.value * degrees, interval_words(phi, degrees), envelope.line.r_squared);
+}
+
+Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
+           const std::vector<LaboratoryStrengths>& laboratory) {
+    double right = 0;
+    double radius = 0;
+    const auto include = [&](double confining, double strength) {
+        right = std::max(right, strength * mega);
+        radius = std::max(radius, (strength - confining) / 2 * mega);
+    };
+    for (const auto& test : tests.compression) include(test.confining, test.strength);
+    for (const auto& set : laboratory) {
+        for (std::size_t i = 0; i < set.strength.size(); ++i) include(set.confining[i], set.strength[i]);
+    }
+    double left = 0.06 * right;
+    for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
+        for (const double strength : *strengths) left = std::max(left, 1.3 * strength * mega);
+    }
+    std::vector<std::string> words{line_words(envelope)};
+    if (tests.capped > 0) words.push_back(fmt::format("{} of the tests ended by the strain cap, not by a peak", tests.capped));
+    return {ChartText{title, words}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
+            Axis{"shear stress, MPa", 0, 1.3 * radius}, std::nullopt, true};
+}
+
+void draw_circles(Chart& chart, const EnvelopeTests& tests) {
+    std::map<double, std::size_t> colours;
+    for (const auto& test : tests.compression) colours.emplace(test.confining, 0);
+    std::size_t next = 0;
+    for (auto& [pressure, colour] : colours) {
+        colour = next++;
+        chart.legend(Stroke{palette::series(colour), 4}, fmt::format("σ3 = {:.4g} MPa", pressure * mega));
+    }
+    for (const auto& test : tests.compression) {
+        const Points points = circle(test.confining, test.strength);
+        chart.line(points.x, points.y, Stroke{palette::series(colours.at(test.confining)), 2.5});
+    }
+    const auto tensile = [&](const std::vector<double>& strengths, double high, Colour colour, const std::string& words) {
+        for (const double strength : strengths) {
+            const Points points = circle(-strength, high * strength);
+            chart.line(points.x, points.y, Stroke{colour, 2.5});
+        }
+        if (!strengths.empty()) chart.legend(Stroke{colour, 4}, words);
+    };
+    tensile(tests.brazilian, 3, palette::rim, "Brazilian, centre of the disc");
+    tensile(tests.direct_tension, 0, palette::tensile, "direct tension");
+}
+
+void draw_laboratory(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
+    for (const auto& set : laboratory) {
+        const Stroke stroke{palette::rim, 2.5, true};
+        for (std::size_t i = 0; i < set.strength.size(); ++i) {
+            const Points points = circle(set.confining[i], set.strength[i]);
+            chart.line(points.x, points.y, stroke);
+        }
+        chart.legend(stroke, "laboratory: " + set.name);
+    }
+}
+
+}  // namespace
+
+LaboratoryStrengths read_laboratory_strengths(const std::string& path) {
+    const TableFile table(path);
+    return {std::filesystem::path(table.name()).filename().string(), times(table.numbers("confining_pressure_MPa"), 1e6),
+            times(table.numbers("strength_MPa"), 1e6)};
+}
+
+Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const std::vector<LaboratoryStrengths>& laboratory) {
+    const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
+    Chart chart = page(tests, envelope, title, laboratory);
+    draw_circles(chart, tests);
+    draw_laboratory(chart, laboratory);
+    double right = 0;
+    for (const auto& test : tests.compression) right = std::max(right, test.strength * mega);
+    if (std::isfinite(envelope.cohesion.value)) {
+        const Points line = line_of(envelope, right);
+        chart.line(line.x, line.y, Stroke{palette::ink, 4});
+        chart.legend(Stroke{palette::ink, 4}, "Mohr–Coulomb");
+    }
+    if (envelope.hoek_brown) {
+        const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / mega));
+        chart.line(hull.x, hull.y, Stroke{palette::ink, 3, true});
+        chart.legend(Stroke{palette::ink, 3, true},
+                     fmt::format("Hoek–Brown, σci {:.1f} MPa, mi {:.1f}", envelope.hoek_brown->sigma_ci.value * mega,
+                                 envelope.hoek_brown->mi.value));
+    }
+    return chart.finish();
+}
+
+}  // namespace graincrack

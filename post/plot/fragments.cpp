@@ -1,0 +1,41 @@
+#include "post/plot/fragments.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "post/chart/map_view.hpp"
+#include "post/cracks/fragments.hpp"
+#include "post/cracks/run_state.hpp"
+#include "post/measure/test_label.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// Half-strong colours of the series, so that outlines stay visible.
+Colour fragment_colour(std::size_t fragment) {
+    if (fragment == 0) return palette::grain;
+    const Colour c = palette::series(fragment - 1);
+    const auto pale = [](std::uint8_t value) { return static_cast<std::uint8_t>(value + (255 - value) * 2 / 5); };
+    return {pale(c.red), pale(c.green), pale(c.blue)};
+}
+
+}  // namespace
+
+Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
+    const Specimen specimen = run.specimen();
+    Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
+    const Fragments fragments = find_fragments(specimen, frame.state);
+    const FragmentCount count = count_fragments(fragments, frame.time);
+    MapView map(
+        specimen, moved_nodes(specimen, frame, options.magnification),
+        {test_title(run.header()), fmt::format("{} fragments, {} of them single grains", count.fragments, count.single_grains),
+         fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
+                     1e3 * fragments.all.front().diameter())});
+    map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
+    map.draw_legend({{palette::grain, 22, "largest fragment"}, {fragment_colour(1), 22, "others"}});
+    return std::move(map).drawing();
+}
+
+}  // namespace graincrack

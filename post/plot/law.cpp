@@ -1,0 +1,211 @@
+#include "post/plot/law.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "share/error.hpp"
+#include "solver/law/contact_law.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// A path of motions and the tractions on it, in µm and MPa.
+struct Path {
+    std::vector<double> displacement;
+    std::vector<double> traction;
+};
+
+/// Leads a contact in straight legs of equal steps.
+class Walk {
+public:
+    explicit Walk(const ContactLaw& law) : law_(law) {}
+    void go(const ContactMotion& end, const std::function<void(const ContactMotion&, const ContactTraction&)>& visit) {
+        constexpr int steps = 600;
+        const ContactMotion from = history_.motion;
+        for (int i = 1; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / steps;
+            const ContactMotion to{from.opening + share * (end.opening - from.opening),
+                                   from.sliding + share * (end.sliding - from.sliding)};
+            const ContactResponse response = update_contact(law_, to, history_);
+            history_ = response.history;
+            visit(to, response.traction);
+        }
+    }
+
+private:
+    ContactLaw law_;
+    ContactHistory history_;
+};
+
+constexpr double micro = 1e6;
+constexpr double mega = 1e-6;
+
+/// Opens a contact to `reach`, with an unloading from half the softening down if that lies before.
+Path open_path(const ContactLaw& law, const ContactParameters& contact, double reach) {
+    Path path{{0}, {0}};
+    const auto keep = [&](const ContactMotion& motion, const ContactTraction& traction) {
+        path.displacement.push_back(motion.opening * micro);
+        path.traction.push_back(traction.normal * mega);
+    };
+    const double half = (contact.critical_opening + contact.ultimate_opening) / 2;
+    Walk walk(law);
+    walk.go({std::min(2 * contact.critical_opening, reach), 0}, keep);
+    if (half < reach) {
+        walk.go({half, 0}, keep);
+        walk.go({0.2 * half, 0}, keep);
+    }
+    walk.go({reach, 0}, keep);
+    return path;
+}
+
+Path shear_path(const ContactLaw& law, const ContactParameters& contact, double compression, double reach) {
+    Path path;
+    const auto keep = [&](const ContactMotion& motion, const ContactTraction& traction) {
+        path.displacement.push_back(motion.sliding * micro);
+        path.traction.push_back(traction.shear * mega);
+    };
+    const double opening = -compression / contact.normal_stiffness;
+    Walk walk(law);
+    walk.go({opening, 0}, [](const ContactMotion&, const ContactTraction&) {});
+    walk.go({opening, reach}, keep);
+    return path;
+}
+
+std::vector<LawDescription> chosen(const std::vector<std::string>& names) {
+    const auto& all = all_contact_laws();
+    if (names.empty()) return {all.begin(), all.end()};
+    std::vector<LawDescription> laws;
+    for (const std::string& name : names) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const LawDescription& d) { return d.name == name; });
+        if (found == all.end()) {
+            std::vector<std::string_view> known;
+            for (const LawDescription& d : all) known.push_back(d.name);
+            throw UsageError(fmt::format("--contact-law {}: unknown; one of {} fits", name, fmt::join(known, ", ")));
+        }
+        laws.push_back(*found);
+    }
+    return laws;
+}
+
+Axis up_to(const std::string& label, double high) { return {label, 0, high}; }
+
+/// Whether curves over the same displacements are one to the eye: within half a percent of the largest traction.
+bool agree(const std::vector<Path>& paths) {
+    double highest = 0;
+    double apart = 0;
+    for (const Path& path : paths) {
+        for (std::size_t i = 0; i < path.traction.size(); ++i) {
+            highest = std::max(highest, std::abs(path.traction[i]));
+            apart = std::max(apart, std::abs(path.traction[i] - paths[0].traction[i]));
+        }
+    }
+    return apart < 0.005 * highest;
+}
+
+/// Sets of curves that are one to the eye, each by the index of its first.
+std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths) {
+    std::vector<std::vector<std::size_t>> sets;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const auto same = std::find_if(sets.begin(), sets.end(), [&](const auto& s) { return agree({paths[s[0]], paths[i]}); });
+        if (same != sets.end()) same->push_back(i);
+        if (same == sets.end()) sets.push_back({i});
+    }
+    return sets;
+}
+
+/// One curve a law, but the largest set of like ones as a single black one. Returns whether there is such a set.
+bool draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
+    const auto sets = like_curves(paths);
+    const auto most =
+        std::max_element(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (auto set = sets.begin(); set != sets.end(); ++set) {
+        const bool joint = set == most && set->size() > 1;
+        for (std::size_t k = 0; k < (joint ? 1 : set->size()); ++k) {
+            const Path& path = paths[(*set)[k]];
+            const double width = 4 + 3 * static_cast<double>(joint ? 0 : set->size() - 1 - k);  // earlier ones show at the sides
+            chart.line(path.displacement, path.traction,
+                       Stroke{joint ? palette::ink : palette::series((*set)[k]), width, dashed});
+        }
+    }
+    return most->size() > 1;
+}
+
+Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const ChartText& text, double reach) {
+    Chart chart(text, up_to("opening, µm", reach * micro), up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega));
+    std::vector<Path> paths;
+    for (const ContactLaw& law : laws) paths.push_back(open_path(law, contact, reach));
+    draw_paths(chart, paths, false);
+    return chart.finish();
+}
+
+Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters& contact, double compression) {
+    const double reach = std::max(3 * contact.critical_sliding, 1.2 * contact.ultimate_opening);
+    double highest = 0;
+    std::vector<Path> open;
+    std::vector<Path> closed;
+    for (const ContactLaw& law : laws) {
+        open.push_back(shear_path(law, contact, 0, reach));
+        closed.push_back(shear_path(law, contact, compression, reach));
+        highest = std::max({highest, largest(open.back().traction), largest(closed.back().traction)});
+    }
+    Chart chart({"",
+                 {fmt::format("sliding: open at δn = 0 (dashed) and under {:.3g} MPa (solid);", compression * mega),
+                  fmt::format("δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}},
+                up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest));
+    const bool all_closed = draw_paths(chart, closed, false);
+    const bool all_open = draw_paths(chart, open, true);
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+        chart.legend(Stroke{palette::series(i), 4}, std::string(name_of(laws[i].variant)));
+    }
+    if (all_closed || all_open) chart.legend(Stroke{palette::ink, 4.5}, "one curve for all laws without a coloured one");
+    return chart.finish();
+}
+
+}  // namespace
+
+Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options) {
+    const Coupling coupling = options.coupling == "none" ? Coupling::none : Coupling::full;
+    std::vector<ContactLaw> laws;
+    for (const LawDescription& d : chosen(options.laws)) laws.push_back(make_contact_law(contact, d.variant, coupling));
+    const ChartText whole{title,
+                          {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
+                                       contact.ultimate_opening * micro, contact.fracture_energy)}};
+    Drawing page = draw_open(laws, contact, whole, 1.05 * contact.ultimate_opening);
+    const auto below = [&](const Drawing& part) {
+        const int height = page.height();
+        page.add(part, {0, static_cast<double>(height)});
+        page.set_height(height + part.height());
+    };
+    below(draw_open(laws, contact, {"", {"the same near the peak"}}, 4 * contact.critical_opening));
+    below(draw_shear(laws, contact, options.normal_stress));
+    return page;
+}
+
+Drawing draw_lennard_jones() {
+    // The corners and the middle of Table 9.
+    static constexpr std::array<std::array<int, 2>, 5> pairs{{{8, 13}, {8, 18}, {10, 15}, {12, 13}, {12, 18}}};
+    Chart chart({"Lennard-Jones potential", {"P(z)/X = a [(ζ/z)ⁿ − (ζ/z)ᵐ], Eqs 20–22; b gives w = Gf/(b σt)"}},
+                Axis{"z/ζ", 0.9, 1.6}, Axis{"P/X", -1.1, 1});
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto [m, n] = pairs[i];
+        Path path;
+        for (double z = 0.9; z <= 1.6; z += 0.002) {
+            path.displacement.push_back(z);
+            path.traction.push_back(fpz::lennard_jones_potential(z, m, n));
+        }
+        const Stroke stroke{palette::series(i), 3.5, i % 2 == 1};
+        chart.line(path.displacement, path.traction, stroke);
+        chart.legend(stroke, fmt::format("m {}, n {}: b = {:.3f}", m, n, fpz::lennard_jones_b(m, n)));
+    }
+    return chart.finish();
+}
+
+}  // namespace graincrack

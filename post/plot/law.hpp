@@ -1,0 +1,26 @@
+// The curves of the contact laws, and the potential the paper takes the thickness of a contact from (Figs 2 and 11).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "post/chart/drawing.hpp"
+#include "share/material.hpp"
+
+namespace graincrack {
+
+/// Which curves of the laws are drawn.
+struct LawPlotOptions {
+    std::vector<std::string> laws;  ///< names; empty: all
+    std::string coupling = "full";
+    double normal_stress = 20e6;  ///< compression under which a contact is sheared, Pa
+};
+
+/// Above: traction against opening, with an unloading half-way down, and the same near the peak. Below: shear traction against
+/// sliding of an open contact (δn = 0) and of one under compression, solid and dashed. \throws UsageError for an unknown law
+Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options);
+
+/// P(z)/X = a [(ζ/z)^n − (ζ/z)^m] (Eqs 20–22) and its slope for the pairs (m, n) of Table 9's corners and middle, with b.
+Drawing draw_lennard_jones();
+
+}  // namespace graincrack

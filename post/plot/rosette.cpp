@@ -1,0 +1,116 @@
+#include "post/plot/rosette.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+using Bins = std::array<double, Rosette::n_bins>;
+
+constexpr double radius = 200;
+constexpr double text_size = 25;
+
+Bins shares(const Bins& lengths) {
+    const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    Bins out{};
+    if (total > 0) std::transform(lengths.begin(), lengths.end(), out.begin(), [total](double l) { return l / total; });
+    return out;
+}
+
+/// One rose around a centre, with petals of full length at `scale`.
+class Rose {
+public:
+    Rose(Drawing& drawing, Pixel centre, double scale) : drawing_(drawing), centre_(centre), scale_(scale) {}
+
+    void rings() {
+        for (const double ring : round_ticks(0, scale_, 3)) {
+            if (ring == 0) continue;
+            std::vector<Pixel> circle;
+            for (int i = 0; i <= 72; ++i) circle.push_back(at(std::numbers::pi * i / 36, ring));
+            drawing_.polyline(circle, 1, palette::faint);
+        }
+        for (int i = 0; i < 12; ++i) drawing_.line(centre_, at(std::numbers::pi * i / 6, scale_), 1, palette::faint);
+    }
+    /// What the rings mean, over everything: across the load, where the fewest cracks go.
+    void scale_words() {
+        constexpr double size = 21;
+        for (const double ring : round_ticks(0, scale_, 3)) {
+            if (ring == 0) continue;
+            const std::string words = fmt::format("{:.0f} %", 100 * ring);
+            const Pixel label = at(0, ring);
+            const double half = text_width(words, size) / 2;
+            drawing_.rectangle({label.x - half, label.y - 0.6 * size}, {label.x + half, label.y + 0.6 * size}, palette::white);
+            drawing_.text({{label.x, label.y + 0.35 * size}, words, size, palette::rim, Anchor::middle});
+        }
+    }
+    void petals(const Bins& share, Colour colour) {
+        for (std::size_t i = 0; i < 2 * share.size(); ++i) {
+            std::vector<Pixel> petal{centre_};
+            for (int k = 0; k <= 5; ++k) petal.push_back(at(angle(static_cast<double>(i) + k / 5.0), share[i % share.size()]));
+            drawing_.polygon(petal, colour);
+        }
+    }
+    void outline(const Bins& share) {
+        std::vector<Pixel> line;
+        for (std::size_t i = 0; i < 2 * share.size(); ++i) {
+            for (int k = 0; k <= 5; ++k) line.push_back(at(angle(static_cast<double>(i) + k / 5.0), share[i % share.size()]));
+        }
+        line.push_back(line.front());
+        drawing_.polyline(line, 2.5, palette::pre_existing);
+    }
+    void words(const std::string& text) {
+        drawing_.text({{centre_.x, centre_.y + radius + 50}, text, text_size, palette::ink, Anchor::middle});
+    }
+
+private:
+    [[nodiscard]] static double angle(double bin) { return std::numbers::pi * bin / Rosette::n_bins; }
+    [[nodiscard]] Pixel at(double turn, double share) const {
+        const double r = radius * share / scale_;
+        return {centre_.x + r * std::cos(turn), centre_.y - r * std::sin(turn)};
+    }
+    Drawing& drawing_;
+    Pixel centre_;
+    double scale_;
+};
+
+double total(const Bins& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
+
+}  // namespace
+
+Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run) {
+    if (total(rosette.tensile) + total(rosette.shear) == 0) {
+        throw InputError(run + ": no micro-cracks; a rosette needs a run with some");
+    }
+    const Bins facet = shares(rosette.facet);
+    double scale = *std::max_element(facet.begin(), facet.end());
+    for (const Bins& lengths : {shares(rosette.tensile), shares(rosette.shear)}) {
+        scale = std::max(scale, *std::max_element(lengths.begin(), lengths.end()));
+    }
+    Drawing drawing(1000, 660);
+    drawing.text({{40, 50}, title, 31, palette::ink, Anchor::start, true});
+    drawing.text({{40, 88}, "share of crack length by direction; load is vertical", text_size});
+    double x = 260;
+    for (const bool tensile : {true, false}) {
+        const Bins& lengths = tensile ? rosette.tensile : rosette.shear;
+        Rose rose(drawing, {x, 330}, 1.02 * scale);
+        rose.rings();
+        rose.petals(shares(lengths), tensile ? palette::tensile : palette::shear);
+        rose.outline(facet);
+        rose.scale_words();
+        rose.words(fmt::format("{}: {:.4g} mm", tensile ? "tensile" : "shear", 1e3 * total(lengths)));
+        x += 480;
+    }
+    drawing.line({40, 631}, {92, 631}, 2.5, palette::pre_existing);
+    drawing.text({{106, 640}, "the specimen's own facets", text_size});
+    return drawing;
+}
+
+}  // namespace graincrack

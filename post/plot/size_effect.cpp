@@ -1,0 +1,76 @@
+#include "post/plot/size_effect.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "post/measure/test_label.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// Values with a tenth of a decade to spare on both sides.
+Axis logarithmic(const std::string& label, const std::vector<double>& values) {
+    const auto [low, high] = padded_range(values, 0);
+    return {label, low / 1.25, high * 1.25, true};
+}
+
+void draw_law(Chart& chart, double from, double to, double at_one, double exponent, const Stroke& stroke) {
+    const auto strength = [&](double edge) { return at_one * std::pow(edge, exponent); };
+    chart.line(std::vector<double>{from, to}, std::vector<double>{strength(from), strength(to)}, stroke);
+}
+
+void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
+    const Colour colour = palette::series(index);
+    const std::vector<double> edge = times(s.edge, 1e3);
+    const Marker marker{colour, marker_shape(index)};
+    chart.points(edge, times(s.strength, 1e-6), marker);
+    const std::string name = series_words(s.test, s.confining_pressure);
+    const auto law = fit_power_law_log(s.edge, s.strength);
+    chart.legend(marker, name);
+    if (!law) return;
+    const auto range = padded_range(edge, 0);
+    const double low = range.first / 1.1;
+    const double high = range.second * 1.1;
+    draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, Stroke{colour, 4});
+    std::string words = fmt::format("n = {:.2f}", law->exponent.value);
+    if (law->exponent.low) words += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
+    chart.legend(Stroke{colour, 4}, words);
+    if (s.test != "brazilian" && s.test != "tension") return;
+    // The slopes of theory and paper through the middle of the points.
+    double x = 0;
+    double y = 0;
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+        x += std::log(edge[i]) / static_cast<double>(edge.size());
+        y += std::log(s.strength[i] * 1e-6) / static_cast<double>(edge.size());
+    }
+    const auto compare = [&](const std::string& who, double exponent, const Stroke& stroke) {
+        draw_law(chart, low, high, std::exp(y - exponent * x), exponent, stroke);
+        chart.legend(stroke, fmt::format("{}, n = {}", who, exponent));
+    };
+    compare("theory", theory_exponent, Stroke{colour, 2.5, true});
+    if (s.test == "brazilian") compare("paper", paper_exponent, Stroke{palette::rim, 2.5, true});
+}
+
+}  // namespace
+
+Drawing draw_size_effect(const std::vector<SizeSeries>& series) {
+    std::vector<double> edges;
+    std::vector<double> strengths;
+    std::size_t capped = 0;
+    for (const SizeSeries& s : series) {
+        for (const double edge : s.edge) edges.push_back(edge * 1e3);
+        for (const double strength : s.strength) strengths.push_back(strength * 1e-6);
+        capped += s.capped;
+    }
+    std::vector<std::string> words{"strength ∝ (mean edge)ⁿ by logarithms, 95 % interval of n"};
+    if (capped > 0) words.push_back(fmt::format("{} of the runs ended by the strain cap, not by a peak", capped));
+    Chart chart({"Size effect", words}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
+    for (std::size_t i = 0; i < series.size(); ++i) draw_series(chart, series[i], i);
+    return chart.finish();
+}
+
+}  // namespace graincrack

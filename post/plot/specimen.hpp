@@ -1,0 +1,11 @@
+// Picture of a specimen: its grains by phase, its rim, its pre-existing cracks.
+#pragma once
+
+#include "post/chart/drawing.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack {
+
+Drawing draw_specimen(const Specimen& specimen);
+
+}  // namespace graincrack

@@ -1,0 +1,18 @@
+// Strengths of a set of runs by test, beside those of the laboratory.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "post/chart/drawing.hpp"
+#include "post/measure/load_curve.hpp"
+#include "share/material.hpp"
+
+namespace graincrack {
+
+/// Every run as a point (a cross if it reached no peak), the mean of each test and confining pressure with its 95 %
+/// interval, and the laboratory's value where the material has one; logarithmic, for tension and compression share it.
+/// \throws InputError if the runs are not of one material
+Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material);
+
+}  // namespace graincrack

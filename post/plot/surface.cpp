@@ -1,0 +1,155 @@
+#include "post/plot/surface.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/contour.hpp"
+#include "post/chart/labels.hpp"
+#include "share/error.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr std::size_t fine = 161;
+constexpr Colour region_fill{214, 230, 243};
+
+/// The plane of the first two factors through the optimum, over the design.
+class Plane {
+public:
+    explicit Plane(const ccd::Problem& problem)
+        : problem_(problem), design_(problem.runs.coded), through_(problem.optima[0].coded) {}
+
+    /// A function of the coded factors on a grid in real values; NaN outside the design.
+    template <class Function>
+    GridValues on_grid(const Function& function) const {
+        GridValues grid;
+        for (std::size_t i = 0; i < fine; ++i) {
+            grid.x.push_back(value(0, i));
+            grid.y.push_back(value(1, i));
+        }
+        for (std::size_t j = 0; j < fine; ++j) {
+            for (std::size_t i = 0; i < fine; ++i) {
+                const std::vector<double> place = at(coded(0, i), coded(1, j));
+                grid.value.push_back(design_.holds(place) ? function(place) : std::numeric_limits<double>::quiet_NaN());
+            }
+        }
+        return grid;
+    }
+    [[nodiscard]] Axis axis(std::size_t k) const {
+        const ccd::Factor& factor = problem_.runs.factors[k];
+        const double pad = 0.08 * (design_.high(k) - design_.low(k));
+        return {label_words(factor.name), factor.value(design_.low(k) - pad), factor.value(design_.high(k) + pad)};
+    }
+
+private:
+    [[nodiscard]] double coded(std::size_t k, std::size_t i) const {
+        return design_.low(k) + (design_.high(k) - design_.low(k)) * static_cast<double>(i) / (fine - 1);
+    }
+    [[nodiscard]] double value(std::size_t k, std::size_t i) const { return problem_.runs.factors[k].value(coded(k, i)); }
+    [[nodiscard]] std::vector<double> at(double first, double second) const {
+        std::vector<double> place = through_;
+        place[0] = first;
+        place[1] = second;
+        return place;
+    }
+    const ccd::Problem& problem_;
+    ccd::Region design_;
+    std::vector<double> through_;
+};
+
+void draw_contour(Chart& chart, const GridValues& grid, double level, const Stroke& stroke) {
+    for (const auto& [from, to] : contour_segments(grid, level)) {
+        chart.line(std::vector<double>{from[0], to[0]}, std::vector<double>{from[1], to[1]}, stroke);
+    }
+}
+
+void draw_region(Chart& chart, const Plane& plane, const ccd::Problem& problem) {
+    if (!problem.confidence.is_known()) return;
+    const GridValues grid = plane.on_grid(problem.confidence);
+    const double dx = (grid.x[1] - grid.x[0]) / 2;
+    const double dy = (grid.y[1] - grid.y[0]) / 2;
+    for (std::size_t j = 0; j < fine; ++j) {
+        for (std::size_t i = 0; i < fine; ++i) {
+            if (!(grid.value[j * fine + i] <= 1)) continue;
+            chart.box(grid.x[i] - dx, grid.x[i] + dx, grid.y[j] - dy, grid.y[j] + dy, region_fill);
+        }
+    }
+    draw_contour(chart, grid, 1, Stroke{palette::rim, 1.6});
+    chart.legend_area(region_fill, "joint 95 % region of the factors");
+}
+
+/// The end of a contour that lies farthest to one side: where its label stands.
+std::optional<std::array<double, 2>> far_end(const GridValues& grid, double level, bool right) {
+    std::optional<std::array<double, 2>> end;
+    for (const auto& segment : contour_segments(grid, level)) {
+        for (const auto& point : segment) {
+            if (!end || (right ? point[0] > (*end)[0] : point[0] < (*end)[0])) end = point;
+        }
+    }
+    return end;
+}
+
+/// Round levels of a response, thin and labelled where they leave the design, and the target, thick.
+void draw_response(Chart& chart, const Plane& plane, const ccd::Model& model, const ccd::Goal& goal, std::size_t index) {
+    const Colour colour = palette::series(index);
+    const bool right = index % 2 == 0;
+    const GridValues grid = plane.on_grid([&](const std::vector<double>& place) { return model.predict(place); });
+    const auto [low, high] = padded_range(grid.value, 0);
+    for (const double level : round_ticks(low, high, 6)) {
+        draw_contour(chart, grid, level, Stroke{colour, 1.6});
+        const auto end = far_end(grid, level, right);
+        if (end) chart.note((*end)[0], (*end)[1], format_number(level, 6), colour, right ? Anchor::start : Anchor::end);
+    }
+    chart.legend(Stroke{colour, 1.6}, label_words(goal.response));
+    if (goal.kind != ccd::Goal::Kind::target) return;
+    draw_contour(chart, grid, goal.target, Stroke{colour, 5});
+    chart.legend(Stroke{colour, 5}, "wanted: " + format_number(goal.target, 6));
+}
+
+std::string optimum_words(const ccd::Problem& problem) {
+    std::string words = "Optimum";
+    for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) {
+        const ccd::Factor& factor = problem.runs.factors[k];
+        words +=
+            fmt::format("{} {} {:.4g}", k == 0 ? ":" : ";", label_words(factor.name), factor.value(problem.optima[0].coded[k]));
+    }
+    return words;
+}
+
+}  // namespace
+
+Drawing draw_surface(const ccd::Problem& problem) {
+    if (problem.runs.factors.size() < 2) throw InputError("plot surface: one factor; contours need two");
+    const Plane plane(problem);
+    std::vector<std::string> words{fmt::format("desirability {:.4g} by the quadratic models of {} runs",
+                                               problem.optima[0].desirability, problem.runs.coded.size())};
+    if (problem.optima[0].free_factors > 0) {
+        words.push_back(
+            fmt::format("the goals leave {} of the factors free: nearest to the centre", problem.optima[0].free_factors));
+    }
+    if (problem.runs.factors.size() > 2) words.emplace_back("further factors are held at the optimum");
+    Chart chart({optimum_words(problem), words}, plane.axis(0), plane.axis(1));
+    draw_region(chart, plane, problem);
+    for (std::size_t i = 0; i < problem.models.size(); ++i) {
+        draw_response(chart, plane, problem.models[i], problem.goals[i], i);
+    }
+    const auto mark = [&](const std::vector<double>& coded, const Marker& marker) {
+        const auto value = [&](std::size_t k) { return std::vector<double>{problem.runs.factors[k].value(coded[k])}; };
+        chart.points(value(0), value(1), marker);
+    };
+    const Marker run{palette::rim, MarkerShape::square, 12};
+    for (const auto& coded : problem.runs.coded) mark(coded, run);
+    const Marker best{palette::ink, MarkerShape::disc, 24};
+    for (const auto& optimum : problem.optima) mark(optimum.coded, best);
+    chart.legend(run, "runs");
+    chart.legend(best, "optimum");
+    return chart.finish();
+}
+
+}  // namespace graincrack

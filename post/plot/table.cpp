@@ -1,0 +1,59 @@
+#include "post/plot/table.hpp"
+
+#include <filesystem>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/labels.hpp"
+#include "post/table/table_file.hpp"
+
+namespace graincrack {
+
+namespace {
+
+struct Curve {
+    std::string words;
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+std::vector<Curve> curves_of(const std::vector<std::string>& files, const TablePlotOptions& options) {
+    std::vector<Curve> curves;
+    for (const std::string& file : files) {
+        const TableFile table(file);
+        const std::string name = std::filesystem::path(table.name()).filename().string();
+        for (const std::string& y : options.y) {
+            const std::string words = files.size() == 1 ? label_words(y) : name + ": " + label_words(y);
+            curves.push_back({words, table.numbers_or_nan(options.x), table.numbers_or_nan(y)});
+        }
+    }
+    return curves;
+}
+
+Axis axis_over(const std::vector<Curve>& curves, const std::string& label, std::vector<double> Curve::*column) {
+    std::vector<double> all;
+    for (const Curve& curve : curves) all.insert(all.end(), (curve.*column).begin(), (curve.*column).end());
+    const auto [low, high] = padded_range(all, 0.05);
+    return {label, low, high};
+}
+
+}  // namespace
+
+Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options) {
+    const std::vector<Curve> curves = curves_of(files, options);
+    const std::string y_label = options.y.size() == 1 ? label_words(options.y[0]) : "";
+    Chart chart({}, axis_over(curves, label_words(options.x), &Curve::x), axis_over(curves, y_label, &Curve::y));
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const Marker marker{palette::series(i), marker_shape(i)};
+        const Stroke stroke{palette::series(i), 4};
+        if (options.points) {
+            chart.points(curves[i].x, curves[i].y, marker);
+            chart.legend(marker, curves[i].words);
+        } else {
+            chart.line(curves[i].x, curves[i].y, stroke);
+            chart.legend(stroke, curves[i].words);
+        }
+    }
+    return chart.finish();
+}
+
+}  // namespace graincrack

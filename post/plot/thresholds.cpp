@@ -1,0 +1,99 @@
+#include "post/plot/thresholds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/measure/thresholds.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// Axial and volumetric strains in % up to just past the peak.
+struct Strains {
+    std::vector<double> axial;
+    std::vector<double> plane;
+    std::vector<double> pseudo_3d;
+    std::vector<double> stress;  ///< MPa
+};
+
+Strains strains_of(const LoadCurve& curve) {
+    Strains s;
+    const double last = 1.15 * curve.gauge_axial_strain[curve.peak];
+    for (std::size_t i = curve.start; i < curve.stress.size() && curve.gauge_axial_strain[i] <= last; ++i) {
+        const double axial = curve.gauge_axial_strain[i] - curve.gauge_axial_strain[curve.start];
+        const double lateral = curve.gauge_lateral_strain[i] - curve.gauge_lateral_strain[curve.start];
+        s.axial.push_back(100 * axial);
+        s.plane.push_back(100 * (axial - lateral));
+        s.pseudo_3d.push_back(100 * (axial - 2 * lateral));
+        s.stress.push_back(1e-6 * curve.stress[i]);
+    }
+    return s;
+}
+
+/// The gauge strain at which a stress is first reached.
+double strain_at(const Strains& s, double stress) {
+    const auto at = std::find_if(s.stress.begin(), s.stress.end(), [&](double v) { return v >= stress; });
+    return at == s.stress.end() ? s.axial.back() : s.axial[static_cast<std::size_t>(at - s.stress.begin())];
+}
+
+struct Mark {
+    const char* words;
+    std::optional<double> stress;  ///< Pa
+    Marker marker;
+};
+
+std::vector<Mark> marks_of(const RunData& run, const LoadCurve& curve) {
+    const Thresholds plane = measure_thresholds(curve, VolumeKind::plane);
+    const Thresholds pseudo = measure_thresholds(curve, VolumeKind::pseudo_3d);
+    const Colour two = palette::series(1);
+    const Colour three = palette::series(2);
+    return {{"initiation, crack count", initiation_by_count(run, curve), {palette::tensile, MarkerShape::triangle, 20}},
+            {"initiation, crack strain 2D", plane.initiation_by_crack_strain, {two, MarkerShape::triangle, 20}},
+            {"initiation, crack strain pseudo-3D", pseudo.initiation_by_crack_strain, {three, MarkerShape::triangle, 20}},
+            {"initiation, lateral response pseudo-3D", pseudo.initiation_by_lateral_response, {three, MarkerShape::cross, 20}},
+            {"damage 2D", plane.damage, {two, MarkerShape::square, 20}},
+            {"damage pseudo-3D", pseudo.damage, {three, MarkerShape::square, 20}}};
+}
+
+}  // namespace
+
+Drawing draw_thresholds(const RunData& run) {
+    if (!is_compression(run.header)) {
+        throw InputError(run.name + ": a " + run.header.test + " test; thresholds are read from uniaxial and triaxial ones");
+    }
+    const LoadCurve curve = load_curve(run);
+    const Strains s = strains_of(curve);
+    std::vector<double> volumes = s.plane;
+    volumes.insert(volumes.end(), s.pseudo_3d.begin(), s.pseudo_3d.end());
+    const auto [low, high] = padded_range(volumes, 0.05);
+    const double floor = std::max(low, -0.4 * high);  // a burst after the peak would squeeze the part that matters
+    const double top = 1.1 * largest(s.stress);
+    Chart chart({test_title(run.header),
+                 {"plane " + std::string(name_of(run.header.plane)) + ": 2D values do not compare with laboratory ones"}},
+                Axis{"axial strain (gauge), %", 0, largest(s.axial)}, Axis{"stress, MPa", floor / high * top, top},
+                Axis{"volumetric strain, %", floor, high});
+    const Stroke load{palette::series(0), 4.5};
+    const Stroke plane{palette::series(1), 3.5};
+    const Stroke pseudo{palette::series(2), 3.5, true};
+    chart.line(s.axial, s.plane, plane, Chart::Side::right);
+    chart.line(s.axial, s.pseudo_3d, pseudo, Chart::Side::right);
+    chart.line(s.axial, s.stress, load);
+    chart.legend(load, "stress");
+    chart.legend(plane, "ε1 + ε3 (2D)");
+    chart.legend(pseudo, "ε1 + 2ε3 (pseudo-3D)");
+    for (const Mark& mark : marks_of(run, curve)) {
+        if (!mark.stress) continue;
+        const double stress = *mark.stress * 1e-6;
+        chart.points(std::vector<double>{strain_at(s, stress)}, std::vector<double>{stress}, mark.marker);
+        chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.words, stress));
+    }
+    return chart.finish();
+}
+
+}  // namespace graincrack

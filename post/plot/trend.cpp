@@ -1,0 +1,76 @@
+#include "post/plot/trend.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/labels.hpp"
+
+namespace graincrack {
+
+namespace {
+
+std::vector<double> all_of(const std::vector<TrendRows>& groups, std::vector<double> TrendRows::*column) {
+    std::vector<double> all;
+    for (const TrendRows& g : groups) all.insert(all.end(), (g.*column).begin(), (g.*column).end());
+    return all;
+}
+
+Axis axis_over(const std::vector<double>& values, const std::string& label, bool logarithmic) {
+    const auto [low, high] = padded_range(values, 0.08);
+    if (!logarithmic) return {label, low, high};
+    const auto [least, most] = padded_range(values, 0);
+    return {label, least / 1.15, most * 1.15, true};
+}
+
+std::string interval_words(const std::string& name, const Estimate& e) {
+    std::string words = fmt::format("{} = {:.3g}", name, e.value);
+    if (e.low && e.high) words += fmt::format(" [{:.3g}, {:.3g}]", *e.low, *e.high);
+    return words;
+}
+
+/// The line and the bounds of its mean, over the range of the group.
+void draw_fit(Chart& chart, const TrendRows& rows, const Trend& trend, Colour colour) {
+    constexpr int steps = 60;
+    const auto [low, high] = std::minmax_element(rows.x.begin(), rows.x.end());
+    std::vector<double> x;
+    std::vector<std::vector<double>> y(3);
+    for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        x.push_back(trend.power ? *low * std::pow(*high / *low, share) : *low + share * (*high - *low));
+        const Estimate e = trend.at(x.back());
+        y[0].push_back(e.value);
+        y[1].push_back(e.low.value_or(std::nan("")));
+        y[2].push_back(e.high.value_or(std::nan("")));
+    }
+    chart.line(x, y[0], Stroke{colour, 4});
+    for (const auto& bound : {y[1], y[2]}) chart.line(x, bound, Stroke{colour, 2, true});
+}
+
+}  // namespace
+
+Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options) {
+    const std::string what = options.power ? "y = a xᵇ through logarithms" : "y = a + b x by least squares";
+    Chart chart({"", {what + "; dashed: 95 % interval of the mean"}},
+                axis_over(all_of(groups, &TrendRows::x), label_words(options.x), options.power),
+                axis_over(all_of(groups, &TrendRows::y), label_words(options.y), options.power));
+    std::size_t drawn = 0;
+    for (const TrendRows& rows : groups) {
+        if (rows.x.empty()) continue;
+        const Colour colour = palette::series(drawn);
+        const Marker marker{colour, marker_shape(drawn)};
+        ++drawn;
+        const auto trend = fit_trend(rows.x, rows.y, options.power);
+        if (trend) draw_fit(chart, rows, *trend, colour);
+        chart.points(rows.x, rows.y, marker);
+        std::string words = rows.group.empty() ? "" : rows.group + ": ";
+        words += trend ? interval_words("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)
+                       : fmt::format("{} rows at one x", rows.x.size());
+        chart.legend(marker, words);
+    }
+    return chart.finish();
+}
+
+}  // namespace graincrack

@@ -1,0 +1,14 @@
+// Rows of tables with the lines fitted through them.
+#pragma once
+
+#include <vector>
+
+#include "post/chart/drawing.hpp"
+#include "post/fit/trend.hpp"
+
+namespace graincrack {
+
+/// Points, line and 95 % interval of the mean for each group; both scales logarithmic for a power law.
+Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options);
+
+}  // namespace graincrack

@@ -1,0 +1,84 @@
+#include "post/table/table.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "share/error.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr int digits = 7;
+
+std::string tsv_text(const Cell& cell) {
+    std::string clean = cell.text();
+    std::replace_if(
+        clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+    return clean;
+}
+
+std::string json_string(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_text(const Cell& cell) {
+    if (cell.empty()) return "null";
+    return cell.is_number() ? cell.text() : json_string(cell.text());
+}
+
+}  // namespace
+
+TableFormat table_format(std::string_view name) {
+    if (name == "tsv") return TableFormat::tsv;
+    if (name == "jsonl") return TableFormat::jsonl;
+    throw UsageError("--format " + std::string(name) + ": unknown; tsv or jsonl");
+}
+
+Cell::Cell(double value) : is_number_(true) {
+    if (std::isfinite(value)) text_ = format_number(value == 0 ? 0.0 : value, digits);
+}
+Cell::Cell(std::int64_t value) : text_(std::to_string(value)), is_number_(true) {}
+Cell::Cell(std::string words) : text_(std::move(words)) {}
+
+Cell cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+
+Cell count_cell(double count) {
+    if (count == std::floor(count) && std::abs(count) < 9e15) return static_cast<std::int64_t>(count);
+    return count;
+}
+
+TableWriter::TableWriter(std::ostream& out, std::vector<std::string> columns, TableFormat format)
+    : out_(out), columns_(std::move(columns)), format_(format) {
+    if (format_ != TableFormat::tsv) return;
+    for (std::size_t i = 0; i < columns_.size(); ++i) out_ << (i == 0 ? "" : "\t") << columns_[i];
+    out_ << '\n';
+}
+
+void TableWriter::row(const std::vector<Cell>& cells) {
+    assert(cells.size() == columns_.size());
+    const bool json = format_ == TableFormat::jsonl;
+    if (json) out_ << '{';
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (json) {
+            out_ << (i == 0 ? "" : ", ") << json_string(columns_[i]) << ": " << json_text(cells[i]);
+        } else {
+            out_ << (i == 0 ? "" : "\t") << tsv_text(cells[i]);
+        }
+    }
+    out_ << (json ? "}\n" : "\n");
+}
+
+void write_file_rows(std::ostream& out, const std::vector<std::string>& columns, const std::vector<std::string>& files,
+                     const std::function<std::vector<Cell>(const std::string&)>& row_of, TableFormat format) {
+    std::vector<std::vector<Cell>> rows;
+    rows.reserve(files.size());
+    for (const std::string& file : files) rows.push_back(row_of(file));
+    TableWriter table(out, columns, format);
+    for (const auto& row : rows) table.row(row);
+}
+
+}  // namespace graincrack
