@@ -1,6 +1,7 @@
 #include "post/command_line.hpp"
 
 #include "post/commands/option_parts.hpp"
+#include "post/commands/plot_options.hpp"
 
 namespace graincrack {
 

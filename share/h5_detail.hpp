@@ -115,9 +115,6 @@ std::string type_name(hid_t type);
 Extents space_extents(hid_t space);
 std::string extents_text(const Extents& extents);
 
-/// SHA-256 (hex) over every path, type, shape, attribute and value below the root, without `left_out`.
-/// \throws InputError for the first object that cannot be read
-std::string digest(hid_t file, const std::string& file_name, const std::string& left_out);
 /// One line for each dataset: path, type, shape, unit, description.
 std::vector<std::string> describe(hid_t file);
 

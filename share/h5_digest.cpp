@@ -1,3 +1,5 @@
+#include "share/h5_digest.hpp"
+
 #include <fmt/format.h>
 #include <openssl/evp.h>
 

@@ -15,6 +15,7 @@
 
 #include "share/error.hpp"
 #include "share/h5_detail.hpp"
+#include "share/h5_digest.hpp"
 
 namespace graincrack {
 

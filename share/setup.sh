@@ -12,6 +12,8 @@ build_packages=(
 test_packages=(libgtest-dev python3-h5py)
 # What the benchmarks add.
 benchmark_packages=(libbenchmark-dev)
+# What checks the form of the sources.
+rule_packages=(clang-format clang-tidy git perl-base python3 shellcheck)
 # What the build with the other compiler adds.
 clang_packages=(clang)
 

@@ -28,7 +28,4 @@ void add_goals(CLI::App* command, PostOptions& options);
 void add_trend(CLI::App* command, PostOptions& options);
 void add_events(CLI::App* command, PostOptions& options);
 
-/// `plot` with all its pictures.
-void add_plots(CLI::App& app, PostOptions& options);
-
 }  // namespace graincrack

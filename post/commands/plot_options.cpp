@@ -1,3 +1,5 @@
+#include "post/commands/plot_options.hpp"
+
 #include <limits>
 
 #include "post/commands/option_parts.hpp"

@@ -1,0 +1,14 @@
+// What a file holds, as one number.
+#pragma once
+
+#include <hdf5.h>
+
+#include <string>
+
+namespace graincrack::h5 {
+
+/// SHA-256 (hex) over every path, type, shape, attribute and value below the root, without `left_out`.
+/// \throws InputError for the first object that cannot be read
+std::string digest(hid_t file, const std::string& file_name, const std::string& left_out);
+
+}  // namespace graincrack::h5
