@@ -78,7 +78,7 @@ void check_use(const ContactOptions& o) {
 }
 
 void check_energies(const ContactParameters& p, LawVariant law) {
-    const FractureEnergies least = least_fracture_energies(make_contact_law(p, law, Coupling::full));
+    const FractureEnergies least = min_fracture_energies(make_contact_law(p, law, Coupling::full));
     require_energy("--fracture-energy", p.fracture_energy, least.opening, law);
     require_energy("--mode-ii-fracture-energy", p.mode_ii_fracture_energy, least.sliding, law);
 }

@@ -60,7 +60,7 @@ Place descend(const Objective& objective, Place start, double step) {
 }
 
 /// The x of least norm with J x = b, by singular values; empty if rows of J depend on each other.
-std::optional<Place> least_norm(const std::vector<Place>& jacobian, const std::vector<double>& b) {
+std::optional<Place> min_norm(const std::vector<Place>& jacobian, const std::vector<double>& b) {
     const std::size_t m = jacobian.size();
     const std::size_t n = jacobian[0].size();
     std::vector<double> u(n * m);  // Jᵀ = U S Vᵀ
@@ -106,7 +106,7 @@ std::optional<Place> nearest_to_centre(const std::vector<Model>& models, const s
                         std::inner_product(slope.begin(), slope.end(), place.begin(), 0.0));
             jacobian.push_back(std::move(slope));
         }
-        const std::optional<Place> next = least_norm(jacobian, b);
+        const std::optional<Place> next = min_norm(jacobian, b);
         if (!next) return std::nullopt;
         if (distance(*next, place) < 1e-11) return next;
         for (std::size_t k = 0; k < place.size(); ++k) place[k] += share * ((*next)[k] - place[k]);

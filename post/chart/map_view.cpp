@@ -14,7 +14,7 @@ namespace {
 
 constexpr double platen_height = 16;
 /// Grains of shorter edges, in pixels, have no outlines: they would be a grey haze.
-constexpr double least_edge = 4;
+constexpr double min_edge = 4;
 
 struct Box {
     std::array<double, 2> low;
@@ -139,7 +139,7 @@ void MapView::each_grain(const GrainColour& colour, const Draw& draw) const {
 
 void MapView::draw_grains(const GrainColour& colour) {
     const double edge = specimen_.statistics.mean_edge > 0 ? specimen_.statistics.mean_edge * scale_ : 1e3;
-    if (edge < least_edge) return draw_small_grains(colour);
+    if (edge < min_edge) return draw_small_grains(colour);
     each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
     const double thin = std::clamp(0.03 * edge, 0.3, 1.2);
     const auto apart = [&](std::int32_t a, std::int32_t b) {

@@ -51,11 +51,11 @@ void write_row(TableWriter& table, const SizeSeries& s, const std::string& name,
 
 void require_sizes(const SizeSeries& s) {
     const auto [small, large] = std::minmax_element(s.edge.begin(), s.edge.end());
-    if (*large >= least_edge_ratio * *small) return;
+    if (*large >= min_edge_ratio * *small) return;
     throw InputError(
         fmt::format("size-effect: {} {} of the {} test at one mean edge ({:.4g} mm); two or more edges are needed, a "
                     "factor of {} apart at least",
-                    s.edge.size(), s.edge.size() == 1 ? "run" : "runs", s.test, *large / millimetre, least_edge_ratio));
+                    s.edge.size(), s.edge.size() == 1 ? "run" : "runs", s.test, *large / millimetre, min_edge_ratio));
 }
 
 }  // namespace

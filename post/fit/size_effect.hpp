@@ -40,7 +40,7 @@ struct SizeSeries {
 };
 /// Mean edges of seeds of one size differ by up to a percent; scatter of 4 % in the strengths over this ratio of edges is an
 /// exponent of 0.2, half of what a size effect is.
-inline constexpr double least_edge_ratio = 1.2;
+inline constexpr double min_edge_ratio = 1.2;
 /// \throws InputError for runs of different materials, without a peak, or of unknown mean edge, or for a series of one size
 std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRuns capped_runs);
 

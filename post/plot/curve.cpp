@@ -53,7 +53,7 @@ struct Extent {
     }
 };
 
-double most_cracks(const RunData& run) {
+double max_cracks(const RunData& run) {
     return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
 }
 
@@ -75,7 +75,7 @@ Chart page(const std::vector<Run>& runs, const Extent& extent, bool counts) {
     const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
-    if (counts) right = Axis{"micro-cracks (contacts)", 0, 1.1 * most_cracks(*runs[0].data)};
+    if (counts) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
     return {words(runs), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
 }
 
@@ -134,7 +134,7 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     Extent extent;
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
-    const bool counts = runs.size() == 1 && most_cracks(data.front()) > 0;
+    const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
     Chart chart = page(runs, extent, counts);
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -162,13 +162,13 @@ const std::vector<Check>& checks() {
 
 /// Columns of the block: runs, or, where these are many, runs of one test and confining pressure.
 std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns_of(const std::vector<TestReport>& tests) {
-    constexpr std::size_t most_runs = 4;  // beside the names of the checks within the width of the page
+    constexpr std::size_t max_runs = 4;  // beside the names of the checks within the width of the page
     std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns;
     for (const TestReport& t : tests) {
         const RunHeader& h = t.data.header;
-        const std::string head = tests.size() <= most_runs ? short_name(t) : series_words(h.test, h.confining_pressure);
+        const std::string head = tests.size() <= max_runs ? short_name(t) : series_words(h.test, h.confining_pressure);
         auto column = columns.end();
-        if (tests.size() > most_runs) {
+        if (tests.size() > max_runs) {
             column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == head; });
         }
         if (column == columns.end()) column = columns.insert(column, {head, {}});

@@ -11,29 +11,29 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t batch_touches = 64;
+constexpr std::int32_t batch_contacts = 64;
 constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
 
 /// Ways and forces of touches side by side.
 struct Batch {
-    alignas(64) double along_x[batch_touches], along_y[batch_touches];  // from first to second node of the edge, m
-    alignas(64) double from_x[batch_touches], from_y[batch_touches];    // from first to the node, m
-    alignas(64) double node_x[batch_touches], node_y[batch_touches];    // way of the step, m
-    alignas(64) double first_x[batch_touches], first_y[batch_touches], second_x[batch_touches], second_y[batch_touches];
-    alignas(64) double tangent_x[batch_touches], tangent_y[batch_touches], inv_length[batch_touches];
-    alignas(64) double place[batch_touches], depth[batch_touches];
-    alignas(64) double force_x[3][batch_touches], force_y[3][batch_touches];
-    alignas(64) double live[batch_touches], area[batch_touches], allowance[batch_touches];
-    alignas(64) double pressing[batch_touches], stretch[batch_touches], pull[batch_touches];
-    alignas(64) double friction[batch_touches];
+    alignas(64) double along_x[batch_contacts], along_y[batch_contacts];  // from first to second node of the edge, m
+    alignas(64) double from_x[batch_contacts], from_y[batch_contacts];    // from first to the node, m
+    alignas(64) double node_x[batch_contacts], node_y[batch_contacts];    // way of the step, m
+    alignas(64) double first_x[batch_contacts], first_y[batch_contacts], second_x[batch_contacts], second_y[batch_contacts];
+    alignas(64) double tangent_x[batch_contacts], tangent_y[batch_contacts], inv_length[batch_contacts];
+    alignas(64) double place[batch_contacts], depth[batch_contacts];
+    alignas(64) double force_x[3][batch_contacts], force_y[3][batch_contacts];
+    alignas(64) double live[batch_contacts], area[batch_contacts], initial_overlap[batch_contacts];
+    alignas(64) double overlap[batch_contacts], elastic_slip[batch_contacts], release_correction[batch_contacts];
+    alignas(64) double friction[batch_contacts];
 };
 
-void gather(const Assemblage& a, const State& s, double time_step, Range touches, Batch& b) {
-    const std::array<std::int32_t, 3>* const nodes = &s.touches.moving.nodes[touches.begin];
+void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Batch& b) {
+    const std::array<std::int32_t, 3>* const nodes = &s.contact_pairs.active.nodes[contacts.begin];
     const Vector2* const position = a.position.data();
     const Vector2* const displacement = s.displacement.data();
     const Vector2* const velocity = s.velocity.data();
-    for (std::int32_t i = 0; i < touches.size(); ++i) {
+    for (std::int32_t i = 0; i < contacts.size(); ++i) {
         const auto [node, first, second] = nodes[i];
         const Vector2 on_first = position[first] + displacement[first];
         const Vector2 along = (position[second] + displacement[second]) - on_first;
@@ -49,17 +49,17 @@ void gather(const Assemblage& a, const State& s, double time_step, Range touches
         b.second_x[i] = time_step * velocity[second].x;
         b.second_y[i] = time_step * velocity[second].y;
     }
-    const MovingTouches& moving = s.touches.moving;
-    std::copy_n(&moving.live[touches.begin], touches.size(), b.live);
-    std::copy_n(&moving.area[touches.begin], touches.size(), b.area);
-    std::copy_n(&moving.allowance[touches.begin], touches.size(), b.allowance);
-    std::copy_n(&moving.pressing[touches.begin], touches.size(), b.pressing);
-    std::copy_n(&moving.stretch[touches.begin], touches.size(), b.stretch);
+    const ActiveContacts& active = s.contact_pairs.active;
+    std::copy_n(&active.live[contacts.begin], contacts.size(), b.live);
+    std::copy_n(&active.area[contacts.begin], contacts.size(), b.area);
+    std::copy_n(&active.initial_overlap[contacts.begin], contacts.size(), b.initial_overlap);
+    std::copy_n(&active.overlap[contacts.begin], contacts.size(), b.overlap);
+    std::copy_n(&active.elastic_slip[contacts.begin], contacts.size(), b.elastic_slip);
 }
 
 GRAINCRACK_INLINE void find_geometry(std::int32_t count, Batch& b) {
     for (std::int32_t i = 0; i < count; ++i) {
-        const TouchGeometry g = touch_geometry({b.along_x[i], b.along_y[i]}, {b.from_x[i], b.from_y[i]});
+        const PairGeometry g = pair_geometry({b.along_x[i], b.along_y[i]}, {b.from_x[i], b.from_y[i]});
         b.tangent_x[i] = g.tangent.x;
         b.tangent_y[i] = g.tangent.y;
         b.inv_length[i] = g.inv_length;
@@ -68,22 +68,23 @@ GRAINCRACK_INLINE void find_geometry(std::int32_t count, Batch& b) {
     }
 }
 
-/// A node that is out where nothing presses ends its touch: it gives back what it owes (`Touch::pull`), and then nothing.
+/// A node that is out where nothing presses ends its touch: it gives back what it owes (`NodeEdgeContact::release_correction`),
+/// and then nothing.
 GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Batch& b) {
     const ContactLaw law = constants;
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 t{b.tangent_x[i], b.tangent_y[i]};
-        const TouchGeometry g{t, {t.y, -t.x}, b.inv_length[i], b.place[i], b.depth[i]};
+        const PairGeometry g{t, {t.y, -t.x}, b.inv_length[i], b.place[i], b.depth[i]};
         const double sliding =
             sliding_along(g, {b.node_x[i], b.node_y[i]}, {b.first_x[i], b.first_y[i]}, {b.second_x[i], b.second_y[i]});
-        const TouchResponse r =
-            move_touch(law, {true, true, b.area[i], b.allowance[i], b.pressing[i], b.stretch[i], 0}, g, sliding);
+        const NodeEdgeResponse r = move_node_edge_contact(
+            law, {true, true, b.area[i], b.initial_overlap[i], b.overlap[i], b.elastic_slip[i], 0}, g, sliding);
         const double live = b.live[i];
-        b.live[i] = g.depth <= std::min(b.allowance[i], 0.0) ? 0.0 : live;
-        b.allowance[i] = r.touch.allowance;
-        b.pressing[i] = r.touch.pressing;
-        b.stretch[i] = r.touch.stretch;
-        b.pull[i] = live * r.touch.pull;
+        b.live[i] = g.depth <= std::min(b.initial_overlap[i], 0.0) ? 0.0 : live;
+        b.initial_overlap[i] = r.contact.initial_overlap;
+        b.overlap[i] = r.contact.overlap;
+        b.elastic_slip[i] = r.contact.elastic_slip;
+        b.release_correction[i] = live * r.contact.release_correction;
         b.friction[i] = live * r.friction;
         b.force_x[0][i] = live * r.forces.on_node.x;
         b.force_y[0][i] = live * r.forces.on_node.y;
@@ -108,15 +109,15 @@ double sum_of(std::int32_t count, const double* values) {
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-void scatter(Range touches, const Batch& b, MovingTouches& moving) {
-    std::copy_n(b.live, touches.size(), &moving.live[touches.begin]);
-    std::copy_n(b.allowance, touches.size(), &moving.allowance[touches.begin]);
-    std::copy_n(b.pressing, touches.size(), &moving.pressing[touches.begin]);
-    std::copy_n(b.stretch, touches.size(), &moving.stretch[touches.begin]);
-    std::copy_n(b.pull, touches.size(), &moving.pull[touches.begin]);
-    std::copy_n(b.place, touches.size(), &moving.place[touches.begin]);
-    Vector2* const forces = &moving.forces[3 * static_cast<std::size_t>(touches.begin)];
-    for (std::int32_t i = 0; i < touches.size(); ++i) {
+void scatter(Range contacts, const Batch& b, ActiveContacts& active) {
+    std::copy_n(b.live, contacts.size(), &active.live[contacts.begin]);
+    std::copy_n(b.initial_overlap, contacts.size(), &active.initial_overlap[contacts.begin]);
+    std::copy_n(b.overlap, contacts.size(), &active.overlap[contacts.begin]);
+    std::copy_n(b.elastic_slip, contacts.size(), &active.elastic_slip[contacts.begin]);
+    std::copy_n(b.release_correction, contacts.size(), &active.release_correction[contacts.begin]);
+    std::copy_n(b.place, contacts.size(), &active.place[contacts.begin]);
+    Vector2* const forces = &active.forces[3 * static_cast<std::size_t>(contacts.begin)];
+    for (std::int32_t i = 0; i < contacts.size(); ++i) {
         for (std::int32_t k = 0; k < 3; ++k) {
             forces[3 * i + k] = {b.force_x[k][i], b.force_y[k][i]};
         }
@@ -125,121 +126,122 @@ void scatter(Range touches, const Batch& b, MovingTouches& moving) {
 
 }  // namespace
 
-void move_touches(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
-    MovingTouches& moving = s.touches.moving;
-    const std::int32_t begin = s.touches.first_awake(block);
-    const std::int32_t end = begin + moving.count[block];
+void move_active_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+    ActiveContacts& active = s.contact_pairs.active;
+    const std::int32_t begin = s.contact_pairs.first_watched(block);
+    const std::int32_t end = begin + active.count[block];
     Batch batch;
-    for (std::int32_t at = begin; at < end; at += batch_touches) {
-        const Range touches{at, std::min(at + batch_touches, end)};
-        gather(a, s, parameters.time_step, touches, batch);
+    for (std::int32_t at = begin; at < end; at += batch_contacts) {
+        const Range contacts{at, std::min(at + batch_contacts, end)};
+        gather(a, s, parameters.time_step, contacts, batch);
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-            find_geometry(touches.size(), batch);
-            move(parameters.law, touches.size(), batch);
+            find_geometry(contacts.size(), batch);
+            move(parameters.law, contacts.size(), batch);
         });
-        scatter(touches, batch, moving);
-        s.touches.friction[block] += sum_of(touches.size(), batch.friction);
+        scatter(contacts, batch, active);
+        s.contact_pairs.friction[block] += sum_of(contacts.size(), batch.friction);
     }
 }
 
-void settle_touches(std::int32_t block, TouchList& list) {
-    const MovingTouches& moving = list.moving;
-    const std::int32_t begin = list.first_awake(block);
-    for (std::int32_t i = begin; i < begin + moving.count[block]; ++i) {
-        const auto pair = static_cast<std::size_t>(moving.pair[i]);
-        const bool near_first = moving.place[i] < 0.5;
-        list.touches[pair] = {moving.live[i] != 0, near_first,        moving.area[i], moving.allowance[i],
-                              moving.pressing[i],  moving.stretch[i], moving.pull[i]};
-        std::copy_n(&moving.forces[3 * static_cast<std::size_t>(i)], 3, &list.forces[3 * pair]);
+void store_active(std::int32_t block, ContactPairList& list) {
+    const ActiveContacts& active = list.active;
+    const std::int32_t begin = list.first_watched(block);
+    for (std::int32_t i = begin; i < begin + active.count[block]; ++i) {
+        const auto pair = static_cast<std::size_t>(active.pair[i]);
+        const bool near_first = active.place[i] < 0.5;
+        list.contacts[pair] = {active.live[i] != 0,         near_first,        active.area[i],
+                               active.initial_overlap[i],   active.overlap[i], active.elastic_slip[i],
+                               active.release_correction[i]};
+        std::copy_n(&active.forces[3 * static_cast<std::size_t>(i)], 3, &list.forces[3 * pair]);
     }
 }
 
-void append_moving(const Outline& outline, std::int32_t block, std::int32_t index, TouchList& list) {
-    MovingTouches& moving = list.moving;
-    const std::int32_t at = list.first_awake(block) + moving.count[block]++;
-    const auto& [first, second] = outline.edges[list.pairs[index].edge].nodes;
-    const Touch& touch = list.touches[index];
-    moving.changed[block] = moving.changed[block] != 0 || moving.pair[at] != index ? 1 : 0;
-    moving.pair[at] = index;
-    moving.nodes[at] = {list.pairs[index].node, first, second};
-    moving.live[at] = touch.active ? 1 : 0;
-    moving.area[at] = touch.area;
-    moving.allowance[at] = touch.allowance;
-    moving.pressing[at] = touch.pressing;
-    moving.stretch[at] = touch.stretch;
-    moving.pull[at] = touch.pull;
-    moving.place[at] = touch.near_first ? 0 : 1;
-    std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &moving.forces[3 * static_cast<std::size_t>(at)]);
+void append_active(const GrainSurface& surface, std::int32_t block, std::int32_t index, ContactPairList& list) {
+    ActiveContacts& active = list.active;
+    const std::int32_t at = list.first_watched(block) + active.count[block]++;
+    const auto& [first, second] = surface.edges[list.pairs[index].edge].nodes;
+    const NodeEdgeContact& contact = list.contacts[index];
+    active.changed[block] = active.changed[block] != 0 || active.pair[at] != index ? 1 : 0;
+    active.pair[at] = index;
+    active.nodes[at] = {list.pairs[index].node, first, second};
+    active.live[at] = contact.active ? 1 : 0;
+    active.area[at] = contact.area;
+    active.initial_overlap[at] = contact.initial_overlap;
+    active.overlap[at] = contact.overlap;
+    active.elastic_slip[at] = contact.elastic_slip;
+    active.release_correction[at] = contact.release_correction;
+    active.place[at] = contact.near_first ? 0 : 1;
+    std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &active.forces[3 * static_cast<std::size_t>(at)]);
 }
 
-double stored_in_touches(const ContactLaw& law, const TouchList& list) {
+double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& list) {
     double energy = 0;
-    list.for_moving([&](std::int32_t i) {
-        const Touch& touch = list.touches[list.moving.pair[i]];
-        energy += touch.active ? touch_energy(law, touch) : 0;
+    list.for_active([&](std::int32_t i) {
+        const NodeEdgeContact& contact = list.contacts[list.active.pair[i]];
+        energy += contact.active ? node_edge_energy(law, contact) : 0;
     });
     return energy;
 }
 
-void take_up_touches(const Assemblage& a, TouchList& list) {
-    MovingTouches& moving = list.moving;
-    const std::size_t n = list.awake.size();
-    moving.pair.assign(n, -1);
-    moving.nodes.resize(n);
-    for (auto* values :
-         {&moving.live, &moving.area, &moving.allowance, &moving.pressing, &moving.stretch, &moving.pull, &moving.place}) {
+void load_active(const Assemblage& a, ContactPairList& list) {
+    ActiveContacts& active = list.active;
+    const std::size_t n = list.watched.size();
+    active.pair.assign(n, -1);
+    active.nodes.resize(n);
+    for (auto* values : {&active.live, &active.area, &active.initial_overlap, &active.overlap, &active.elastic_slip,
+                         &active.release_correction, &active.place}) {
         values->resize(n);
     }
-    moving.forces.resize(3 * n);
-    moving.count.assign(list.blocks.size(), 0);
-    moving.changed.assign(list.blocks.size(), 0);
+    active.forces.resize(3 * n);
+    active.count.assign(list.blocks.size(), 0);
+    active.changed.assign(list.blocks.size(), 0);
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-        const std::int32_t end = list.awake_groups[list.blocks[block].end - 1].end;
-        for (std::int32_t i = list.first_awake(block); i < end; ++i) {
-            const Touch& touch = list.touches[list.awake[i]];
-            if (touch.active || touch.pull != 0) {
-                append_moving(a.outline, block, list.awake[i], list);
+        const std::int32_t end = list.watched_groups[list.blocks[block].end - 1].end;
+        for (std::int32_t i = list.first_watched(block); i < end; ++i) {
+            const NodeEdgeContact& contact = list.contacts[list.watched[i]];
+            if (contact.active || contact.release_correction != 0) {
+                append_active(a.surface, block, list.watched[i], list);
             }
         }
     }
-    arrange_gathers(a, list);
+    index_node_forces(a, list);
 }
 
-void arrange_gathers(const Assemblage& a, TouchList& list) {
-    const MovingTouches& moving = list.moving;
+void index_node_forces(const Assemblage& a, ContactPairList& list) {
+    const ActiveContacts& active = list.active;
     const auto for_forces = [&](auto&& act) {
-        list.for_moving([&](std::int32_t i) {
+        list.for_active([&](std::int32_t i) {
             for (std::int32_t k = 0; k < 3; ++k) {
-                act(moving.nodes[i][k], 3 * i + k);
+                act(active.nodes[i][k], 3 * i + k);
             }
         });
     };
-    list.gathers.clear();
-    if (std::all_of(moving.count.begin(), moving.count.end(), [](std::int32_t count) { return count == 0; })) {
-        std::fill(list.gathers_of_block.begin(), list.gathers_of_block.end(), Range{});
+    list.node_forces.clear();
+    if (std::all_of(active.count.begin(), active.count.end(), [](std::int32_t count) { return count == 0; })) {
+        std::fill(list.node_forces_of_block.begin(), list.node_forces_of_block.end(), Range{});
         return;
     }
-    std::vector<std::int32_t>& end_of_node = list.gather_scratch;  // where the next force of a node goes
+    std::vector<std::int32_t>& end_of_node = list.node_force_scratch;  // where the next force of a node goes
     end_of_node.assign(a.position.size(), 0);
     std::int32_t total = 0;
     for_forces([&](std::int32_t node, std::int32_t /*slot*/) {
         ++end_of_node[node];
         ++total;
     });
-    list.gathered_slots.resize(total);
+    list.node_force_slots.resize(total);
     std::int32_t at = 0;
     for (std::size_t block = 0; block < a.grain_blocks.size(); ++block) {
-        const auto first = static_cast<std::int32_t>(list.gathers.size());
+        const auto first = static_cast<std::int32_t>(list.node_forces.size());
         for (std::int32_t node = a.grain_blocks[block].nodes.begin; node < a.grain_blocks[block].nodes.end; ++node) {
             if (const std::int32_t count = end_of_node[node]; count > 0) {
-                list.gathers.push_back({node, {at, at + count}});
+                list.node_forces.push_back({node, {at, at + count}});
                 end_of_node[node] = at;
                 at += count;
             }
         }
-        list.gathers_of_block[block] = {first, static_cast<std::int32_t>(list.gathers.size())};
+        list.node_forces_of_block[block] = {first, static_cast<std::int32_t>(list.node_forces.size())};
     }
-    for_forces([&](std::int32_t node, std::int32_t slot) { list.gathered_slots[end_of_node[node]++] = slot; });
+    for_forces([&](std::int32_t node, std::int32_t slot) { list.node_force_slots[end_of_node[node]++] = slot; });
 }
 
 }  // namespace graincrack

@@ -11,21 +11,21 @@
 namespace graincrack {
 
 /// Moves the touches of a block to the present displacements: their forces, friction into the sums.
-void move_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+void move_active_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
 
 /// Writes what the moving touches of a block have become into the list.
-void settle_touches(std::int32_t block, TouchList& list);
+void store_active(std::int32_t block, ContactPairList& list);
 
 /// Makes the touches of the list that go on into moving ones, after a look or where a run goes on from a saved state.
-void take_up_touches(const Assemblage& assemblage, TouchList& list);
+void load_active(const Assemblage& assemblage, ContactPairList& list);
 
 /// Finds by node where the forces of the moving touches are; to be called where a review has changed them.
-void arrange_gathers(const Assemblage& assemblage, TouchList& list);
+void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 
 /// Adds a pair of the list to the moving ones of its block.
-void append_moving(const Outline& outline, std::int32_t block, std::int32_t index, TouchList& list);
+void append_active(const GrainSurface& surface, std::int32_t block, std::int32_t index, ContactPairList& list);
 
 /// Stored in all touches, J.
-double stored_in_touches(const ContactLaw& law, const TouchList& list);
+double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& list);
 
 }  // namespace graincrack

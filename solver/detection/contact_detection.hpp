@@ -12,21 +12,21 @@
 namespace graincrack {
 
 /// Where touches begin and how they pass on; see contact_detection.cpp and share/doc/touches.md.
-namespace touch_rule {
+namespace detection_rule {
 inline constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
 inline constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several
                                              // grains meet and would hold each other
 inline constexpr double deep = 6e-3;         // of the mean edge: a node as far in a grain as that is kept out even so
-}  // namespace touch_rule
+}  // namespace detection_rule
 
 /// Whether a node behind an edge is by more than `margin` (m) in front of the face on the other side of a convex corner of the
 /// edge, or nearer to that face: it has come through that one, or is held there by a contact. Nothing comes through an edge that
 /// is bonded to another grain.
-bool came_through_neighbour(const Assemblage& assemblage, const State& state, const TouchPair& pair,
-                            const TouchGeometry& geometry, double margin);
+bool came_through_neighbour(const Assemblage& assemblage, const State& state, const CandidatePair& pair,
+                            const PairGeometry& geometry, double margin);
 
-/// Moves the touches of a block as `move_touches` does, and decides before it which touches end or pass on to another edge, and
-/// after it which begin.
-void review_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+/// Moves the touches of a block as `move_active_contacts` does, and decides before it which touches end or pass on to another
+/// edge, and after it which begin.
+void detect_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
 
 }  // namespace graincrack

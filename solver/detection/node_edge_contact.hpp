@@ -28,7 +28,7 @@
 namespace graincrack {
 
 /// Where a node stands to an edge.
-struct TouchGeometry {
+struct PairGeometry {
     Vector2 tangent;
     Vector2 normal;         ///< outward, t turned by −90°
     double inv_length = 0;  ///< of the edge, 1/m
@@ -36,61 +36,63 @@ struct TouchGeometry {
     double depth = 0;       ///< d behind the edge, m
 };
 /// \param edge from its first node to its second, m \param from_first to the node, m
-GRAINCRACK_INLINE TouchGeometry touch_geometry(const Vector2& edge, const Vector2& from_first) {
+GRAINCRACK_INLINE PairGeometry pair_geometry(const Vector2& edge, const Vector2& from_first) {
     const double inv_length = 1 / length(edge);
     const Vector2 t = inv_length * edge;
     const Vector2 n{t.y, -t.x};
     return {t, n, inv_length, inv_length * dot(from_first, t), -dot(from_first, n)};
 }
-inline TouchGeometry touch_geometry(const Vector2& node, const Vector2& first, const Vector2& second) {
-    return touch_geometry(second - first, node - first);
+inline PairGeometry pair_geometry(const Vector2& node, const Vector2& first, const Vector2& second) {
+    return pair_geometry(second - first, node - first);
 }
 
 /// Forces of a touch.
-struct TouchForces {
+struct NodeEdgeForces {
     Vector2 on_node, on_first, on_second;  ///< N
 };
-struct TouchResponse {
-    Touch touch;
-    TouchForces forces;
+struct NodeEdgeResponse {
+    NodeEdgeContact contact;
+    NodeEdgeForces forces;
     double friction = 0;  ///< dissipated on the way here, J
 };
 
 /// Stored in the springs of a touch, J.
-inline double touch_energy(const ContactLaw& law, const Touch& touch) {
-    return 0.5 * touch.area * (law.kt * touch.pressing * touch.pressing + law.ks * touch.stretch * touch.stretch);
+inline double node_edge_energy(const ContactLaw& law, const NodeEdgeContact& contact) {
+    return 0.5 * contact.area *
+           (law.kt * contact.overlap * contact.overlap + law.ks * contact.elastic_slip * contact.elastic_slip);
 }
 
-GRAINCRACK_INLINE TouchForces touch_forces(const ContactLaw& law, const Touch& touch, const TouchGeometry& g) {
-    const double pressure = touch.area * law.kt * (touch.pressing - touch.pull);
-    const double drag = touch.area * law.ks * touch.stretch;
-    const Vector2 on_node = pressure * g.normal - drag * g.tangent;
-    const Vector2 couple = (drag * g.depth * g.inv_length) * g.normal;
+GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const ContactLaw& law, const NodeEdgeContact& contact, const PairGeometry& g) {
+    const double pressure = contact.area * law.kt * (contact.overlap - contact.release_correction);
+    const double damping_force_of_nodes = contact.area * law.ks * contact.elastic_slip;
+    const Vector2 on_node = pressure * g.normal - damping_force_of_nodes * g.tangent;
+    const Vector2 couple = (damping_force_of_nodes * g.depth * g.inv_length) * g.normal;
     return {on_node, -(1 - g.place) * on_node - couple, -g.place * on_node + couple};
 }
 
 /// Moves an active touch to a new place.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
-GRAINCRACK_INLINE TouchResponse move_touch(const ContactLaw& law, const Touch& old, const TouchGeometry& g, double sliding) {
-    TouchResponse r{old, {}, 0};
-    Touch& touch = r.touch;
-    touch.near_first = g.place < 0.5;
-    touch.allowance = std::min(old.allowance, std::max(g.depth, 0.0));
-    touch.pressing = std::max(g.depth - touch.allowance, 0.0);
-    const double past = old.allowance - g.depth;
-    const bool ends = (past > 0) & (old.pressing > 0);  // no branch: touches are moved side by side
-    touch.pull = ends ? 0.5 * old.pressing * past / (ends ? old.pressing + past : 1.0) : 0.0;
-    const double limit = law.kt * touch.pressing * law.tan_phi / law.ks;
-    const double trial = old.stretch + sliding;
-    touch.stretch = std::clamp(trial, -limit, limit);
-    r.friction = 0.5 * touch.area * law.ks * (old.stretch + touch.stretch) * (trial - touch.stretch);
-    r.forces = touch_forces(law, touch, g);
+GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law, const NodeEdgeContact& old,
+                                                          const PairGeometry& g, double sliding) {
+    NodeEdgeResponse r{old, {}, 0};
+    NodeEdgeContact& contact = r.contact;
+    contact.near_first = g.place < 0.5;
+    contact.initial_overlap = std::min(old.initial_overlap, std::max(g.depth, 0.0));
+    contact.overlap = std::max(g.depth - contact.initial_overlap, 0.0);
+    const double past = old.initial_overlap - g.depth;
+    const bool ends = (past > 0) & (old.overlap > 0);  // no branch: touches are moved side by side
+    contact.release_correction = ends ? 0.5 * old.overlap * past / (ends ? old.overlap + past : 1.0) : 0.0;
+    const double limit = law.kt * contact.overlap * law.tan_phi / law.ks;
+    const double trial = old.elastic_slip + sliding;
+    contact.elastic_slip = std::clamp(trial, -limit, limit);
+    r.friction = 0.5 * contact.area * law.ks * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);
+    r.forces = node_edge_forces(law, contact, g);
     return r;
 }
 
 /// Sliding of a node along an edge over a step, from the displacements of the step; in the frame that turns with the edge.
-GRAINCRACK_INLINE double sliding_along(const TouchGeometry& g, const Vector2& node, const Vector2& first, const Vector2& second) {
+GRAINCRACK_INLINE double sliding_along(const PairGeometry& g, const Vector2& node, const Vector2& first, const Vector2& second) {
     const Vector2 turn = second - first;
     const Vector2 relative = node - first - g.place * turn;
     return dot(relative, g.tangent) - g.depth * g.inv_length * dot(turn, g.normal);

@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-class TouchGeometries {
+class PairGeometries {
 public:
     /// Finds the geometry of `count` pairs in the present displacements.
     /// \param pair_at (i): the pair's place in the list
@@ -20,10 +20,10 @@ public:
         make_room(static_cast<std::size_t>(count));
         const Vector2* const position = a.position.data();
         const Vector2* const displacement = s.displacement.data();
-        const TouchPair* const pairs = s.touches.pairs.data();
-        const OutlineEdge* const edges = a.outline.edges.data();
+        const CandidatePair* const pairs = s.contact_pairs.pairs.data();
+        const SurfaceEdge* const edges = a.surface.edges.data();
         for (std::int32_t i = 0; i < count; ++i) {
-            const TouchPair pair = pairs[pair_at(i)];
+            const CandidatePair pair = pairs[pair_at(i)];
             const auto [first, second] = edges[pair.edge].nodes;
             const Vector2 on_first = position[first] + displacement[first];
             const Vector2 along = (position[second] + displacement[second]) - on_first;
@@ -35,7 +35,7 @@ public:
         }
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { compute(count); });
     }
-    [[nodiscard]] TouchGeometry operator[](std::size_t i) const {
+    [[nodiscard]] PairGeometry operator[](std::size_t i) const {
         const Vector2 t{tangent_x_[i], tangent_y_[i]};
         return {t, {t.y, -t.x}, inv_length_[i], place_[i], depth_[i]};
     }
@@ -61,7 +61,7 @@ private:
         double* __restrict const place = place_.data();
         double* __restrict const depth = depth_.data();
         for (std::int32_t i = 0; i < count; ++i) {
-            const TouchGeometry g = touch_geometry({along_x[i], along_y[i]}, {from_x[i], from_y[i]});
+            const PairGeometry g = pair_geometry({along_x[i], along_y[i]}, {from_x[i], from_y[i]});
             tangent_x[i] = g.tangent.x;
             tangent_y[i] = g.tangent.y;
             inv_length[i] = g.inv_length;

@@ -15,18 +15,18 @@
 namespace graincrack {
 namespace {
 
-constexpr double buffer = 0.04;           // of the mean edge: pairs nearer than this are listed
-constexpr double hand_over = 0.005;       // of a contact's length: sliding or opening from which on it is released
-constexpr double loosening = 0.001;       // of a contact's length: a failed point that has moved so far ties no more
-constexpr std::int64_t most_steps = 128;  // between two looks
-constexpr std::int64_t least_steps = 4;
-constexpr std::int64_t reviews_between_looks = 8;
-constexpr std::size_t brisk_one_in = 20;  // nodes are brisk: what flies by itself must not hurry all others
-constexpr double postponed = 1e-3;        // of the mean edge: a search waits until brisk nodes may have gone so far
-constexpr double calm_reach = 1e-3;       // of the mean edge, that brisk nodes may go between two looks where it can be had,
-constexpr double wild_reach = 1e-2;       // and that the fastest may
-constexpr double wary = 8;                // times as far as node and edge go until then, and
-constexpr double wary_rest = 2;           // times as far as brisk nodes go: so near a pair is watched
+constexpr double buffer = 0.04;             // of the mean edge: pairs nearer than this are listed
+constexpr double release_travel = 0.005;    // of a contact's length: sliding or opening from which on it is released
+constexpr double debonding_travel = 0.001;  // of a contact's length: a failed point that has moved so far ties no more
+constexpr std::int64_t max_steps = 128;     // between two looks
+constexpr std::int64_t min_steps = 4;
+constexpr std::int64_t detections_between_updates = 8;
+constexpr std::size_t fastest_one_in = 20;       // nodes are brisk: what flies by itself must not hurry all others
+constexpr double rebuild_delay_distance = 1e-3;  // of the mean edge: a search waits until brisk nodes may have gone so far
+constexpr double max_travel_p95 = 1e-3;      // of the mean edge, that brisk nodes may go between two looks where it can be had,
+constexpr double max_travel_fastest = 1e-2;  // and that the fastest may
+constexpr double safety_factor = 8;          // times as far as node and edge go until then, and
+constexpr double safety_factor_p95 = 2;      // times as far as brisk nodes go: so near a pair is watched
 constexpr std::size_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
@@ -37,15 +37,15 @@ bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
 
 /// Points that came loose since the last look.
 /// \return whether there are any
-bool find_loose(const Assemblage& a, const ContactLaw& law, State& s) {
+bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
     bool found = false;
-    for (std::size_t point = 0; point < s.touches.loose.size(); ++point) {
-        if (s.failed[point] == 0 || s.touches.loose[point] != 0) {
+    for (std::size_t point = 0; point < s.contact_pairs.debonded.size(); ++point) {
+        if (s.failed[point] == 0 || s.contact_pairs.debonded[point] != 0) {
             continue;
         }
-        const double far = loosening * 2 * a.contacts[point / 2].point_area;
+        const double far = debonding_travel * 2 * a.contacts[point / 2].point_area;
         if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost(law, s, point)) {
-            s.touches.loose[point] = 1;
+            s.contact_pairs.debonded[point] = 1;
             found = true;
         }
     }
@@ -53,41 +53,43 @@ bool find_loose(const Assemblage& a, const ContactLaw& law, State& s) {
 }
 
 /// Contacts without cohesion that have moved far.
-std::vector<std::int32_t> find_movers(const Assemblage& a, const ContactLaw& law, const State& s) {
-    std::vector<std::int32_t> movers;
+std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaw& law, const State& s) {
+    std::vector<std::int32_t> released_now;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.released[c] != 0 || s.touches.loose[2 * c] == 0 || s.touches.loose[2 * c + 1] == 0) {
+        if (s.contact_pairs.released[c] != 0 || s.contact_pairs.debonded[2 * c] == 0 ||
+            s.contact_pairs.debonded[2 * c + 1] == 0) {
             continue;
         }
-        const double far = hand_over * 2 * a.contacts[c].point_area;
+        const double far = release_travel * 2 * a.contacts[c].point_area;
         const double moved =
             std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
         if (moved > far && is_lost(law, s, 2 * c) && is_lost(law, s, 2 * c + 1)) {
-            movers.push_back(static_cast<std::int32_t>(c));
+            released_now.push_back(static_cast<std::int32_t>(c));
         }
     }
-    return movers;
+    return released_now;
 }
 
 /// Touches of the pairs that were listed before; one whose pair is listed no more (its node flew off) ends.
-std::vector<Touch> keep_touches(const std::vector<TouchPair>& pairs, const ContactLaw& law, TouchList& list) {
-    std::vector<Touch> touches(pairs.size());
+std::vector<NodeEdgeContact> keep_contacts(const std::vector<CandidatePair>& pairs, const ContactLaw& law,
+                                           ContactPairList& list) {
+    std::vector<NodeEdgeContact> contacts(pairs.size());
     std::size_t at = 0;  // both are ascending
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         while (at < pairs.size() && pairs[at] < list.pairs[i]) {
             ++at;
         }
         if (at < pairs.size() && pairs[at] == list.pairs[i]) {
-            touches[at] = list.touches[i];
-        } else if (list.touches[i].active) {
-            list.friction_before += touch_energy(law, list.touches[i]);
+            contacts[at] = list.contacts[i];
+        } else if (list.contacts[i].active) {
+            list.friction_before += node_edge_energy(law, list.contacts[i]);
         }
     }
-    return touches;
+    return contacts;
 }
 
 /// Pairs of one node each.
-std::vector<Range> group_pairs(const std::vector<TouchPair>& pairs) {
+std::vector<Range> group_pairs(const std::vector<CandidatePair>& pairs) {
     std::vector<Range> groups;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(pairs.size()); ++i) {
         if (i == 0 || pairs[i].node != pairs[i - 1].node) {
@@ -99,23 +101,23 @@ std::vector<Range> group_pairs(const std::vector<TouchPair>& pairs) {
 }
 
 void search(const Assemblage& a, const ContactLaw& law, State& s) {
-    TouchList& list = s.touches;
-    std::vector<TouchPair> pairs = find_pairs(a, buffer * a.outline.mean_length, s);
-    list.touches = keep_touches(pairs, law, list);
+    ContactPairList& list = s.contact_pairs;
+    std::vector<CandidatePair> pairs = find_pairs(a, buffer * a.surface.mean_length, s);
+    list.contacts = keep_contacts(pairs, law, list);
     list.pairs = std::move(pairs);
     list.forces.assign(3 * list.pairs.size(), Vector2{});
-    list.awake.clear();
+    list.watched.clear();
     list.groups = group_pairs(list.pairs);
     list.displacement_at_search = s.displacement;
 }
 
 /// How far a node has to go along an edge to be over the part between `inset` (of its length) of its ends, m; not above 0 there.
-double way_along(const TouchGeometry& g, double inset) { return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length; }
+double way_along(const PairGeometry& g, double inset) { return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length; }
 
 /// How far a node has to go to where a touch may begin, m; not above 0 there.
-double way_to_begin(const TouchGeometry& g, double mean_length) {
-    return std::min(std::max(-g.depth, way_along(g, touch_rule::corner_zone)),
-                    std::max(touch_rule::deep * mean_length - g.depth, way_along(g, 0)));
+double travel_to_begin(const PairGeometry& g, double mean_length) {
+    return std::min(std::max(-g.depth, way_along(g, detection_rule::corner_zone)),
+                    std::max(detection_rule::deep * mean_length - g.depth, way_along(g, 0)));
 }
 
 /// What a look needs of a node's pairs.
@@ -138,19 +140,19 @@ public:
         geometry_.find(assemblage_, state_, pairs.size(), [&](std::int32_t i) { return pairs.begin + i; });
     }
     /// Appends the pairs of a node, of those looked at, that touch, may begin to, or may be passed on to, before the next look.
-    void add_awake(Range pairs, std::vector<std::int32_t>& awake) {
-        const TouchList& list = state_.touches;
+    void add_awake(Range pairs, std::vector<std::int32_t>& watched) {
+        const ContactPairList& list = state_.contact_pairs;
         active_.clear();
         pressing_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (goes_on_[p] != 0 && list.touches[p].active) {
+            if (goes_on_[p] != 0 && list.contacts[p].active) {
                 active_.push_back({list.pairs[p].edge, geometry_.depth(p - begin_)});
-                pressing_ = std::max(pressing_, list.touches[p].pressing);
+                pressing_ = std::max(pressing_, list.contacts[p].overlap);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
             if (goes_on_[p] != 0 || matters(p, geometry_[p - begin_])) {
-                awake.push_back(p);
+                watched.push_back(p);
             }
         }
     }
@@ -158,47 +160,48 @@ public:
 private:
     /// Touches are among the pairs that were awake; after a search, when none is yet, anywhere.
     void note_touches() {
-        const TouchList& list = state_.touches;
+        const ContactPairList& list = state_.contact_pairs;
         goes_on_.assign(list.pairs.size(), 0);
         const auto note = [&](std::int32_t pair) {
-            const Touch& touch = list.touches[pair];
-            goes_on_[pair] = touch.active || touch.pull != 0 ? 1 : 0;
+            const NodeEdgeContact& contact = list.contacts[pair];
+            goes_on_[pair] = contact.active || contact.release_correction != 0 ? 1 : 0;
         };
-        if (list.awake.empty()) {
+        if (list.watched.empty()) {
             for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) {
                 note(pair);
             }
         }
-        std::for_each(list.awake.begin(), list.awake.end(), note);
+        std::for_each(list.watched.begin(), list.watched.end(), note);
     }
-    [[nodiscard]] const OutlineEdge& edge_of(std::int32_t pair) const {
-        return assemblage_.outline.edges[state_.touches.pairs[pair].edge];
+    [[nodiscard]] const SurfaceEdge& edge_of(std::int32_t pair) const {
+        return assemblage_.surface.edges[state_.contact_pairs.pairs[pair].edge];
     }
     [[nodiscard]] double reach(std::int32_t pair) const {
-        const OutlineEdge& edge = edge_of(pair);
-        const double closing = speed_[state_.touches.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
-        return duration_ * (wary * closing + wary_rest * brisk_);
+        const SurfaceEdge& edge = edge_of(pair);
+        const double closing =
+            speed_[state_.contact_pairs.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
+        return duration_ * (safety_factor * closing + safety_factor_p95 * brisk_);
     }
-    [[nodiscard]] bool matters(std::int32_t pair, const TouchGeometry& g) const {
+    [[nodiscard]] bool matters(std::int32_t pair, const PairGeometry& g) const {
         const double near = reach(pair);
-        if (way_to_begin(g, assemblage_.outline.mean_length) < near &&
-            !came_through_neighbour(assemblage_, state_, state_.touches.pairs[pair], g, 2 * near)) {
+        if (travel_to_begin(g, assemblage_.surface.mean_length) < near &&
+            !came_through_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
             return true;
         }
         if (active_.empty()) {
             return false;
         }
-        const double margin = near + touch_rule::slack / g.inv_length;
+        const double margin = near + detection_rule::slack / g.inv_length;
         return (g.depth < pressing_ + near && is_beside_active(pair)) || (way_along(g, 0) < margin && goes_on_active(g, margin));
     }
     /// Whether the edge follows one around the grain that the node touches.
     [[nodiscard]] bool is_beside_active(std::int32_t pair) const {
-        const OutlineEdge& edge = edge_of(pair);
+        const SurfaceEdge& edge = edge_of(pair);
         return std::any_of(active_.begin(), active_.end(),
                            [&edge](const Active& active) { return active.edge == edge.previous || active.edge == edge.next; });
     }
     /// Whether the node is about as deep behind the edge as it is behind one that it touches.
-    [[nodiscard]] bool goes_on_active(const TouchGeometry& g, double margin) const {
+    [[nodiscard]] bool goes_on_active(const PairGeometry& g, double margin) const {
         return std::any_of(active_.begin(), active_.end(),
                            [&](const Active& active) { return std::abs(active.depth - g.depth) < margin; });
     }
@@ -207,7 +210,7 @@ private:
     const State& state_;
     double duration_, brisk_;
     std::int32_t begin_ = 0;
-    TouchGeometries geometry_;  ///< from pair `begin_` on
+    PairGeometries geometry_;  ///< from pair `begin_` on
     struct Active {
         std::int32_t edge;
         double depth;  ///< m
@@ -219,11 +222,11 @@ private:
 };
 
 /// Pairs that matter up to the next look, by node; the forces of the others are nil.
-void find_awake(const Assemblage& a, double duration, double brisk, State& s) {
-    TouchList& list = s.touches;
+void find_watched(const Assemblage& a, double duration, double brisk, State& s) {
+    ContactPairList& list = s.contact_pairs;
     Watch watch(a, duration, brisk, s);
-    list.awake.clear();
-    list.awake_groups.clear();
+    list.watched.clear();
+    list.watched_groups.clear();
     Range seen;
     for (std::size_t i = 0; i < list.groups.size(); ++i) {
         const Range pairs = list.groups[i];
@@ -231,11 +234,11 @@ void find_awake(const Assemblage& a, double duration, double brisk, State& s) {
             seen = {pairs.begin, list.groups[std::min(i + groups_per_block, list.groups.size()) - 1].end};
             watch.look_at(seen);
         }
-        const auto begin = static_cast<std::int32_t>(list.awake.size());
-        watch.add_awake(pairs, list.awake);
-        const auto end = static_cast<std::int32_t>(list.awake.size());
+        const auto begin = static_cast<std::int32_t>(list.watched.size());
+        watch.add_awake(pairs, list.watched);
+        const auto end = static_cast<std::int32_t>(list.watched.size());
         if (end > begin) {
-            list.awake_groups.push_back({begin, end});
+            list.watched_groups.push_back({begin, end});
         }
     }
 }
@@ -244,55 +247,55 @@ void find_awake(const Assemblage& a, double duration, double brisk, State& s) {
 /// \param duration to the next look, at most, s
 /// \param brisk speed of few nodes, m/s
 void wake(const Assemblage& a, double duration, double brisk, State& s) {
-    TouchList& list = s.touches;
+    ContactPairList& list = s.contact_pairs;
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
-    find_awake(a, duration, brisk, s);
+    find_watched(a, duration, brisk, s);
     list.blocks.clear();
-    for (std::size_t i = 0; i < list.awake_groups.size(); i += groups_per_block) {
-        const std::size_t end = std::min(i + groups_per_block, list.awake_groups.size());
+    for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_block) {
+        const std::size_t end = std::min(i + groups_per_block, list.watched_groups.size());
         list.blocks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
     }
     list.friction.assign(list.blocks.size(), 0.0);
-    take_up_touches(a, list);
+    load_active(a, list);
 }
 
 /// The area that touches take of each node; nothing where no pair is awake.
-void find_taken(const Assemblage& a, TouchList& list) {
-    list.taken.assign(list.awake.empty() ? 0 : a.position.size(), 0.0);
-    list.for_moving([&list](std::int32_t i) {
-        const auto& [node, first, second] = list.moving.nodes[i];
-        const double area = list.moving.live[i] * list.moving.area[i];
-        list.taken[node] += area;
-        list.taken[list.moving.place[i] < 0.5 ? first : second] += area;
+void find_occupied_area(const Assemblage& a, ContactPairList& list) {
+    list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
+    list.for_active([&list](std::int32_t i) {
+        const auto& [node, first, second] = list.active.nodes[i];
+        const double area = list.active.live[i] * list.active.area[i];
+        list.occupied_area[node] += area;
+        list.occupied_area[list.active.place[i] < 0.5 ? first : second] += area;
     });
 }
 
 /// Forces of all touches in the present displacements, without moving them.
 void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
-    for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
-        if (s.touches.touches[i].active || s.touches.touches[i].pull != 0) {
-            const OutlineEdge& edge = a.outline.edges[s.touches.pairs[i].edge];
-            const TouchGeometry g = touch_geometry(place_of(a, s, s.touches.pairs[i].node), place_of(a, s, edge.nodes[0]),
-                                                   place_of(a, s, edge.nodes[1]));
-            const TouchForces forces = touch_forces(law, s.touches.touches[i], g);
-            s.touches.forces[3 * i] = forces.on_node;
-            s.touches.forces[3 * i + 1] = forces.on_first;
-            s.touches.forces[3 * i + 2] = forces.on_second;
+    for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
+        if (s.contact_pairs.contacts[i].active || s.contact_pairs.contacts[i].release_correction != 0) {
+            const SurfaceEdge& edge = a.surface.edges[s.contact_pairs.pairs[i].edge];
+            const PairGeometry g = pair_geometry(place_of(a, s, s.contact_pairs.pairs[i].node), place_of(a, s, edge.nodes[0]),
+                                                 place_of(a, s, edge.nodes[1]));
+            const NodeEdgeForces forces = node_edge_forces(law, s.contact_pairs.contacts[i], g);
+            s.contact_pairs.forces[3 * i] = forces.on_node;
+            s.contact_pairs.forces[3 * i + 1] = forces.on_first;
+            s.contact_pairs.forces[3 * i + 2] = forces.on_second;
         }
     }
 }
 
 /// What a point of a released contact carried, as a touch of a node and an edge that face each other.
-struct HandOver {
+struct ReleasedContact {
     std::int32_t contact, point;
-    double pressing, stretch;  ///< m
+    double overlap, elastic_slip;  ///< m
 };
 
 /// Takes the tractions off contacts that are released.
-std::vector<HandOver> take_over(const ContactLaw& law, const std::vector<std::int32_t>& movers, State& s) {
-    std::vector<HandOver> carried;
-    for (const std::int32_t c : movers) {
-        s.touches.released[c] = 1;
+std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::vector<std::int32_t>& released_now, State& s) {
+    std::vector<ReleasedContact> carried;
+    for (const std::int32_t c : released_now) {
+        s.contact_pairs.released[c] = 1;
         for (std::int32_t p = 0; p < 2; ++p) {
             const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
             const ContactHistory h = history_of(s, point);
@@ -308,9 +311,9 @@ std::vector<HandOver> take_over(const ContactLaw& law, const std::vector<std::in
     return carried;
 }
 
-void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s) {
-    TouchList& list = s.touches;
-    for (const HandOver& h : carried) {
+void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& carried, State& s) {
+    ContactPairList& list = s.contact_pairs;
+    for (const ReleasedContact& h : carried) {
         const ContactGeometry& contact = a.contacts[h.contact];
         // Of the two nodes of the point one is over the other grain's edge; of two, the one that is farther from its ends.
         std::ptrdiff_t best = -1;
@@ -319,13 +322,13 @@ void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s
         double place = 0;
         for (std::int32_t side = 0; side < 2; ++side) {
             const std::int32_t node = contact.nodes[2 * (1 - side) + h.point];
-            const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), TouchPair{node, 2 * h.contact + side});
-            if (it == list.pairs.end() || *it != TouchPair{node, 2 * h.contact + side}) {
+            const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), CandidatePair{node, 2 * h.contact + side});
+            if (it == list.pairs.end() || *it != CandidatePair{node, 2 * h.contact + side}) {
                 continue;
             }
-            const OutlineEdge& edge = a.outline.edges[it->edge];
-            const TouchGeometry g =
-                touch_geometry(place_of(a, s, node), place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]));
+            const SurfaceEdge& edge = a.surface.edges[it->edge];
+            const PairGeometry g =
+                pair_geometry(place_of(a, s, node), place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]));
             const double margin = std::min(g.place, 1 - g.place);
             if (margin > inside) {
                 inside = margin;
@@ -335,33 +338,33 @@ void hand_on(const Assemblage& a, const std::vector<HandOver>& carried, State& s
             }
         }
         if (best >= 0) {
-            list.touches[best] = {true, place < 0.5, contact.point_area, depth - h.pressing, h.pressing, h.stretch, 0.0};
+            list.contacts[best] = {true, place < 0.5, contact.point_area, depth - h.overlap, h.overlap, h.elastic_slip, 0.0};
         }
     }
 }
 
 struct Speeds {
-    double brisk;  ///< that one node in `brisk_one_in` exceeds, m/s
+    double brisk;  ///< that one node in `fastest_one_in` exceeds, m/s
     double fastest;
 };
 Speeds find_speeds(const std::vector<Vector2>& velocity) {
     std::vector<double> squared;
     squared.reserve(velocity.size());
     std::transform(velocity.begin(), velocity.end(), std::back_inserter(squared), [](const Vector2& v) { return dot(v, v); });
-    const auto brisk = squared.end() - static_cast<std::ptrdiff_t>(squared.size() / brisk_one_in) - 1;
+    const auto brisk = squared.end() - static_cast<std::ptrdiff_t>(squared.size() / fastest_one_in) - 1;
     std::nth_element(squared.begin(), brisk, squared.end());
     return {std::sqrt(*brisk), std::sqrt(*std::max_element(brisk, squared.end()))};
 }
 
 }  // namespace
 
-bool look_after_touches(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
-    TouchList& list = s.touches;
+bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
+    ContactPairList& list = s.contact_pairs;
     const ContactLaw& law = parameters.law;
     const bool scaled = parameters.mass_scaling.is_on();
-    const bool came_loose = find_loose(a, law, s);
-    const std::vector<std::int32_t> movers = find_movers(a, law, s);
-    if (scaled && !movers.empty()) {
+    const bool debonded_now = find_debonded(a, law, s);
+    const std::vector<std::int32_t> released_now = find_released(a, law, s);
+    if (scaled && !released_now.empty()) {
         return true;
     }
     const bool is_first = list.displacement_at_search.empty();
@@ -373,40 +376,40 @@ bool look_after_touches(const Assemblage& a, const StepParameters& parameters, s
     }
     gone = std::sqrt(gone);
     const Speeds speeds = find_speeds(s.velocity);
-    const double step_way = speeds.fastest * parameters.time_step;
-    const double brisk_way = speeds.brisk * parameters.time_step;
+    const double travel_fastest = speeds.fastest * parameters.time_step;
+    const double travel_p95 = speeds.brisk * parameters.time_step;
     // Soon again where nodes are so fast that they would have to be watched from far off.
-    const double calm =
-        a.outline.mean_length * std::min(calm_reach / std::max(brisk_way, 1e-300), wild_reach / std::max(step_way, 1e-300));
+    const double calm = a.surface.mean_length * std::min(max_travel_p95 / std::max(travel_p95, 1e-300),
+                                                         max_travel_fastest / std::max(travel_fastest, 1e-300));
     const std::int64_t longest =
-        std::max(std::clamp(static_cast<std::int64_t>(std::min(calm, 1e6)), least_steps, most_steps), shortest);
-    const double allowed = 0.5 * buffer * a.outline.mean_length;  // two nodes may go towards each other
+        std::max(std::clamp(static_cast<std::int64_t>(std::min(calm, 1e6)), min_steps, max_steps), shortest);
+    const double allowed = 0.5 * buffer * a.surface.mean_length;  // two nodes may go towards each other
     // What came loose may wait for a search as long as nothing has gone far since.
-    list.wants_search = list.wants_search || came_loose || !movers.empty();
-    list.way_unsearched += list.wants_search ? static_cast<double>(longest) * brisk_way : 0.0;
-    if (is_first || gone + static_cast<double>(longest) * step_way > allowed ||
-        list.way_unsearched > postponed * a.outline.mean_length) {
-        const std::vector<HandOver> carried = take_over(law, movers, s);
+    list.wants_rebuild = list.wants_rebuild || debonded_now || !released_now.empty();
+    list.travel_since_rebuild += list.wants_rebuild ? static_cast<double>(longest) * travel_p95 : 0.0;
+    if (is_first || gone + static_cast<double>(longest) * travel_fastest > allowed ||
+        list.travel_since_rebuild > rebuild_delay_distance * a.surface.mean_length) {
+        const std::vector<ReleasedContact> carried = release_contacts(law, released_now, s);
         search(a, law, s);
-        hand_on(a, carried, s);
+        transfer_to_pairs(a, carried, s);
         refresh_forces(a, law, s);
-        list.wants_search = false;
-        list.way_unsearched = 0;
+        list.wants_rebuild = false;
+        list.travel_since_rebuild = 0;
         gone = 0;
     }
-    list.review_interval = std::max<std::int64_t>(longest / reviews_between_looks, 1);
+    list.detection_interval = std::max<std::int64_t>(longest / detections_between_updates, 1);
     wake(a, static_cast<double>(longest) * parameters.time_step, speeds.brisk, s);
-    find_taken(a, list);
+    find_occupied_area(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-            review_touches(a, parameters, block, s);
+            detect_contacts(a, parameters, block, s);
         }
         list.blocks.clear();
     }
-    const double steps = step_way > 0 ? 0.5 * (allowed - gone) / step_way : static_cast<double>(most_steps);
-    list.next_check =
-        s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(least_steps, longest), longest);
-    return scaled && std::any_of(list.touches.begin(), list.touches.end(), [](const Touch& touch) { return touch.active; });
+    const double steps = travel_fastest > 0 ? 0.5 * (allowed - gone) / travel_fastest : static_cast<double>(max_steps);
+    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(min_steps, longest), longest);
+    return scaled &&
+           std::any_of(list.contacts.begin(), list.contacts.end(), [](const NodeEdgeContact& contact) { return contact.active; });
 }
 
 }  // namespace graincrack

@@ -15,6 +15,6 @@ namespace graincrack {
 /// (`next_check`). With mass scaling there are no touches: it changes nothing but the list and returns true when one begins, or a
 /// contact is to be released, and is to be called again with masses as they are. Serial; what it does depends on the state only.
 /// \param shortest steps there are to the next look at least
-bool look_after_touches(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
+bool update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
 
 }  // namespace graincrack

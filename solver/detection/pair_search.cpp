@@ -13,7 +13,7 @@ Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { retur
 
 /// Nodes that are tied to each other by contact points that are not loose, at a vertex of the specimen: the smallest node of the
 /// group each belongs to.
-std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list) {
+std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairList& list) {
     std::vector<std::int32_t> root(a.position.size());
     std::iota(root.begin(), root.end(), 0);
     const auto find = [&root](std::int32_t i) {
@@ -25,7 +25,7 @@ std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list)
     };
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         for (std::size_t p = 0; p < 2; ++p) {
-            if (list.loose[2 * c + p] == 0) {
+            if (list.debonded[2 * c + p] == 0) {
                 const std::int32_t i = find(a.contacts[c].nodes[p]);
                 const std::int32_t j = find(a.contacts[c].nodes[2 + p]);
                 root[std::max(i, j)] = std::min(i, j);
@@ -38,14 +38,14 @@ std::vector<std::int32_t> tied_nodes(const Assemblage& a, const TouchList& list)
     return root;
 }
 
-bool is_loose(const TouchList& list, std::int32_t contact) {
-    return contact >= 0 &&
-           (list.loose[2 * static_cast<std::size_t>(contact)] != 0 || list.loose[2 * static_cast<std::size_t>(contact) + 1] != 0);
+bool is_debonded(const ContactPairList& list, std::int32_t contact) {
+    return contact >= 0 && (list.debonded[2 * static_cast<std::size_t>(contact)] != 0 ||
+                            list.debonded[2 * static_cast<std::size_t>(contact) + 1] != 0);
 }
 
-bool is_exposed(const TouchList& list, const Outline& outline, const OutlineEdge& edge) {
-    const auto has_loose = [&](std::int32_t e) { return e >= 0 && is_loose(list, outline.edges[e].contact); };
-    return edge.contact < 0 || is_loose(list, edge.contact) || has_loose(edge.previous) || has_loose(edge.next);
+bool is_exposed(const ContactPairList& list, const GrainSurface& surface, const SurfaceEdge& edge) {
+    const auto has_loose = [&](std::int32_t e) { return e >= 0 && is_debonded(list, surface.edges[e].contact); };
+    return edge.contact < 0 || is_debonded(list, edge.contact) || has_loose(edge.previous) || has_loose(edge.next);
 }
 
 struct Box {
@@ -124,30 +124,30 @@ private:
 
 }  // namespace
 
-std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const State& s) {
-    const Outline& outline = a.outline;
+std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, const State& s) {
+    const GrainSurface& surface = a.surface;
     std::vector<std::int32_t> edges;
     std::vector<Box> boxes;
     std::vector<std::uint8_t> is_exposed_node(a.position.size(), 0);
-    for (std::int32_t e = 0; e < static_cast<std::int32_t>(outline.edges.size()); ++e) {
-        const OutlineEdge& edge = outline.edges[e];
-        if (is_exposed(s.touches, outline, edge)) {
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(surface.edges.size()); ++e) {
+        const SurfaceEdge& edge = surface.edges[e];
+        if (is_exposed(s.contact_pairs, surface, edge)) {
             edges.push_back(e);
             boxes.push_back(around(place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]), margin));
             is_exposed_node[edge.nodes[0]] = is_exposed_node[edge.nodes[1]] = 1;
         }
     }
-    const Cells cells(boxes, outline.mean_length);
-    const std::vector<std::int32_t> tied = tied_nodes(a, s.touches);
-    std::vector<TouchPair> pairs;
+    const Cells cells(boxes, surface.mean_length);
+    const std::vector<std::int32_t> linked = linked_nodes(a, s.contact_pairs);
+    std::vector<CandidatePair> pairs;
     for (std::int32_t node = 0; node < a.n_nodes(); ++node) {
         if (is_exposed_node[node] == 0) {
             continue;
         }
         const Vector2 p = place_of(a, s, node);
         cells.visit_near(p, [&](std::int32_t box) {
-            const OutlineEdge& edge = outline.edges[edges[box]];
-            if (!holds(boxes[box], p) || edge.grain == outline.grain_of_node[node]) {
+            const SurfaceEdge& edge = surface.edges[edges[box]];
+            if (!holds(boxes[box], p) || edge.grain == surface.grain_of_node[node]) {
                 return;
             }
             const Vector2 first = place_of(a, s, edge.nodes[0]);
@@ -156,11 +156,11 @@ std::vector<TouchPair> find_pairs(const Assemblage& a, double margin, const Stat
             if (length(p - first - place * along) > margin) {
                 return;
             }
-            const bool is_tied = tied[node] == tied[edge.nodes[0]] || tied[node] == tied[edge.nodes[1]];
+            const bool is_tied = linked[node] == linked[edge.nodes[0]] || linked[node] == linked[edge.nodes[1]];
             const bool is_partner =
                 edge.contact >= 0 && std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
                                                node) != a.contacts[edge.contact].nodes.end();
-            if (is_partner ? s.touches.released[edge.contact] != 0 : !is_tied) {
+            if (is_partner ? s.contact_pairs.released[edge.contact] != 0 : !is_tied) {
                 pairs.push_back({node, edges[box]});
             }
         });

@@ -10,6 +10,6 @@
 namespace graincrack {
 
 /// All pairs of an exposed node and an exposed edge of another grain it is not tied to, nearer than `margin` (m); ascending.
-std::vector<TouchPair> find_pairs(const Assemblage& assemblage, double margin, const State& state);
+std::vector<CandidatePair> find_pairs(const Assemblage& assemblage, double margin, const State& state);
 
 }  // namespace graincrack

@@ -50,9 +50,7 @@ struct Combined {
                                                 .mode_ii_fracture_energy = true};
     static constexpr bool damages_intact = false;
     /// The areas to the peaks.
-    static FractureEnergies least_energies(const ContactLaw& law) {
-        return {2.0 / 3 * law.tc * law.op, 2.0 / 3 * law.cc * law.sp};
-    }
+    static FractureEnergies min_energies(const ContactLaw& law) { return {2.0 / 3 * law.tc * law.op, 2.0 / 3 * law.cc * law.sp}; }
     static void complete(ContactLaw& law) {
         law.stiffest_shear = 2 * law.ks;  // cohesion and friction side by side
         law.op = 2 * law.tc / law.kt;
@@ -151,7 +149,7 @@ struct Combined {
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return std::min(1.0, damage_at(law, cohesion_of(law, h).largest));
     }
-    static bool is_spent(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
+    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double x = std::max(0.0, p.opening) * law.inv_op;
         const double y = std::abs(p.sliding) * law.inv_sp;

@@ -36,7 +36,7 @@ inline bool is_lost_open(const ContactLaw& law, const ContactHistory& h) {
 struct PaperCompression {
     static constexpr bool damages_intact = false;
     /// Eq 14 with δut = δct: the softening branch is a fall.
-    static FractureEnergies least_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
+    static FractureEnergies min_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
     static void advance_closed(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         r.traction.normal = law.kt * to.opening;
         if (is_frictional(law, r.history)) {
@@ -78,7 +78,7 @@ struct PaperCompression {
         const double y = std::abs(m.sliding) * law.inv_dcs;
         return normal + law.ks * m.sliding * m.sliding * exponential_energy(y, exp_of_minus(y));
     }
-    static bool is_spent(const ContactLaw& law, const ContactHistory& h) { return is_lost_open(law, h); }
+    static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return is_lost_open(law, h); }
     /// An open contact of which nothing is left.
     static void advance_lost(const ContactMotion& to, ContactResponse& r) {
         r.history.separated = true;

@@ -46,7 +46,7 @@ struct Consistent {
                                                 .open_shear_strength = true};
     static constexpr bool damages_intact = true;
     /// In pure opening. A direction in which the way to the peak takes more than Gf has no softening and takes that.
-    static FractureEnergies least_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
+    static FractureEnergies min_energies(const ContactLaw& law) { return {law.tc * law.dct * (std::numbers::e - 2), 0}; }
     static void complete(ContactLaw& law) {
         law.stiffest_shear = law.ks;
         law.inv_dso = law.ks / (std::numbers::e * law.open_shear_strength);
@@ -67,13 +67,13 @@ struct Consistent {
             h.friction_share = std::max(h.friction_share, lost);
             left = (1 - lost) / (std::numbers::e * load);
         }
-        const double before = h.cohesion_left;
-        h.cohesion_left = std::min(before, left);
+        const double before = h.integrity;
+        h.integrity = std::min(before, left);
         // The motion before is open too, so both values of q are those of ψ; the change of β is booked at their mean.
         const double q_before = law.kt * h.motion.opening * h.motion.opening + law.ks * h.motion.sliding * h.motion.sliding;
-        r.dissipation.fracture += 0.25 * (q_before + q) * (before - h.cohesion_left);
-        h.separated = h.separated || h.cohesion_left == 0;
-        r.traction = {h.cohesion_left * law.kt * to.opening, h.cohesion_left * law.ks * to.sliding};
+        r.dissipation.fracture += 0.25 * (q_before + q) * (before - h.integrity);
+        h.separated = h.separated || h.integrity == 0;
+        r.traction = {h.integrity * law.kt * to.opening, h.integrity * law.ks * to.sliding};
         h.motion = to;
     }
     static void advance_closed(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
@@ -87,24 +87,24 @@ struct Consistent {
         r.dissipation.friction += h.friction_share * friction.dissipation.friction;
         double frictional_shear = friction.traction.shear;
         if (load <= 1) {
-            const double before = h.cohesion_left;
-            h.cohesion_left = std::min(before, exp_of_minus(load));
+            const double before = h.integrity;
+            h.integrity = std::min(before, exp_of_minus(load));
             const double q_before = law.ks * from.sliding * from.sliding;
-            r.dissipation.fracture += 0.25 * (q_before + law.ks * to.sliding * to.sliding) * (before - h.cohesion_left);
-        } else if (h.cohesion_left > 0) {
+            r.dissipation.fracture += 0.25 * (q_before + law.ks * to.sliding * to.sliding) * (before - h.integrity);
+        } else if (h.integrity > 0) {
             // The peak is passed: the cohesive share goes on with friction, from the traction it had.
             const double share = 1 - h.friction_share;
-            const double carried = std::clamp(h.cohesion_left * law.ks * to.sliding / share, -limit, limit);
-            const double stored = h.cohesion_left * law.ks * to.sliding * to.sliding +
-                                  h.friction_share * frictional_shear * frictional_shear / law.ks;
+            const double carried = std::clamp(h.integrity * law.ks * to.sliding / share, -limit, limit);
+            const double stored =
+                h.integrity * law.ks * to.sliding * to.sliding + h.friction_share * frictional_shear * frictional_shear / law.ks;
             h.slip = h.friction_share * h.slip + share * (to.sliding - carried / law.ks);
             frictional_shear = law.ks * (to.sliding - h.slip);
-            h.cohesion_left = 0;
+            h.integrity = 0;
             h.friction_share = 1;
             mark_failed(h, CrackMode::shear);
             r.dissipation.fracture += 0.5 * (stored - frictional_shear * frictional_shear / law.ks);
         }
-        r.traction = {law.kt * to.opening, h.cohesion_left * law.ks * to.sliding + h.friction_share * frictional_shear};
+        r.traction = {law.kt * to.opening, h.integrity * law.ks * to.sliding + h.friction_share * frictional_shear};
         h.motion = to;
     }
     /// A contact closes: no normal traction yet, so no friction.
@@ -113,14 +113,14 @@ struct Consistent {
         const ContactMotion& m = h.motion;
         const double shear = law.ks * m.sliding * m.sliding;
         if (m.opening >= 0) {
-            return 0.5 * h.cohesion_left * (law.kt * m.opening * m.opening + shear);
+            return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear);
         }
         const double elastic = m.sliding - h.slip;
-        return 0.5 * (law.kt * m.opening * m.opening + h.cohesion_left * shear + h.friction_share * law.ks * elastic * elastic);
+        return 0.5 * (law.kt * m.opening * m.opening + h.integrity * shear + h.friction_share * law.ks * elastic * elastic);
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_share; }
-    static bool is_spent(const ContactLaw& /*law*/, const ContactHistory& h) {
-        return h.failed() && h.cohesion_left == 0 && h.friction_share == 1;
+    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
+        return h.failed() && h.integrity == 0 && h.friction_share == 1;
     }
     /// Damage before the peak, on either branch; the same arithmetic as above.
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
@@ -130,11 +130,11 @@ struct Consistent {
         const double x = opened * law.inv_dct;
         const double y = p.sliding * (open ? law.inv_dso : law.inv_dcs);
         const double load = std::sqrt(x * x + y * y);
-        const double left = std::min(p.cohesion_left, exp_of_minus(load));
+        const double left = std::min(p.integrity, exp_of_minus(load));
         const double q = law.kt * opened * opened + law.ks * p.sliding * p.sliding;
         const double old_q = law.kt * old_opened * old_opened + law.ks * p.old_sliding * p.old_sliding;
         return {(open ? left : 1.0) * law.kt * p.opening, left * law.ks * p.sliding, load <= 1 ? stays_on_its_side(p) : 0.0, left,
-                0.25 * (old_q + q) * (p.cohesion_left - left)};
+                0.25 * (old_q + q) * (p.integrity - left)};
     }
 };
 

@@ -49,8 +49,8 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
 }
 
 /// The least fracture energies with which a law works: what its peaks take.
-inline FractureEnergies least_fracture_energies(const ContactLaw& law) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::least_energies(law); });
+inline FractureEnergies min_fracture_energies(const ContactLaw& law) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::min_energies(law); });
 }
 
 /// Recoverable energy per area of a contact point in its present motion, J/m².
@@ -66,9 +66,9 @@ inline double damage(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::damage(law, history); });
 }
 
-/// Whether friction while closed is all that is left of a point. \see spent_response
-inline bool is_spent(const ContactLaw& law, const ContactHistory& history) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::is_spent(law, history); });
+/// Whether friction while closed is all that is left of a point. \see residual_response
+inline bool is_residual(const ContactLaw& law, const ContactHistory& history) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::is_residual(law, history); });
 }
 
 /// What the law gives for an intact point, without a branch. \see contact_stage.cpp

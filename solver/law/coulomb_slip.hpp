@@ -27,7 +27,7 @@ struct CoulombSlip {
                                                 .potential = true,
                                                 .residual_strength = true};
     static constexpr bool damages_intact = false;
-    static FractureEnergies least_energies(const ContactLaw& /*law*/) { return {}; }
+    static FractureEnergies min_energies(const ContactLaw& /*law*/) { return {}; }
     static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }
 
     /// Shear strength at a normal traction, Pa.
@@ -70,7 +70,7 @@ struct CoulombSlip {
         return 0.5 * (law.kt * h.motion.opening * h.motion.opening + law.ks * elastic * elastic);
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() ? 1 : 0; }
-    static bool is_spent(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
+    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double normal = law.kt * p.opening;
         const double shear = law.ks * p.sliding;

@@ -11,9 +11,9 @@
 // - `stored_energy(law, history)`: recoverable energy per area, a function of state
 // - `damage(law, history)`: 0 to 1
 // - `intact(law, point)`: what vector units work on: the same for intact points, without a branch
-// - `is_spent(law, history)`: true if friction while closed is all that is left, as `spent_response` has it; false is always
-// right
-// - `damages_intact`: true if that changes `cohesion_left` or books fracture
+// - `is_residual(law, history)`: true if friction while closed is all that is left, as `residual_response` has it; false is
+// always right
+// - `damages_intact`: true if that changes `integrity` or books fracture
 #pragma once
 
 #include <array>

@@ -55,7 +55,7 @@ struct ContactHistory {
     double largest_open = 0;                    ///< largest δn/o_p once past 1, else 0 (combined)
     double largest_slid = 0;                    ///< largest |δs|/s_p once past 1, else 0 (combined)
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
-    double cohesion_left = 1;                   ///< β (consistent)
+    double integrity = 1;                       ///< β (consistent)
     double friction_share = 0;                  ///< a (consistent)
     bool failed_open = false;                   ///< passed the peak of the open branch
     bool failed_closed = false;                 ///< passed the peak of the closed branch
@@ -83,7 +83,7 @@ inline ContactHistory broken_contact() {
     ContactHistory h;
     h.failed_open = h.failed_closed = h.separated = true;
     h.max_displacement = h.largest_open = h.largest_slid = std::numeric_limits<double>::max();  // nothing is left
-    h.cohesion_left = 0;
+    h.integrity = 0;
     h.friction_share = 1;
     return h;
 }

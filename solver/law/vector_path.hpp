@@ -12,13 +12,13 @@ namespace graincrack {
 struct IntactPoint {
     double old_opening, old_sliding;  ///< m
     double opening, sliding;          ///< m
-    double cohesion_left;             ///< β before; 1 if the law has no damage before the peak
+    double integrity;                 ///< β before; 1 if the law has no damage before the peak
 };
 /// What `update_contact` gives for it, where `holds`.
 struct IntactResponse {
     double normal, shear;  ///< Pa
     double holds;          ///< 1 if the point stays intact and nothing but this happens to it, else 0: it needs `update_contact`
-    double cohesion_left = 1;
+    double integrity = 1;
     double fracture = 0;  ///< J/m²
 };
 
@@ -29,20 +29,20 @@ inline double stays_on_its_side(const IntactPoint& p) { return (p.opening >= 0) 
 
 }  // namespace contact_law
 
-/// A spent point before and after a motion: one of which `is_spent` of its law says that no cohesion is left.
-struct SpentPoint {
+/// A spent point before and after a motion: one of which `is_residual` of its law says that no cohesion is left.
+struct ResidualPoint {
     double old_opening, old_sliding;  ///< m
     double opening, sliding;          ///< m
     double slip;                      ///< before, m
 };
 /// What `update_contact` gives for it, where `holds`. \see solver/law/friction.hpp
-struct SpentResponse {
+struct ResidualResponse {
     double normal, shear;  ///< Pa
     double slip;           ///< m
     double friction;       ///< dissipated, J/m²
     double holds;          ///< 1 if the point stays open or closed, else 0
 };
-inline SpentResponse spent_response(const ContactLaw& law, const SpentPoint& p) {
+inline ResidualResponse residual_response(const ContactLaw& law, const ResidualPoint& p) {
     const double pressed = std::min(p.opening, 0.0);
     const double limit = -law.kt * pressed * law.tan_phi;
     const double old_shear = law.ks * (p.old_sliding - p.slip);

@@ -6,46 +6,45 @@
 namespace graincrack {
 namespace {
 
-constexpr double most_damping_load =
-    2e-3;                                 // friction multiplies what damping carries: a strength is off by up to five times that
-constexpr double most_inertia = 0.1;      // what counts at most: kinetic energy 1e-3 of the stored energy
-constexpr double most_rise = 0.06;        // of the strain that it may rise by in a transit: platens rattle otherwise
-constexpr double follow_transits = 4;     // in which the speed rises at most e-fold; it falls in half of that
-constexpr double slowest = 0.05;          // of the speed that the tolerance means without damage
-constexpr double smoothing_transits = 1;  // over which measures are smoothed
+constexpr double max_damping_load = 2e-3;  // friction multiplies what damping carries: a strength is off by up to five times that
+constexpr double max_inertia = 0.1;        // what counts at most: kinetic energy 1e-3 of the stored energy
+constexpr double max_rise = 0.06;          // of the strain that it may rise by in a transit: platens rattle otherwise
+constexpr double follow_transits = 4;      // in which the speed rises at most e-fold; it falls in half of that
+constexpr double slowest = 0.05;           // of the speed that the tolerance means without damage
+constexpr double smoothing_transits = 1;   // over which measures are smoothed
 
 }  // namespace
 
 double RateControl::allowed(double near_failure) const {
     const double relaxed = tolerance_ / std::max(near_failure, 1e-9);
-    return share_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, most_inertia));
+    return share_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, max_inertia));
 }
 
-double RateControl::most_speed(double strain) const {
-    return share_ * 0.5 * scales_.height / scales_.transit_time * most_rise * std::max(strain, scales_.least_strain);
+double RateControl::max_speed(double strain) const {
+    return share_ * 0.5 * scales_.height / scales_.transit_time * max_rise * std::max(strain, scales_.min_strain);
 }
 
-double RateControl::least_speed(double strain, double allowed) const {
+double RateControl::min_speed(double strain, double allowed) const {
     const double wave_speed = scales_.height / scales_.transit_time;
-    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.least_strain), most_speed(strain));
+    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.min_strain), max_speed(strain));
 }
 
 double RateControl::next(const RateMeasures& now, double duration) {
     const double share = std::min(1.0, duration / (smoothing_transits * scales_.transit_time));
     // ½ m v(n−½)·v(n+½) of nodes that turn back within the step is below zero.
     const double kinetic = std::max(now.kinetic_energy, 0.0);
-    const double inertia = std::sqrt(12 * kinetic / std::max(now.stored_energy, scales_.least_energy));
+    const double inertia = std::sqrt(12 * kinetic / std::max(now.stored_energy, scales_.min_energy));
     inertia_ += share * (inertia - inertia_);
     unbalanced_ratio_ += share * (now.unbalanced_ratio - unbalanced_ratio_);
     force_difference_ += share * (now.force_difference - force_difference_);
     near_failure_ = std::max(near_failure_, now.near_failure);
     const double limit = allowed(near_failure_);
     const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / (share_ * tolerance_),
-                                   now.damping_load / (share_ * most_damping_load)});
+                                   now.damping_load / (share_ * max_damping_load)});
     const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
     speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));
-    speed_ = std::min(std::max(speed_, least_speed(now.strain, limit)), most_speed(now.strain));
+    speed_ = std::min(std::max(speed_, min_speed(now.strain, limit)), max_speed(now.strain));
     return speed_;
 }
 

@@ -35,8 +35,8 @@ struct RateMeasures {
 struct RateScales {
     double height = 0;        ///< m
     double transit_time = 0;  ///< of a bar wave through it, s
-    double least_strain = 0;  ///< below it there is no load to speak of yet: a speed must begin somewhere
-    double least_energy = 0;  ///< stored then, J
+    double min_strain = 0;    ///< below it there is no load to speak of yet: a speed must begin somewhere
+    double min_energy = 0;    ///< stored then, J
 };
 
 class RateControl {
@@ -48,11 +48,11 @@ public:
     double next(const RateMeasures& measures, double duration);
     /// The slowest the platens ever go at a strain, m/s: a twentieth of what the tolerance means there in an elastic bar.
     /// \param allowed what counts of the tolerance
-    [[nodiscard]] double least_speed(double strain, double allowed) const;
+    [[nodiscard]] double min_speed(double strain, double allowed) const;
     /// What the first two measures may reach where so much of a line is near failure.
     [[nodiscard]] double allowed(double near_failure) const;
     /// The fastest the platens ever go at a strain, m/s.
-    [[nodiscard]] double most_speed(double strain) const;
+    [[nodiscard]] double max_speed(double strain) const;
     /// Calls `visit(name, member)` with all that changes: a test that goes on needs it.
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit) {

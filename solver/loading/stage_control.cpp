@@ -9,10 +9,10 @@ namespace {
 constexpr double servo_transits = 4;  // time constant of the servo
 constexpr int rest_rows = 5;          // in succession that must be at rest: one may be so by chance
 
-double last(const ConductorFeedback& f, HistoryColumn column) { return f.history[column].back(); }
+double last(const StageFeedback& f, HistoryColumn column) { return f.history[column].back(); }
 
 /// Distance of a condition from being reached, with its side.
-double offset(const Condition& c, const ConductorFeedback& f) {
+double offset(const Condition& c, const StageFeedback& f) {
     return (c.probe.empty() ? f.history.columns[c.column].back() : f.probe(c.probe, c.column)) - c.value;
 }
 
@@ -25,7 +25,7 @@ TimeFunction from_present(TimeFunction function, double present) {
 
 }  // namespace
 
-Conductor::Conductor(const Program& program, const Specimen& specimen, const Rock& rock)
+StageController::StageController(const Program& program, const Specimen& specimen, const Rock& rock)
     : program_(program),
       numbers_(number_channels(program)),
       height_(specimen.height),
@@ -44,7 +44,7 @@ Conductor::Conductor(const Program& program, const Specimen& specimen, const Roc
     }
 }
 
-void Conductor::resume(const ConductorState& state) {
+void StageController::resume(const StageControllerState& state) {
     for (std::size_t c = 0; c < program_.controls.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
             const std::string name = program_.controls[c].name + "." + std::string(name_of(static_cast<Action>(i)));
@@ -59,8 +59,8 @@ void Conductor::resume(const ConductorState& state) {
     platen_.function.value = speed_;
 }
 
-ConductorState Conductor::state(double time) const {
-    ConductorState state;
+StageControllerState StageController::state(double time) const {
+    StageControllerState state;
     for (std::size_t c = 0; c < program_.controls.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
             if (numbers_[c][i] != no_channel) {
@@ -74,14 +74,14 @@ ConductorState Conductor::state(double time) const {
     return state;
 }
 
-std::vector<double> Conductor::values(double time) const {
+std::vector<double> StageController::values(double time) const {
     std::vector<double> values;
     std::transform(channels_.begin(), channels_.end(), std::back_inserter(values),
                    [time](const Channel& c) { return c.at(time); });
     return values;
 }
 
-void Conductor::begin(const ConductorFeedback& f) {
+void StageController::begin(const StageFeedback& f) {
     for (std::size_t c = 0; c < program_.controls.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
             const auto& function = program_.controls[c].start[i];
@@ -94,7 +94,7 @@ void Conductor::begin(const ConductorFeedback& f) {
     start_stage(f);
 }
 
-void Conductor::start_stage(const ConductorFeedback& f) {
+void StageController::start_stage(const StageFeedback& f) {
     const Stage& stage = now();
     stage_begin_ = f.time;
     functions_end_ = 0;
@@ -131,7 +131,7 @@ void Conductor::start_stage(const ConductorFeedback& f) {
     }
 }
 
-std::string Conductor::end_reason(const ConductorFeedback& f) {
+std::string StageController::end_reason(const StageFeedback& f) {
     const Stage& stage = now();
     for (std::size_t i = 0; i < stage.until.size(); ++i) {
         const double off = offset(stage.until[i], f);
@@ -155,7 +155,7 @@ std::string Conductor::end_reason(const ConductorFeedback& f) {
     return f.time - stage_begin_ >= (1 - round_off) * stage.longest_time ? "time" : "";
 }
 
-void Conductor::judge(const ConductorFeedback& f) {
+void StageController::check_stage_end(const StageFeedback& f) {
     if (finished()) {
         return;
     }
@@ -170,20 +170,20 @@ void Conductor::judge(const ConductorFeedback& f) {
     }
 }
 
-void Conductor::close(double time, const std::string& reason) {
+void StageController::close(double time, const std::string& reason) {
     if (!finished()) {
         records_.push_back({now().name, stage_begin_, time, reason});
     }
 }
 
-double Conductor::servo_speed(double time, double duration) const {
+double StageController::servo_speed(double time, double duration) const {
     const double rate = (platen_.at(time + duration) - platen_.at(time)) / duration;
     const double lag = platen_.at(time) - mean_compression_;
     const double servo_time = std::max(servo_transits * transit_time_, 4 * duration);
     return 0.5 * height_ / young_modulus_ * (rate + lag / servo_time);
 }
 
-BatchLoading Conductor::next(const ConductorFeedback& f, double duration) {
+BatchLoading StageController::next(const StageFeedback& f, double duration) {
     BatchLoading batch;
     batch.channels = &channels_;
     if (!program_.platens) {

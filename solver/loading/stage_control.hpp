@@ -13,7 +13,7 @@
 namespace graincrack {
 
 /// What the stages are judged by: the last row of the history and of the probes.
-struct ConductorFeedback {
+struct StageFeedback {
     double time = 0;
     const History& history;
     const std::function<double(const std::string& probe, std::size_t column)>& probe;
@@ -27,28 +27,28 @@ struct StageRecord {
 };
 
 /// What goes on from one program to the next (a saved state).
-struct ConductorState {
+struct StageControllerState {
     std::vector<std::string> names;  ///< of values: "control.action"
     std::vector<double> values;      ///< NaN for a free velocity
     double platen_speed = 0;         ///< m/s
     double mean_compression = 0;     ///< as the servo sees it, Pa
 };
 
-class Conductor {
+class StageController {
 public:
-    Conductor(const Program& program, const Specimen& specimen, const Rock& rock);
+    StageController(const Program& program, const Specimen& specimen, const Rock& rock);
     /// Takes over what another program left, before `begin`: its controls, those of the same name, start from its values.
-    void resume(const ConductorState& state);
-    [[nodiscard]] ConductorState state(double time) const;
+    void resume(const StageControllerState& state);
+    [[nodiscard]] StageControllerState state(double time) const;
 
     /// Starts the first stage.
-    void begin(const ConductorFeedback& feedback);
+    void begin(const StageFeedback& feedback);
     /// Ends the stage if it has reached an end, and starts the next one.
-    void judge(const ConductorFeedback& feedback);
+    void check_stage_end(const StageFeedback& feedback);
     /// Ends the stage that is on, if there is one, for a reason of the run.
     void close(double time, const std::string& reason);
     /// Loading of the next `duration` seconds. Its channels are those of this conductor.
-    BatchLoading next(const ConductorFeedback& feedback, double duration);
+    BatchLoading next(const StageFeedback& feedback, double duration);
 
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
@@ -58,8 +58,8 @@ public:
 
 private:
     [[nodiscard]] const Stage& now() const { return program_.stage(program_.order[at_]); }
-    void start_stage(const ConductorFeedback& feedback);
-    [[nodiscard]] std::string end_reason(const ConductorFeedback& feedback);
+    void start_stage(const StageFeedback& feedback);
+    [[nodiscard]] std::string end_reason(const StageFeedback& feedback);
     [[nodiscard]] double servo_speed(double time, double duration) const;
 
     const Program& program_;

@@ -19,8 +19,8 @@ constexpr double servo_transits = 4;       // time constant of the servo
 constexpr double settled_pressure = 2e-3;  // wanted axial stress at the end of the isotropic stage, relative
 constexpr double settled_balance = 2e-3;   // wanted unbalanced ratio there
 constexpr double history_rows = 8000;      // to the strain cap
-constexpr std::int64_t least_steps = 20;   // between two rows at a speed that changes: a row costs some two steps
-constexpr double most_transits = 0.5;      // and at most: what happens within a transit is to be seen
+constexpr std::int64_t min_steps = 20;     // between two rows at a speed that changes: a row costs some two steps
+constexpr double max_transits = 0.5;       // and at most: what happens within a transit is to be seen
 constexpr double rest_transits = 400;      // that a block may take to come to rest
 
 double smooth_step(double x) {
@@ -100,9 +100,9 @@ std::int64_t Loading::batch_steps(double time_step) const {
     if (request_.rate == RateKind::blocks && !isotropic_) {
         return std::max<std::int64_t>(1, request_.block_steps / parts_of_block);
     }
-    const double most = most_transits * transit_time_ / time_step;
+    const double most = max_transits * transit_time_ / time_step;
     const double wanted = speed_ == 0 ? most : std::min(most, travel / std::abs(speed_) / time_step);
-    return std::max(least_steps, static_cast<std::int64_t>(wanted));
+    return std::max(min_steps, static_cast<std::int64_t>(wanted));
 }
 
 double Loading::mean_speed(double time) const {
@@ -112,7 +112,7 @@ double Loading::mean_speed(double time) const {
 double Loading::slowest_speed(double strain) const {
     switch (request_.rate) {
         case RateKind::fixed: return request_.platen_speed;
-        case RateKind::automatic: return control_.least_speed(strain, request_.rate_tolerance);
+        case RateKind::automatic: return control_.min_speed(strain, request_.rate_tolerance);
         case RateKind::blocks: return request_.platen_speed * moving_share_of_block;
     }
     return request_.platen_speed;
@@ -126,7 +126,7 @@ LoadingLength Loading::longest(double time_step) const {
         time += travel / parts / slowest_speed(request_.max_strain * (i + 0.5) / parts);
     }
     const double steps = time / time_step;
-    const double rows = request_.rate == RateKind::automatic ? history_rows + time / (most_transits * transit_time_)
+    const double rows = request_.rate == RateKind::automatic ? history_rows + time / (max_transits * transit_time_)
                                                              : steps / static_cast<double>(batch_steps(time_step));
     return {static_cast<std::int64_t>(steps), static_cast<std::size_t>(rows)};
 }

@@ -113,7 +113,7 @@ Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCond
     add_elements(a, specimen, rock.density);
     add_contacts(a, specimen);
     cut_blocks(a, specimen);
-    a.outline = make_outline(specimen, a.node_of_specimen);
+    a.surface = make_surface(specimen, a.node_of_specimen);
     return a;
 }
 

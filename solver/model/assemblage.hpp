@@ -82,7 +82,7 @@ struct Assemblage {
     std::vector<GrainBlock> grain_blocks;
     std::vector<Range> contact_blocks;
     std::vector<std::int32_t> node_of_specimen;  ///< [n] internal index of a node of the specimen
-    Outline outline;
+    GrainSurface surface;
     double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
 

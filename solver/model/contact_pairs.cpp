@@ -2,11 +2,11 @@
 
 namespace graincrack {
 
-TouchList make_touch_list(const Assemblage& a) {
-    TouchList list;
-    list.loose.assign(2 * a.contacts.size(), 0);
+ContactPairList make_contact_pair_list(const Assemblage& a) {
+    ContactPairList list;
+    list.debonded.assign(2 * a.contacts.size(), 0);
     list.released.assign(a.contacts.size(), 0);
-    list.gathers_of_block.assign(a.grain_blocks.size(), Range{});
+    list.node_forces_of_block.assign(a.grain_blocks.size(), Range{});
     return list;
 }
 

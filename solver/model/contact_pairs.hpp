@@ -3,7 +3,7 @@
 // Where grains are still bonded nothing is searched. A contact point is loose when it has lost its cohesion, or failed and moved;
 // an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain is loose:
 // another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion goes on as a
-// contact with its original partner (compression and friction) until it has moved by `hand_over` of its length; then it is
+// contact with its original partner (compression and friction) until it has moved by `release_travel` of its length; then it is
 // released: its tractions pass to touches, and from there on its nodes and edges are met like all others.
 #pragma once
 
@@ -17,72 +17,74 @@
 namespace graincrack {
 
 /// What a touch remembers.
-struct Touch {
+struct NodeEdgeContact {
     bool active = false;
-    bool near_first = true;  ///< nearer to the first end of the edge than to the second
-    double area = 0;         ///< A of the node, m²
-    double allowance = 0;    ///< m
-    double pressing = 0;     ///< e at the last update, m
-    double stretch = 0;      ///< q, m
-    double pull = 0;         ///< as a depth, ½ e o/(e + o), m: of one that has ended, its forces in the step after
+    bool near_first = true;         ///< nearer to the first end of the edge than to the second
+    double area = 0;                ///< A of the node, m²
+    double initial_overlap = 0;     ///< m
+    double overlap = 0;             ///< e at the last update, m
+    double elastic_slip = 0;        ///< q, m
+    double release_correction = 0;  ///< as a depth, ½ e o/(e + o), m: of one that has ended, its forces in the step after
 };
 
 /// A node and an edge of another grain that are near each other.
-struct TouchPair {
+struct CandidatePair {
     std::int32_t node;
     std::int32_t edge;  ///< of the outline
     // NOLINTNEXTLINE(modernize-use-nullptr): it is none
-    friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
+    friend auto operator<=>(const CandidatePair&, const CandidatePair&) = default;
 };
 
 /// Forces on a node that come from moving touches, found by node.
-struct TouchGather {
+struct NodeForces {
     std::int32_t node;
-    Range slots;  ///< into `TouchList::gathered_slots`
+    Range slots;  ///< into `ContactPairList::node_force_slots`
 };
 
 /// Touches side by side: all that most steps work on. What becomes of them is decided at reviews only.
-struct MovingTouches {
-    std::vector<std::int32_t> pair;                                       ///< in the list
-    std::vector<std::array<std::int32_t, 3>> nodes;                       ///< the node, first and second of the edge
-    std::vector<double> live;                                             ///< 1; 0 from the step in which it ended
-    std::vector<double> area, allowance, pressing, stretch, pull, place;  ///< of `Touch`, `TouchGeometry`
-    std::vector<Vector2> forces;                                          ///< [3] on the nodes, N
+struct ActiveContacts {
+    std::vector<std::int32_t> pair;                  ///< in the list
+    std::vector<std::array<std::int32_t, 3>> nodes;  ///< the node, first and second of the edge
+    std::vector<double> live;                        ///< 1; 0 from the step in which it ended
+    std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction,
+        place;                          ///< of `NodeEdgeContact`, `PairGeometry`
+    std::vector<Vector2> forces;        ///< [3] on the nodes, N
     std::vector<std::int32_t> count;    ///< by block; those of a block lie from its first awake pair on
     std::vector<std::uint8_t> changed;  ///< by block: the last review found others than were there before
 };
 
-struct TouchList {
-    std::vector<std::uint8_t> loose;     ///< [2 c] 1 once the point does not hold its nodes side by side any more
+struct ContactPairList {
+    std::vector<std::uint8_t> debonded;  ///< [2 c] 1 once the point does not hold its nodes side by side any more
     std::vector<std::uint8_t> released;  ///< [c] 1 once it is no contact any more
-    std::vector<TouchPair> pairs;        ///< ascending
-    std::vector<Touch> touches;       ///< [pairs] with their forces as of the last review or batch: `moving` is what steps change
-    std::vector<Vector2> forces;      ///< [3 pairs] on node, first and second node of the edge, N
-    std::vector<Range> groups;        ///< pairs of one node
-    std::vector<std::int32_t> awake;  ///< pairs that matter before the next look, ascending; the others have no forces
-    std::vector<Range> awake_groups;  ///< of them, of one node each
-    std::vector<Range> blocks;        ///< of `awake_groups`, that one thread works on at a time
-    std::int64_t review_interval = 1;  ///< steps, or parts of them, from one review to the next
-    MovingTouches moving;
-    std::vector<double> friction;                 ///< [blocks] dissipated since the last look, J
-    double friction_before = 0;                   ///< and before it, J
-    std::vector<TouchGather> gathers;             ///< ascending by node
-    std::vector<std::int32_t> gathered_slots;     ///< into `MovingTouches::forces`
-    std::vector<Range> gathers_of_block;          ///< by block of grains
-    std::vector<std::int32_t> gather_scratch;     ///< [n]
-    std::vector<Vector2> displacement_at_search;  ///< [n] m
-    bool wants_search = false;                    ///< something came loose or moved far since the last search
-    double way_unsearched = 0;                    ///< that the fastest node has gone since then at most, m
-    std::vector<double> taken;                    ///< [n] area of a node that touches take, at the last look, m²
-    std::int64_t next_check = 0;                  ///< step
+    std::vector<CandidatePair> pairs;    ///< ascending
+    std::vector<NodeEdgeContact>
+        contacts;                 ///< [pairs] with their forces as of the last review or batch: `active` is what steps change
+    std::vector<Vector2> forces;  ///< [3 pairs] on node, first and second node of the edge, N
+    std::vector<Range> groups;    ///< pairs of one node
+    std::vector<std::int32_t> watched;    ///< pairs that matter before the next look, ascending; the others have no forces
+    std::vector<Range> watched_groups;    ///< of them, of one node each
+    std::vector<Range> blocks;            ///< of `watched_groups`, that one thread works on at a time
+    std::int64_t detection_interval = 1;  ///< steps, or parts of them, from one review to the next
+    ActiveContacts active;
+    std::vector<double> friction;                  ///< [blocks] dissipated since the last look, J
+    double friction_before = 0;                    ///< and before it, J
+    std::vector<NodeForces> node_forces;           ///< ascending by node
+    std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
+    std::vector<Range> node_forces_of_block;       ///< by block of grains
+    std::vector<std::int32_t> node_force_scratch;  ///< [n]
+    std::vector<Vector2> displacement_at_search;   ///< [n] m
+    bool wants_rebuild = false;                    ///< something came loose or moved far since the last search
+    double travel_since_rebuild = 0;               ///< that the fastest node has gone since then at most, m
+    std::vector<double> occupied_area;             ///< [n] area of a node that touches take, at the last look, m²
+    std::int64_t next_check = 0;                   ///< step
 
-    [[nodiscard]] std::int32_t first_awake(std::int32_t block) const { return awake_groups[blocks[block].begin].begin; }
+    [[nodiscard]] std::int32_t first_watched(std::int32_t block) const { return watched_groups[blocks[block].begin].begin; }
     /// Calls `visit` with the place of each moving touch.
     template <class Visit>
-    void for_moving(Visit&& visit) const {
+    void for_active(Visit&& visit) const {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(blocks.size()); ++block) {
-            const std::int32_t begin = first_awake(block);
-            for (std::int32_t i = begin; i < begin + moving.count[block]; ++i) {
+            const std::int32_t begin = first_watched(block);
+            for (std::int32_t i = begin; i < begin + active.count[block]; ++i) {
                 visit(i);
             }
         }
@@ -90,6 +92,6 @@ struct TouchList {
 };
 
 /// An empty list; pre-existing cracks are found by the first search.
-TouchList make_touch_list(const Assemblage& assemblage);
+ContactPairList make_contact_pair_list(const Assemblage& assemblage);
 
 }  // namespace graincrack

@@ -9,7 +9,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.force.resize(a.position.size());
     s.last_force.resize(a.position.size());
     s.damping_load.mean_displacement.resize(a.position.size());
-    s.drag.resize(a.position.size());
+    s.damping_force_of_nodes.resize(a.position.size());
     s.touching.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
     s.points = PointMemories(2 * a.contacts.size());
@@ -17,17 +17,17 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.sliding.resize(2 * a.contacts.size());
     s.slip.resize(2 * a.contacts.size());
     s.failed.resize(2 * a.contacts.size());
-    s.spent.resize(2 * a.contacts.size());
-    s.cohesion_left.assign(2 * a.contacts.size(), 1);
+    s.residual.resize(2 * a.contacts.size());
+    s.integrity.assign(2 * a.contacts.size(), 1);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
             s.points.of(2 * c) = s.points.of(2 * c + 1) = broken_contact();
             s.failed[2 * c] = s.failed[2 * c + 1] = 1;  // and spent as soon as the law has seen them
-            s.cohesion_left[2 * c] = s.cohesion_left[2 * c + 1] = 0;
+            s.integrity[2 * c] = s.integrity[2 * c + 1] = 0;
         }
     }
     s.fracture_energy.resize(2 * a.contacts.size());
-    s.touches = make_touch_list(a);
+    s.contact_pairs = make_contact_pair_list(a);
     s.platen_points = boundary.platen_points;
     s.membrane_force.resize(boundary.membrane_edges.size());
     s.drives.nodes.resize(boundary.drives.nodes.size());

@@ -70,26 +70,26 @@ private:
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t integrations = 0;      ///< steps, or parts of them where they are made of parts
-    std::int64_t origin_step = 0;       ///< from which on the time step is what it is
-    double origin_time = 0;             ///< of that step, s
-    std::vector<Vector2> displacement;  ///< [n] m, at `time`
-    std::vector<Vector2> velocity;      ///< [n] m/s, half a step before `time`
-    std::vector<Vector2> force;         ///< [n] N, scratch of the node stage
-    std::vector<Vector2> last_force;    ///< [n] N, of the step before, for the rate of `force`
-    std::vector<Vector2> drag;          ///< [n] N, scratch of integration with mass scaling and of measurements
+    std::int64_t integrations = 0;                ///< steps, or parts of them where they are made of parts
+    std::int64_t origin_step = 0;                 ///< from which on the time step is what it is
+    double origin_time = 0;                       ///< of that step, s
+    std::vector<Vector2> displacement;            ///< [n] m, at `time`
+    std::vector<Vector2> velocity;                ///< [n] m/s, half a step before `time`
+    std::vector<Vector2> force;                   ///< [n] N, scratch of the node stage
+    std::vector<Vector2> last_force;              ///< [n] N, of the step before, for the rate of `force`
+    std::vector<Vector2> damping_force_of_nodes;  ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t>
         touching;  ///< [n] 1 + the platen it is on or close to (`group_reach`), else 0; scratch of the node stage
     std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
-    std::vector<double> cohesion_left;    ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
+    std::vector<double> integrity;        ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
     std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
-    std::vector<std::uint8_t> spent;      ///< [2 c] 1 once friction is all that is left of it (`is_spent`)
+    std::vector<std::uint8_t> residual;   ///< [2 c] 1 once friction is all that is left of it (`is_residual`)
     PointMemories points;                 ///< [2 c] what failed points remember besides; see `history_of`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
-    TouchList touches;
+    ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
     std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
     std::vector<GrainSums> grain_sums;              ///< by block of grains
@@ -99,7 +99,7 @@ struct State {
     GroupState groups;                              ///< with mass scaling
     DriveState drives;
     DampingLoad damping_load;
-    bool in_parts = false;  ///< mass scaling is over, see `StepParameters::parts`
+    bool subcycled = false;  ///< mass scaling is over, see `StepParameters::parts`
 };
 
 /// Time of a step, s.
@@ -111,7 +111,7 @@ inline double time_of(const State& state, std::int64_t step, double time_step) {
 inline ContactHistory history_of(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
-    history.cohesion_left = state.cohesion_left[point];
+    history.integrity = state.integrity[point];
     history.slip = state.slip[point];
     return history;
 }

@@ -22,7 +22,7 @@ struct StepParameters {
 };
 
 /// The parameters of the parts of a step, without mass scaling.
-inline StepParameters parameters_of_parts(const StepParameters& p) {
+inline StepParameters parameters_of_substeps(const StepParameters& p) {
     return {p.law, p.time_step / static_cast<double>(p.parts), p.damping, p.damping_form, {}, 1};
 }
 

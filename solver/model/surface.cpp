@@ -13,14 +13,14 @@ constexpr std::int32_t several = -2;
 void remember(std::int32_t& place, std::int32_t edge) { place = place == none ? edge : several; }
 
 /// Neighbours along the outline, where a node begins and ends one edge only (where a grain pinches there is no single one).
-void link(std::vector<OutlineEdge>& edges, std::size_t n_nodes) {
+void link(std::vector<SurfaceEdge>& edges, std::size_t n_nodes) {
     std::vector<std::int32_t> begins(n_nodes, none);
     std::vector<std::int32_t> ends(n_nodes, none);
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(edges.size()); ++e) {
         remember(begins[edges[e].nodes[0]], e);
         remember(ends[edges[e].nodes[1]], e);
     }
-    for (OutlineEdge& edge : edges) {
+    for (SurfaceEdge& edge : edges) {
         edge.previous = std::max(ends[edge.nodes[0]], none);
         edge.next = std::max(begins[edge.nodes[1]], none);
     }
@@ -28,8 +28,8 @@ void link(std::vector<OutlineEdge>& edges, std::size_t n_nodes) {
 
 }  // namespace
 
-Outline make_outline(const Specimen& s, const std::vector<std::int32_t>& node_of_specimen) {
-    Outline o;
+GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& node_of_specimen) {
+    GrainSurface o;
     const std::size_t n = s.n_nodes();
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     o.grain_of_node.resize(n);
@@ -39,7 +39,7 @@ Outline make_outline(const Specimen& s, const std::vector<std::int32_t>& node_of
     o.tributary.assign(n, 0.0);
     o.edge_begin.assign(n + 1, 0);
     const auto add = [&](std::int32_t from, std::int32_t to, std::int32_t contact) {
-        const OutlineEdge edge{{node_of_specimen[from], node_of_specimen[to]}, grain[from], contact, none, none};
+        const SurfaceEdge edge{{node_of_specimen[from], node_of_specimen[to]}, grain[from], contact, none, none};
         const double edge_length =
             std::hypot(s.node_position[to][0] - s.node_position[from][0], s.node_position[to][1] - s.node_position[from][1]);
         o.mean_length += edge_length;

@@ -10,7 +10,7 @@
 namespace graincrack {
 
 /// An edge of a grain's outline, counter-clockwise: solid on the left.
-struct OutlineEdge {
+struct SurfaceEdge {
     std::array<std::int32_t, 2> nodes;  ///< internal indices
     std::int32_t grain;
     std::int32_t contact;   ///< whose side it is, −1 on a free face
@@ -18,8 +18,8 @@ struct OutlineEdge {
     std::int32_t next;      ///< edge of the same grain that begins at nodes[1], likewise
 };
 
-struct Outline {
-    std::vector<OutlineEdge> edges;           ///< sides a and b of contact c are 2 c and 2 c + 1; then the free faces
+struct GrainSurface {
+    std::vector<SurfaceEdge> edges;           ///< sides a and b of contact c are 2 c and 2 c + 1; then the free faces
     std::vector<std::int32_t> grain_of_node;  ///< [n] −1 for a node of no element
     std::vector<std::int32_t> edge_begin;     ///< [n + 1] into `edges_of_node`
     std::vector<std::int32_t> edges_of_node;  ///< outline edges that begin or end at a node
@@ -30,6 +30,6 @@ struct Outline {
 /// The outline of a validated specimen whose nodes have the internal indices `node_of_specimen`. A node stands for half the mean
 /// of the two edges it ends: with another node of a flush face opposite, that is what a bonded contact has for each of its two
 /// points.
-Outline make_outline(const Specimen& specimen, const std::vector<std::int32_t>& node_of_specimen);
+GrainSurface make_surface(const Specimen& specimen, const std::vector<std::int32_t>& node_of_specimen);
 
 }  // namespace graincrack

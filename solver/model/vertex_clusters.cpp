@@ -94,15 +94,15 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
     }
     for (std::int32_t point = 0; point < 2 * a.n_contacts(); ++point) {
         const auto& nodes = a.contacts[point / 2].nodes;
-        m.ties.push_back({member_of_node[nodes[point % 2]], member_of_node[nodes[2 + point % 2]], point,
-                          group_reach * 2 * a.contacts[point / 2].point_area});
+        m.links.push_back({member_of_node[nodes[point % 2]], member_of_node[nodes[2 + point % 2]], point,
+                           group_reach * 2 * a.contacts[point / 2].point_area});
     }
-    const auto group_of_tie = [&](const MassScaling::Tie& tie) { return group_of_node[m.members[tie.first]]; };
-    std::stable_sort(m.ties.begin(), m.ties.end(),
-                     [&](const MassScaling::Tie& l, const MassScaling::Tie& r) { return group_of_tie(l) < group_of_tie(r); });
+    const auto group_of_link = [&](const MassScaling::Link& tie) { return group_of_node[m.members[tie.first]]; };
+    std::stable_sort(m.links.begin(), m.links.end(),
+                     [&](const MassScaling::Link& l, const MassScaling::Link& r) { return group_of_link(l) < group_of_link(r); });
     m.groups = ranges_of_groups(a.n_nodes(), n_groups, [&](std::int32_t i) { return group_of_node[m.members[i]]; });
-    m.ties_of_group = ranges_of_groups(static_cast<std::int32_t>(m.ties.size()), n_groups,
-                                       [&](std::int32_t t) { return group_of_tie(m.ties[t]); });
+    m.links_of_group = ranges_of_groups(static_cast<std::int32_t>(m.links.size()), n_groups,
+                                        [&](std::int32_t t) { return group_of_link(m.links[t]); });
     cut_blocks(m);
     for (const std::int32_t node : m.members) {
         m.mass.insert(m.mass.end(), 2, a.mass[node]);

@@ -41,16 +41,16 @@ inline constexpr std::int32_t members_per_block = 256;
 /// Constant data of the scaling. Default: none.
 struct MassScaling {
     /// A contact point that joins two members.
-    struct Tie {
+    struct Link {
         std::int32_t first, second;  ///< members
         std::int32_t point;          ///< 2 c + p
         double reach;                ///< opening up to which it holds them once it has separated, m
     };
     double factor = 0;                  ///< β; 0: masses are as they are
     std::vector<std::int32_t> members;  ///< [n] all nodes, group by group
-    std::vector<Tie> ties;              ///< group by group
+    std::vector<Link> links;            ///< group by group
     std::vector<Range> groups;          ///< of members
-    std::vector<Range> ties_of_group;
+    std::vector<Range> links_of_group;
     std::vector<Range> blocks;  ///< of groups, that one thread works on at a time; at most `members_per_block` members each
     /// Masses of members, each twice: of x and of y.
     std::vector<double> mass, inverse_mass;
@@ -68,31 +68,32 @@ MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 /// Energies summed over a block of groups since the start, J.
 struct GroupSums {
     double damping = 0;
-    double shed = 0;         ///< kinetic energy that changes of groups took away
-    double platen_work = 0;  ///< done on the added mass that platens hold
+    double regrouping_loss = 0;  ///< kinetic energy that changes of groups took away
+    double platen_work = 0;      ///< done on the added mass that platens hold
 };
 
 /// A member that a platen holds.
-struct HeldMember {
-    std::int32_t place;   ///< within the block
-    std::uint8_t holder;  ///< see `GroupState::holder`
+struct ConstrainedMember {
+    std::int32_t place;                ///< within the block
+    std::uint8_t constraining_platen;  ///< see `GroupState::constraining_platen`
 };
 
 /// Who is held together now.
 struct GroupState {
-    std::vector<std::uint8_t> tied;       ///< [tie] 1 while the point holds its nodes together
+    std::vector<std::uint8_t> linked;     ///< [tie] 1 while the point holds its nodes together
     std::vector<std::uint8_t> supported;  ///< [member] `State::touching` of the node
-    std::vector<std::uint8_t> holder;     ///< [member] of the component it is the first of: 1 + its platen, 0 if none holds it
+    std::vector<std::uint8_t>
+        constraining_platen;              ///< [member] of the component it is the first of: 1 + its platen, 0 if none holds it
     std::vector<std::int32_t> component;  ///< [member] first member of those it is held together with
     std::vector<double> inverse_mass;     ///< [member] of the component it is the first of; 0 if a platen holds that, 1/kg
     std::vector<std::uint8_t> whole;      ///< [group] 1 while all of its members are held together
     std::vector<GroupSums> sums;          ///< by block
 
     // Found by `complete_group_state`: who is held, and where groups may change.
-    std::vector<std::vector<HeldMember>> held;              ///< by block
-    std::vector<std::int32_t> block_of_point;               ///< [2 c]
-    std::vector<std::uint8_t> cracked;                      ///< by block: 1 once a point of it has failed
-    std::vector<std::vector<std::int32_t>> platen_members;  ///< by block: members that platens may touch
+    std::vector<std::vector<ConstrainedMember>> constrained;  ///< by block
+    std::vector<std::int32_t> block_of_point;                 ///< [2 c]
+    std::vector<std::uint8_t> cracked;                        ///< by block: 1 once a point of it has failed
+    std::vector<std::vector<std::int32_t>> platen_members;    ///< by block: members that platens may touch
     /// To be told by whatever thread sees a point fail.
     void note_failure(std::size_t point) {
         if (!block_of_point.empty()) {
@@ -100,13 +101,13 @@ struct GroupState {
         }
     }
 };
-/// Velocities of the platens, by `GroupState::holder`.
+/// Velocities of the platens, by `GroupState::constraining_platen`.
 class PlatenVelocities {
 public:
     /// As node velocities: half a step before now.
     PlatenVelocities(const StepLoading& loading, double time_step)
         : velocity_{Vector2{}, {0, loading.increment_before[0] / time_step}, {0, loading.increment_before[1] / time_step}} {}
-    [[nodiscard]] const Vector2& operator[](std::uint8_t holder) const { return velocity_[holder]; }
+    [[nodiscard]] const Vector2& operator[](std::uint8_t constraining_platen) const { return velocity_[constraining_platen]; }
 
 private:
     std::array<Vector2, 3> velocity_;

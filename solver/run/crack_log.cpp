@@ -27,7 +27,7 @@ Crack make_crack(const ContactEvent& event, double length, double time) {
 
 }  // namespace
 
-void CrackCatalogue::collect(const Assemblage& a, double time_step, State& state) {
+void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
     std::vector<ContactEvent> events;
     for (std::vector<ContactEvent>& block : state.events) {
         events.insert(events.end(), block.begin(), block.end());
@@ -51,7 +51,7 @@ void CrackCatalogue::collect(const Assemblage& a, double time_step, State& state
     }
 }
 
-void CrackCatalogue::restore(const std::vector<Crack>& rows) {
+void CrackLog::restore(const std::vector<Crack>& rows) {
     cracks_ = rows;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         crack_of_point_[2 * static_cast<std::size_t>(rows[i].contact) + rows[i].point] = static_cast<std::int32_t>(i);
@@ -59,7 +59,7 @@ void CrackCatalogue::restore(const std::vector<Crack>& rows) {
     }
 }
 
-std::vector<Crack> CrackCatalogue::rows(const State& state) const {
+std::vector<Crack> CrackLog::rows(const State& state) const {
     std::vector<Crack> rows = cracks_;
     for (Crack& crack : rows) {
         crack.energy_released = state.fracture_energy[2 * static_cast<std::size_t>(crack.contact) + crack.point];

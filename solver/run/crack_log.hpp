@@ -9,9 +9,9 @@
 
 namespace graincrack {
 
-class CrackCatalogue {
+class CrackLog {
 public:
-    explicit CrackCatalogue(std::size_t n_points) : crack_of_point_(n_points, -1) {}
+    explicit CrackLog(std::size_t n_points) : crack_of_point_(n_points, -1) {}
     /// Takes the events of all blocks, in the order of step, contact and point, and clears them.
     void collect(const Assemblage& assemblage, double time_step, State& state);
     /// Goes on from the rows of an earlier run.

@@ -6,10 +6,10 @@
 
 namespace graincrack {
 
-FrameKeeper::FrameKeeper(int wanted, double first_interval, RunWriter& writer)
+FrameOutput::FrameOutput(int wanted, double first_interval, RunWriter& writer)
     : wanted_(wanted), interval_(first_interval), writer_(writer) {}
 
-void FrameKeeper::regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
+void FrameOutput::regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
     if (wanted_ == 0 || strain < next_) {
         return;
     }
@@ -23,7 +23,7 @@ void FrameKeeper::regular(double strain, const Assemblage& a, const ContactLaw& 
     next_ = interval_ * (std::floor(strain / interval_) + 1);
 }
 
-void FrameKeeper::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaw& law, const State& state) {
+void FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaw& law, const State& state) {
     if (wanted_ == 0) {
         return;
     }
@@ -35,7 +35,7 @@ void FrameKeeper::peak(bool is_highest, bool has_fallen, const Assemblage& a, co
     }
 }
 
-void FrameKeeper::last(const Assemblage& a, const ContactLaw& law, const State& state) {
+void FrameOutput::last(const Assemblage& a, const ContactLaw& law, const State& state) {
     if (peak_ && peak_->step < state.step) {
         writer_.add_frame(*peak_, true);
     }

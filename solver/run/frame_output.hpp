@@ -10,11 +10,11 @@
 namespace graincrack {
 
 /// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
-class FrameKeeper {
+class FrameOutput {
 public:
     /// \param wanted at least so many evenly spaced frames, 0 for none; in the end there are up to twice as many
     /// \param first_interval of strain, doubled whenever there are too many
-    FrameKeeper(int wanted, double first_interval, RunWriter& writer);
+    FrameOutput(int wanted, double first_interval, RunWriter& writer);
     /// Adds a frame when the strain has come to the next interval.
     void regular(double strain, const Assemblage& assemblage, const ContactLaw& law, const State& state);
     /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.

@@ -58,15 +58,15 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
     return nodes;
 }
 
-/// Damping at this instant, into `drag`.
-void find_drag(const Assemblage& a, const StepParameters& parameters, State& s) {
+/// Damping at this instant, into `damping_force_of_nodes`.
+void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
         update_groups(a, parameters, s.loading, block, s);
         damp_groups(a, parameters, s.loading, block, s);
     }
-    for (std::size_t i = 0; i < s.drag.size() && !scaling.is_on(); ++i) {
-        s.drag[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
+    for (std::size_t i = 0; i < s.damping_force_of_nodes.size() && !scaling.is_on(); ++i) {
+        s.damping_force_of_nodes[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
     }
 }
 
@@ -75,7 +75,8 @@ double kinetic_energy(const Assemblage& a, const StepParameters& parameters, con
     for (const GrainBlock& block : a.grain_blocks) {
         double sum = 0;
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.drag[i]);
+            const Vector2 next =
+                s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.damping_force_of_nodes[i]);
             sum += a.mass[i] * dot(s.velocity[i], next);
             unbalanced += length(s.force[i]);
         }
@@ -88,7 +89,7 @@ double damping_half_work(const Assemblage& a, const StepParameters& parameters, 
     double absorbed = 0;
     for (const GrainBlock& block : a.grain_blocks) {
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            absorbed -= dot(s.drag[i], s.velocity[i]);
+            absorbed -= dot(s.damping_force_of_nodes[i], s.velocity[i]);
         }
     }
     return 0.5 * parameters.time_step * absorbed;
@@ -110,14 +111,15 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
 
 void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.released[c] != 0) {
+        if (s.contact_pairs.released[c] != 0) {
             continue;
         }
         energies.contact +=
             a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
     }
-    energies.contact += stored_in_touches(law, s.touches);
-    energies.friction += std::accumulate(s.touches.friction.begin(), s.touches.friction.end(), s.touches.friction_before);
+    energies.contact += stored_in_active_contacts(law, s.contact_pairs);
+    energies.friction +=
+        std::accumulate(s.contact_pairs.friction.begin(), s.contact_pairs.friction.end(), s.contact_pairs.friction_before);
     for (const ContactSums& sums : s.contact_sums) {
         energies.fracture_tension += sums.fracture_tension;
         energies.fracture_shear += sums.fracture_shear;
@@ -180,8 +182,8 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
 }
 
 Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& whole, State& s) {
-    const StepParameters of_parts = parameters_of_parts(whole);
-    const StepParameters& parameters = s.in_parts ? of_parts : whole;
+    const StepParameters of_substeps = parameters_of_substeps(whole);
+    const StepParameters& parameters = s.subcycled ? of_substeps : whole;
     Measurement m;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
         sum_nodal_forces(a, boundary, s.loading, block, false, s);
@@ -189,7 +191,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     double unbalanced = 0;
     double element_force = 0;
     m.energies.strain = strain_energy(a, s, element_force);
-    find_drag(a, parameters, s);
+    find_damping_forces(a, parameters, s);
     m.own_kinetic = kinetic_energy(a, parameters, s, unbalanced);
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
@@ -197,7 +199,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
     for (const GroupSums& sums : s.groups.sums) {
-        m.energies.damping += sums.damping + sums.shed;
+        m.energies.damping += sums.damping + sums.regrouping_loss;
         m.energies.external += sums.platen_work;
     }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
@@ -224,17 +226,17 @@ double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) 
             const double opening = s.opening[i];
             const double sliding = s.sliding[i];
             if (s.failed[i] == 0) {
-                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.cohesion_left[i]};
+                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
                 near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
-            } else if (opening < 0 && s.touches.released[i / 2] == 0) {
+            } else if (opening < 0 && s.contact_pairs.released[i / 2] == 0) {
                 const double limit = contact_law::friction_limit(law, {opening, sliding});
                 near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
             }
         }
     });
-    for (const Touch& touch : s.touches.touches) {
-        const double limit = law.kt * touch.pressing * law.tan_phi;
-        near += touch.active && touch.pressing > 0 && std::abs(law.ks * touch.stretch) >= near_friction * limit ? 1 : 0;
+    for (const NodeEdgeContact& touch : s.contact_pairs.contacts) {
+        const double limit = law.kt * touch.overlap * law.tan_phi;
+        near += touch.active && touch.overlap > 0 && std::abs(law.ks * touch.elastic_slip) >= near_friction * limit ? 1 : 0;
     }
     const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));
     return std::min(1.0, static_cast<double>(near) / half_a_line);
@@ -257,7 +259,7 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         const ContactHistory h0 = history_of(s, 2 * c);
         const ContactHistory h1 = history_of(s, 2 * c + 1);
-        const bool released = s.touches.released[c] != 0;  // what it carries are touches
+        const bool released = s.contact_pairs.released[c] != 0;  // what it carries are touches
         const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
         const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;
         frame.opening.push_back({h0.motion.opening, h1.motion.opening});

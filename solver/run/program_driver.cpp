@@ -13,7 +13,7 @@ namespace graincrack {
 namespace {
 
 constexpr double history_rows = 8000;  // of the longest time: as of a test
-constexpr std::int64_t least_steps = 10;
+constexpr std::int64_t min_steps = 10;
 
 template <class T>
 std::vector<double> column_of(const std::vector<StageRecord>& records, T StageRecord::*member) {
@@ -28,7 +28,7 @@ std::vector<std::string> words_of(const std::vector<StageRecord>& records, std::
 }
 
 /// What a program began with that went on from another run.
-void write_start(H5Output& file, const ConductorState& start) {
+void write_start(H5Output& file, const StageControllerState& start) {
     const std::string group = schema::program_group;
     file.attribute(group, "start_controls", start.names);
     file.attribute(group, "start_control_values", start.values);
@@ -36,57 +36,58 @@ void write_start(H5Output& file, const ConductorState& start) {
     file.attribute(group, "start_mean_compression", start.mean_compression);
 }
 
-std::optional<ConductorState> read_start(const H5Input& file) {
+std::optional<StageControllerState> read_start(const H5Input& file) {
     const std::string group = schema::program_group;
     const double speed = file.attribute_or<double>(group, "start_platen_speed", NAN);
     if (std::isnan(speed)) {
         return std::nullopt;
     }
-    return ConductorState{file.attribute<std::vector<std::string>>(group, "start_controls"),
-                          file.attribute<std::vector<double>>(group, "start_control_values"), speed,
-                          file.attribute<double>(group, "start_mean_compression")};
+    return StageControllerState{file.attribute<std::vector<std::string>>(group, "start_controls"),
+                                file.attribute<std::vector<double>>(group, "start_control_values"), speed,
+                                file.attribute<double>(group, "start_mean_compression")};
 }
 
 }  // namespace
 
 std::int64_t program_batch_steps(const Program& program, double time_step) {
     const double interval = program.row_interval.value_or(program.longest_time() / history_rows);
-    return std::max<std::int64_t>(program.row_interval ? 1 : least_steps, std::llround(interval / time_step));
+    return std::max<std::int64_t>(program.row_interval ? 1 : min_steps, std::llround(interval / time_step));
 }
 
 ProgramDriver::ProgramDriver(const Program& program, const Assemblage& assemblage, const Specimen& specimen, const Rock& rock)
-    : program_(program), conductor_(program, specimen, rock), probes_(program, assemblage, specimen) {}
+    : program_(program), stage_controller_(program, specimen, rock), probes_(program, assemblage, specimen) {}
 
 template <class Act>
 void ProgramDriver::with_feedback(const RunView& view, Act&& act) {
     const std::function<double(const std::string&, std::size_t)> probe = [this](const std::string& name, std::size_t column) {
         return probes_.last(name, column);
     };
-    act(ConductorFeedback{view.state.time, view.history, probe});
+    act(StageFeedback{view.state.time, view.history, probe});
 }
 
 std::int64_t ProgramDriver::batch_steps(double time_step) const { return program_batch_steps(program_, time_step); }
 
 BatchLoading ProgramDriver::next(const RunView& view, double duration) {
     BatchLoading batch;
-    with_feedback(view, [&](const ConductorFeedback& feedback) { batch = conductor_.next(feedback, duration); });
+    with_feedback(view, [&](const StageFeedback& feedback) { batch = stage_controller_.next(feedback, duration); });
     return batch;
 }
 
 void ProgramDriver::note(const RunView& view) {
     probes_.record(view.assemblage, view.boundary, view.state);
-    with_feedback(view,
-                  [&](const ConductorFeedback& feedback) { begun_ ? conductor_.judge(feedback) : conductor_.begin(feedback); });
+    with_feedback(view, [&](const StageFeedback& feedback) {
+        begun_ ? stage_controller_.check_stage_end(feedback) : stage_controller_.begin(feedback);
+    });
     begin_ = begun_ ? begin_ : view.state.time;
     begun_ = true;
 }
 
-void ProgramDriver::resume(const ConductorState& state) {
-    conductor_.resume(state);
+void ProgramDriver::resume(const StageControllerState& state) {
+    stage_controller_.resume(state);
     started_from_ = state;
 }
 
-void ProgramDriver::go_on(const ConductorState& /*state*/, const RunReader& checkpoint, double time_step) {
+void ProgramDriver::go_on(const StageControllerState& /*state*/, const RunReader& checkpoint, double time_step) {
     const H5Input& file = checkpoint.file();
     if (file.attribute_or<std::string>(schema::program_group, "text", "") != program_.text) {
         throw InputError(checkpoint.name() + ": is the checkpoint of another program than " + program_.file +
@@ -107,10 +108,10 @@ void ProgramDriver::go_on(const ConductorState& /*state*/, const RunReader& chec
         for (std::size_t c = 0; c < so_far.columns.size(); ++c) {
             so_far.columns[c].push_back(rows.columns[c][row]);
         }
-        const ConductorFeedback feedback{rows[HistoryColumn::time][row], so_far, probe};
-        row == 0 ? conductor_.begin(feedback) : conductor_.judge(feedback);
+        const StageFeedback feedback{rows[HistoryColumn::time][row], so_far, probe};
+        row == 0 ? stage_controller_.begin(feedback) : stage_controller_.check_stage_end(feedback);
         if (row + 1 < rows.size()) {
-            conductor_.next(feedback, duration);
+            stage_controller_.next(feedback, duration);
         }
     }
     begun_ = true;
@@ -118,7 +119,7 @@ void ProgramDriver::go_on(const ConductorState& /*state*/, const RunReader& chec
 }
 
 std::string ProgramDriver::stop_reason(const RunView& view) const {
-    if (conductor_.finished()) {
+    if (stage_controller_.finished()) {
         return "end of the program";
     }
     return program_.platens && std::abs(view.axial_strain) >= program_.platens->max_strain ? "strain cap" : "";
@@ -127,15 +128,15 @@ std::string ProgramDriver::stop_reason(const RunView& view) const {
 double ProgramDriver::progress(const RunView& view) const { return (view.state.time - begin_) / program_.longest_time(); }
 
 void ProgramDriver::complete(RunHeader& header, double time) {
-    header.platen_speed = conductor_.platen_speed();
-    conductor_.close(time, header.stop_reason);
+    header.platen_speed = stage_controller_.platen_speed();
+    stage_controller_.close(time, header.stop_reason);
 }
 
 void ProgramDriver::append(H5Output& file, std::size_t first) const { append_probes(file, probes_.histories(), first); }
 
 void ProgramDriver::write(H5Output& file) const {
     const std::string group = schema::program_group;
-    const std::vector<StageRecord>& records = conductor_.records();
+    const std::vector<StageRecord>& records = stage_controller_.records();
     file.create_group(group);
     file.attribute(group, "name", program_.name);
     file.attribute(group, "text", program_.text);

@@ -17,13 +17,13 @@ public:
     void note(const RunView& view) override;
     [[nodiscard]] std::string stop_reason(const RunView& view) const override;
     [[nodiscard]] bool counts() const override { return true; }
-    [[nodiscard]] double platen_speed() const override { return conductor_.platen_speed(); }
+    [[nodiscard]] double platen_speed() const override { return stage_controller_.platen_speed(); }
     [[nodiscard]] double progress(const RunView& view) const override;
     void complete(RunHeader& header, double time) override;
-    [[nodiscard]] ConductorState saved(double time) const override { return conductor_.state(time); }
-    void resume(const ConductorState& state) override;
+    [[nodiscard]] StageControllerState saved(double time) const override { return stage_controller_.state(time); }
+    void resume(const StageControllerState& state) override;
     /// Leads the conductor through the checkpoint's rows again: what it decides follows from them alone.
-    void go_on(const ConductorState& state, const RunReader& checkpoint, double time_step) override;
+    void go_on(const StageControllerState& state, const RunReader& checkpoint, double time_step) override;
     void append(H5Output& file, std::size_t first) const override;
     void write(H5Output& file) const override;
 
@@ -32,9 +32,9 @@ private:
     void with_feedback(const RunView& view, Act&& act);
 
     const Program& program_;
-    Conductor conductor_;
+    StageController stage_controller_;
     Probes probes_;
-    std::optional<ConductorState> started_from_;
+    std::optional<StageControllerState> started_from_;
     bool begun_ = false;
     double begin_ = 0;  ///< s
 };

@@ -40,15 +40,15 @@ public:
             header.platen_speed = loading_.mean_speed(time);
         }
     }
-    [[nodiscard]] ConductorState saved(double /*time*/) const override {
-        ConductorState state{{}, {}, loading_.platen_speed(), 0};
+    [[nodiscard]] StageControllerState saved(double /*time*/) const override {
+        StageControllerState state{{}, {}, loading_.platen_speed(), 0};
         Loading::visit_state(loading_, [&state](const char* name, const auto& value) {
             state.names.emplace_back(name);
             state.values.push_back(static_cast<double>(value));
         });
         return state;
     }
-    void resume(const ConductorState& state) override {
+    void resume(const StageControllerState& state) override {
         Loading::visit_state(loading_, [&state](const char* name, auto& value) {
             const auto at = std::find(state.names.begin(), state.names.end(), name);
             if (at == state.names.end()) {
@@ -58,7 +58,9 @@ public:
             value = static_cast<std::decay_t<decltype(value)>>(state.values[static_cast<std::size_t>(at - state.names.begin())]);
         });
     }
-    void go_on(const ConductorState& state, const RunReader& /*checkpoint*/, double /*time_step*/) override { resume(state); }
+    void go_on(const StageControllerState& state, const RunReader& /*checkpoint*/, double /*time_step*/) override {
+        resume(state);
+    }
     void append(H5Output& /*file*/, std::size_t /*first*/) const override {}
     void write(H5Output& /*file*/) const override {}
 

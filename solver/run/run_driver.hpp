@@ -44,11 +44,11 @@ public:
     /// Fills in what it knows of a run that ended for `header.stop_reason`.
     virtual void complete(RunHeader& header, double time) = 0;
     /// Where it is, and going on from where another one was, before the first row.
-    [[nodiscard]] virtual ConductorState saved(double time) const = 0;
-    virtual void resume(const ConductorState& state) = 0;
+    [[nodiscard]] virtual StageControllerState saved(double time) const = 0;
+    virtual void resume(const StageControllerState& state) = 0;
     /// Or from where a checkpoint of this very run left it, whose rows have been then (of a test all but the last).
     /// \throws InputError for a checkpoint of another program
-    virtual void go_on(const ConductorState& state, const RunReader& checkpoint, double time_step) = 0;
+    virtual void go_on(const StageControllerState& state, const RunReader& checkpoint, double time_step) = 0;
     /// What the run file gets of its rows from `first` on, besides the history.
     virtual void append(H5Output& file, std::size_t first) const = 0;
     /// And at the end.

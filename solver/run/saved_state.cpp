@@ -39,14 +39,14 @@ void visit_members(T& r, Act&& act) {
 template <Is<ContactHistory> T, class Act>
 void visit_members(T& h, Act&& act) {
     visit_all(act, h.motion.opening, h.motion.sliding, h.max_displacement, h.peak_displacement, h.largest_open, h.largest_slid,
-              h.slip, h.cohesion_left, h.friction_share, h.failed_open, h.failed_closed, h.separated);
+              h.slip, h.integrity, h.friction_share, h.failed_open, h.failed_closed, h.separated);
     act(h.first_mode);
 }
-template <Is<Touch> T, class Act>
+template <Is<NodeEdgeContact> T, class Act>
 void visit_members(T& t, Act&& act) {
-    visit_all(act, t.active, t.near_first, t.area, t.allowance, t.pressing, t.stretch, t.pull);
+    visit_all(act, t.active, t.near_first, t.area, t.initial_overlap, t.overlap, t.elastic_slip, t.release_correction);
 }
-template <Is<TouchPair> T, class Act>
+template <Is<CandidatePair> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.edge);
 }
@@ -64,7 +64,7 @@ void visit_members(T& s, Act&& act) {
 }
 template <Is<GroupSums> T, class Act>
 void visit_members(T& s, Act&& act) {
-    visit_all(act, s.damping, s.shed, s.platen_work);
+    visit_all(act, s.damping, s.regrouping_loss, s.platen_work);
 }
 
 /// Every array of a state that the next step needs and cannot find anew.
@@ -77,27 +77,27 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("contact_slots", s.contact_force);
     visit("opening", s.opening);
     visit("sliding", s.sliding);
-    visit("cohesion_left", s.cohesion_left);
+    visit("cohesion_left", s.integrity);
     visit("slip", s.slip);
     visit("failed", s.failed);
-    visit("spent", s.spent);
+    visit("spent", s.residual);
     visit("fracture_energy", s.fracture_energy);
     visit("platen_points", s.platen_points);
     visit("grain_sums", s.grain_sums);
     visit("contact_sums", s.contact_sums);
-    visit("touch_loose", s.touches.loose);
-    visit("touch_released", s.touches.released);
-    visit("touch_pairs", s.touches.pairs);
-    visit("touches", s.touches.touches);
-    visit("touch_forces", s.touches.forces);
-    visit("touch_groups", s.touches.groups);
-    visit("touch_awake", s.touches.awake);
-    visit("touch_awake_groups", s.touches.awake_groups);
-    visit("touch_blocks", s.touches.blocks);
-    visit("touch_friction", s.touches.friction);
-    visit("touch_displacement_at_search", s.touches.displacement_at_search);
-    visit("touch_area_taken", s.touches.taken);
-    visit("group_tied", s.groups.tied);
+    visit("touch_loose", s.contact_pairs.debonded);
+    visit("touch_released", s.contact_pairs.released);
+    visit("touch_pairs", s.contact_pairs.pairs);
+    visit("touches", s.contact_pairs.contacts);
+    visit("touch_forces", s.contact_pairs.forces);
+    visit("touch_groups", s.contact_pairs.groups);
+    visit("touch_awake", s.contact_pairs.watched);
+    visit("touch_awake_groups", s.contact_pairs.watched_groups);
+    visit("touch_blocks", s.contact_pairs.blocks);
+    visit("touch_friction", s.contact_pairs.friction);
+    visit("touch_displacement_at_search", s.contact_pairs.displacement_at_search);
+    visit("touch_area_taken", s.contact_pairs.occupied_area);
+    visit("group_tied", s.groups.linked);
     visit("group_supported", s.groups.supported);
     visit("group_component", s.groups.component);
     visit("group_inverse_mass", s.groups.inverse_mass);
@@ -112,12 +112,12 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("integrations", s.integrations);
     visit("origin_step", s.origin_step);
     visit("origin_time", s.origin_time);
-    visit("touch_friction_before", s.touches.friction_before);
-    visit("touch_next_check", s.touches.next_check);
-    visit("touch_wants_search", s.touches.wants_search);
-    visit("touch_way_unsearched", s.touches.way_unsearched);
-    visit("touch_review_interval", s.touches.review_interval);
-    visit("in_parts", s.in_parts);
+    visit("touch_friction_before", s.contact_pairs.friction_before);
+    visit("touch_next_check", s.contact_pairs.next_check);
+    visit("touch_wants_search", s.contact_pairs.wants_rebuild);
+    visit("touch_way_unsearched", s.contact_pairs.travel_since_rebuild);
+    visit("touch_review_interval", s.contact_pairs.detection_interval);
+    visit("in_parts", s.subcycled);
     visit("platen_displacement_bottom", s.loading.platen_displacement[bottom_platen]);
     visit("platen_displacement_top", s.loading.platen_displacement[top_platen]);
     visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
@@ -205,9 +205,9 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
 }
 
 double stored_in_contacts(const Assemblage& a, const StepParameters& parameters, const State& s) {
-    double energy = stored_in_touches(parameters.law, s.touches);
+    double energy = stored_in_active_contacts(parameters.law, s.contact_pairs);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.touches.released[c] == 0) {
+        if (s.contact_pairs.released[c] == 0) {
             energy += a.contacts[c].point_area * (stored_energy(parameters.law, history_of(s, 2 * c)) +
                                                   stored_energy(parameters.law, history_of(s, 2 * c + 1)));
         }
@@ -227,7 +227,7 @@ void book_change(const RunHeader& old, const Setup& setup, State& s) {
 
 }  // namespace
 
-void write_saved_state(H5Output& file, const State& state, const ConductorState& leader, double energy_imbalance) {
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& leader, double energy_imbalance) {
     const std::string group = schema::state_group;
     file.create_group(group);
     visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
@@ -266,7 +266,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         }
     }
     complete_group_state(setup.parameters.mass_scaling, s);
-    take_up_touches(setup.assemblage, s.touches);
+    load_active(setup.assemblage, s.contact_pairs);
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     const RunHeader& old = run.header();

@@ -70,7 +70,7 @@ public:
           transit_time_(specimen.height / std::sqrt(request.material.rock.young_modulus / request.material.rock.density)),
           driver_(make_run_driver(request, assemblage_, specimen)),
           state_(make_state(assemblage_, boundary_, specimen)),
-          catalogue_(state_.failed.size()),
+          crack_log_(state_.failed.size()),
           header_(make_header(request)),
           progress_(label, verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
@@ -87,7 +87,7 @@ public:
         }
         if (!request.restart.empty()) {
             const SavedState saved = read_saved_state(request.restart, specimen, request, setup_);
-            take_over(saved);
+            release_contacts(saved);
             if (request.program && !is_checkpoint(request.restart)) {
                 driver_->resume(saved.leader);
             } else {
@@ -137,12 +137,12 @@ public:
         if (request_.save_state) {
             write_saved_state(writer_->file(), state_, driver_->saved(state_.time), largest_imbalance_);
         }
-        writer_->finish(header_, catalogue_.rows(state_), provenance, sensitivity);
+        writer_->finish(header_, crack_log_.rows(state_), provenance, sensitivity);
         if (checkpoint_clock_) {
             std::remove(checkpoint_.c_str());
         }
     }
-    [[nodiscard]] const CrackCatalogue& catalogue() const { return catalogue_; }
+    [[nodiscard]] const CrackLog& crack_log() const { return crack_log_; }
     [[nodiscard]] TestOutcome outcome() const { return {header_, history_}; }
     [[nodiscard]] int threads() const { return team_.size(); }
 
@@ -163,12 +163,12 @@ private:
         Provenance provenance;
         provenance.tool = "graincrack-solve";
         provenance.threads = team_.size();
-        writer.finish(header, catalogue_.rows(state_), provenance);
+        writer.finish(header, crack_log_.rows(state_), provenance);
     }
 
     /// Goes on where this very run was. The last row of a test comes again, from the same state, and with it what the rate
     /// follows; that of a program stands, with the loads of its time, which the state has not.
-    void go_on(const std::string& checkpoint, const ConductorState& leader) {
+    void go_on(const std::string& checkpoint, const StageControllerState& leader) {
         const RunReader run(checkpoint);
         require_same_test(run.name(), run.header(), header_);
         driver_->go_on(leader, run, parameters_.time_step);
@@ -182,9 +182,9 @@ private:
         peak_ = run.header().peak_axial_stress;
     }
 
-    void take_over(const SavedState& saved) {
+    void release_contacts(const SavedState& saved) {
         state_ = saved.state;
-        catalogue_.restore(saved.cracks);
+        crack_log_.restore(saved.cracks);
         header_.energy_scale = saved.energy_scale;
         largest_imbalance_ = saved.energy_imbalance;
     }
@@ -200,7 +200,7 @@ private:
     }
 
     void record() {
-        catalogue_.collect(assemblage_, parameters_.time_step, state_);
+        crack_log_.collect(assemblage_, parameters_.time_step, state_);
         const Measurement m = measure(assemblage_, boundary_, parameters_, state_);
         check_stability(m.energies);
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
@@ -208,7 +208,7 @@ private:
         push_row(m);
         feedback_ = feedback(m);
         driver_->note(view());
-        const bool counts = driver_->counts() && !catalogue_.empty();
+        const bool counts = driver_->counts() && !crack_log_.empty();
         const bool is_highest = counts && driven_stress() > peak_;
         peak_ = is_highest ? driven_stress() : peak_;
         if (writer_) {
@@ -228,7 +228,7 @@ private:
     }
 
     [[nodiscard]] RunView view() const {
-        return {assemblage_, boundary_, state_, history_, feedback_, axial_strain(), driven_stress(), peak_, !catalogue_.empty()};
+        return {assemblage_, boundary_, state_, history_, feedback_, axial_strain(), driven_stress(), peak_, !crack_log_.empty()};
     }
 
     [[nodiscard]] LoadingFeedback feedback(const Measurement& m) const {
@@ -293,8 +293,8 @@ private:
         push(law_mismatch, e.mismatch);
         push(ledger_residual, header_.energy_scale > 0 ? e.imbalance() / header_.energy_scale : 0);
         push(unbalanced_ratio, m.unbalanced_ratio);
-        push(tensile_cracks, 0.5 * static_cast<double>(catalogue_.tensile_points()));
-        push(shear_cracks, 0.5 * static_cast<double>(catalogue_.shear_points()));
+        push(tensile_cracks, 0.5 * static_cast<double>(crack_log_.tensile_points()));
+        push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));
         push(platen_speed, driver_->platen_speed());
         push(damping_load, state_.damping_load.share());
     }
@@ -302,7 +302,7 @@ private:
     void show_progress() {
         progress_.update(driver_->progress(view()),
                          fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", driven_stress() * 1e-6,
-                                     catalogue_.tensile_points() / 2, catalogue_.shear_points() / 2));
+                                     crack_log_.tensile_points() / 2, crack_log_.shear_points() / 2));
     }
 
     /// Largest difference of the platen forces over their mean, on the way up from half the peak to the peak.
@@ -373,7 +373,7 @@ private:
     double transit_time_;  ///< of a bar wave over the height, s
     std::unique_ptr<RunDriver> driver_;
     State state_;
-    CrackCatalogue catalogue_;
+    CrackLog crack_log_;
     RunHeader header_;
     Progress progress_;
     History history_;
@@ -384,7 +384,7 @@ private:
     double last_axial_stress_ = 0;  ///< tension positive, Pa
     double peak_ = 0;               ///< of the driven stress, Pa
     std::optional<RunWriter> writer_;
-    std::optional<FrameKeeper> frames_;
+    std::optional<FrameOutput> frames_;
     bool last_row_stands_ = false;  ///< of what it goes on from
     std::string checkpoint_;        ///< its file
     std::optional<CheckpointClock> checkpoint_clock_;
@@ -415,8 +415,8 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
-    summary.tensile_cracks = simulation.catalogue().tensile_points() / 2;
-    summary.shear_cracks = simulation.catalogue().shear_points() / 2;
+    summary.tensile_cracks = simulation.crack_log().tensile_points() / 2;
+    summary.shear_cracks = simulation.crack_log().shear_points() / 2;
     if (request.sensitivity) {
         summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     }

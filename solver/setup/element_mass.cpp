@@ -21,7 +21,7 @@ std::vector<Eigen::Matrix2d> springs_of_nodes(const Assemblage& a, const Boundar
             has_platen[point.node] = true;
         }
     }
-    for (const OutlineEdge& edge : a.outline.edges) {
+    for (const SurfaceEdge& edge : a.surface.edges) {
         const Vector2 along = a.position[edge.nodes[1]] - a.position[edge.nodes[0]];
         const double half = 0.5 * length(along);
         const Eigen::Vector2d t = (0.5 / half) * Eigen::Vector2d(along.x, along.y);
@@ -56,7 +56,7 @@ double largest_eigenvalue(const Matrix6& m) {
 /// Largest ω² of each element, 1/s².
 struct Frequencies {
     std::vector<double> alone;
-    std::vector<double> held;  ///< with its share of what may hold its nodes
+    std::vector<double> constrained;  ///< with its share of what may hold its nodes
 };
 Frequencies frequencies_of(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, double density) {
     const std::vector<Eigen::Matrix2d> springs = springs_of_nodes(a, boundary, law);
@@ -71,7 +71,7 @@ Frequencies frequencies_of(const Assemblage& a, const Boundary& boundary, const 
             const auto row = static_cast<Eigen::Index>(2 * k);
             stiffness.block<2, 2>(row, row) += (mass / a.mass[node]) * springs[node];
         }
-        f.held.push_back(largest_eigenvalue(stiffness) / mass);
+        f.constrained.push_back(largest_eigenvalue(stiffness) / mass);
     }
     return f;
 }
@@ -103,18 +103,19 @@ double level(const Assemblage& a, const std::vector<double>& squared, double sha
 
 }  // namespace
 
-double weigh_down_stiffest(Assemblage& a, const Boundary& boundary, const ContactLaw& law, double density, double share) {
+double scale_mass_of_stiffest_elements(Assemblage& a, const Boundary& boundary, const ContactLaw& law, double density,
+                                       double share) {
     if (a.element_nodes.empty() || share <= 0) {
         return 0;
     }
     const Frequencies f = frequencies_of(a, boundary, law, density);
     const double alone = level(a, f.alone, 0.5 * share);
-    const double held = level(a, f.held, 0.5 * share);
+    const double constrained = level(a, f.constrained, 0.5 * share);
     double before = 0;
     double added = 0;
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
         const double mass = density * a.element_geometry[e].area / 3;
-        const double more = (std::max({1.0, f.alone[e] / alone, f.held[e] / held}) - 1) * mass;
+        const double more = (std::max({1.0, f.alone[e] / alone, f.constrained[e] / constrained}) - 1) * mass;
         for (const std::int32_t node : a.element_nodes[e]) {
             a.mass[node] += more;
             a.inverse_mass[node] = 1 / a.mass[node];

@@ -9,7 +9,7 @@ namespace graincrack {
 
 /// What a run with mass scaling adds at most, of the mass of the specimen. Of Augig granite in 1,122 grains (seeds 1, 2) steps
 /// with groups get 27 and 49 % longer, their parts without 16 and 8 %; half as much mass gives 14 and 32 %, 14 and 6 %.
-inline constexpr double most_added_mass = 0.02;
+inline constexpr double max_added_mass = 0.02;
 
 /// Makes those elements denser that have the highest frequencies: alone, which limits the step with mass scaling, and with their
 /// share of what may hold their nodes, which limits that without. Half of the mass goes to the one, half to the other, each so
@@ -23,6 +23,7 @@ inline constexpr double most_added_mass = 0.02;
 /// \param density of the rock, kg/m³
 /// \param share of the mass of the specimen to be added at most, ≥ 0
 /// \return share that was added
-double weigh_down_stiffest(Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double density, double share);
+double scale_mass_of_stiffest_elements(Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double density,
+                                       double share);
 
 }  // namespace graincrack

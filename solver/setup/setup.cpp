@@ -18,11 +18,11 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
                            : make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
     const ContactLaw& law = s.parameters.law;
     if (r.mass_scaling) {
-        s.added_mass = weigh_down_stiffest(s.assemblage, s.boundary, law, r.material.rock.density, most_added_mass);
+        s.added_mass = scale_mass_of_stiffest_elements(s.assemblage, s.boundary, law, r.material.rock.density, max_added_mass);
         s.mass_scaling_factor =
             r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(s.assemblage, s.boundary, law);
     }
-    const StepInParts step = stable_step_in_parts(s.assemblage, s.boundary, law, s.mass_scaling_factor);
+    const SubcycledStep step = stable_subcycled_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
     s.stable_time_step = step.time_step;
     s.parameters.parts = step.parts;
     s.parameters.mass_scaling = make_mass_scaling(s.assemblage, s.mass_scaling_factor);

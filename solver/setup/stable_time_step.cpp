@@ -56,11 +56,11 @@ void add_free_faces(const Assemblage& a, const Boundary& boundary, const Contact
     for (const PlatenPoint& point : boundary.platen_points) {
         has_platen[point.node] = has_platen[point.node] || point.on_boundary;
     }
-    const auto& grains = a.outline.grain_of_node;
+    const auto& grains = a.surface.grain_of_node;
     if (std::all_of(grains.begin(), grains.end(), [&grains](std::int32_t grain) { return grain == grains.front(); })) {
         return;
     }
-    for (const OutlineEdge& edge : a.outline.edges) {
+    for (const SurfaceEdge& edge : a.surface.edges) {
         if (edge.contact >= 0) {
             continue;
         }
@@ -209,8 +209,8 @@ double stable_time_step(const Assemblage& a, const Boundary& boundary, const Con
     return 2 / std::sqrt((1 + epsilon) * grain);
 }
 
-StepInParts stable_step_in_parts(const Assemblage& a, const Boundary& boundary, const ContactLaw& law,
-                                 double mass_scaling_factor) {
+SubcycledStep stable_subcycled_step(const Assemblage& a, const Boundary& boundary, const ContactLaw& law,
+                                    double mass_scaling_factor) {
     const double part = stable_time_step(a, boundary, law);
     const double whole = mass_scaling_factor > 0 ? stable_time_step(a, boundary, law, mass_scaling_factor) : part;
     const auto parts = std::max<std::int64_t>(1, static_cast<std::int64_t>(whole / part));

@@ -30,12 +30,12 @@ double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, 
 double sufficient_mass_scaling(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law);
 
 /// A step with mass scaling, and the whole number of steps without in it (`StepParameters::parts`).
-struct StepInParts {
+struct SubcycledStep {
     double time_step = 0;  ///< stable, s
     std::int64_t parts = 1;
 };
-StepInParts stable_step_in_parts(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
-                                 double mass_scaling_factor);
+SubcycledStep stable_subcycled_step(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
+                                    double mass_scaling_factor);
 
 /// y = K x of that stiffest state, linear about the reference (for `stable_time_step` and its tests).
 void apply_stiffness(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,

@@ -20,7 +20,7 @@ struct Batch {
     alignas(64) double opening[2 * n], sliding[2 * n];
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
     alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
-    alignas(64) double spent[2 * n];     ///< 1 if it carries nothing but friction, else 0
+    alignas(64) double residual[2 * n];  ///< 1 if it carries nothing but friction, else 0
     alignas(64) double gone[2 * n];      ///< 1 if the contact has been released to touches, else 0
     alignas(64) double ordinary[2 * n];  ///< 1 where one of these is all there is to know, else 0: the point needs the full law
     alignas(64) double fracture[2 * n], closed_fracture[2 * n];  ///< booked by the intact law, J
@@ -68,7 +68,7 @@ void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t block) {
     if (block + 1 < n_blocks) {
         const Range next = a.contact_blocks[block + 1];
         const auto first = 2 * static_cast<std::size_t>(next.begin);
-        for (const auto* values : {&s.opening, &s.sliding, &s.cohesion_left, &s.fracture_energy}) {
+        for (const auto* values : {&s.opening, &s.sliding, &s.integrity, &s.fracture_energy}) {
             prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
         }
         for (std::int32_t c = next.begin; c < next.end; ++c) {
@@ -91,10 +91,10 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
 void sort_points(const Assemblage& a, const State& s, Range range, Batch& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
-    const std::uint8_t* const spent = &s.spent[2 * static_cast<std::size_t>(range.begin)];
-    const std::uint8_t* const released = &s.touches.released[range.begin];
+    const std::uint8_t* const residual = &s.residual[2 * static_cast<std::size_t>(range.begin)];
+    const std::uint8_t* const released = &s.contact_pairs.released[range.begin];
     const bool any_failed = any(failed, count);
-    b.any_spent = any(spent, count) || any(released, range.size());
+    b.any_spent = any(residual, count) || any(released, range.size());
     if (!any_failed) {
         std::fill_n(b.intact, count, 1.0);
     }
@@ -106,8 +106,8 @@ void sort_points(const Assemblage& a, const State& s, Range range, Batch& b) {
             const auto gone = static_cast<double>(released[i]);
             b.gone[2 * i] = gone;
             b.gone[2 * i + 1] = gone;
-            b.spent[2 * i] = (1.0 - gone) * static_cast<double>(spent[2 * i]);
-            b.spent[2 * i + 1] = (1.0 - gone) * static_cast<double>(spent[2 * i + 1]);
+            b.residual[2 * i] = (1.0 - gone) * static_cast<double>(residual[2 * i]);
+            b.residual[2 * i + 1] = (1.0 - gone) * static_cast<double>(residual[2 * i + 1]);
         }
     });
 }
@@ -135,7 +135,7 @@ GRAINCRACK_INLINE void find_motions(std::int32_t count, Batch& b) {
 struct Points {
     const double* old_opening;
     const double* old_sliding;
-    double* cohesion_left;
+    double* integrity;
     double* slip;
     double* fracture_energy;
 };
@@ -146,15 +146,15 @@ GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Point
     const ContactLaw law = constants;  // a copy that no store can change
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
-    double* __restrict const cohesion_left = points.cohesion_left;
+    double* __restrict const integrity = points.integrity;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const IntactResponse r = Law::intact(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], cohesion_left[k]});
+        const IntactResponse r = Law::intact(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k]});
         const double ordinary = r.holds * b.intact[k];
         b.normal_traction[k] = r.normal;
         b.shear_traction[k] = r.shear;
         b.ordinary[k] = ordinary;
         if constexpr (Law::damages_intact) {
-            cohesion_left[k] = ordinary == 0 ? cohesion_left[k] : r.cohesion_left;
+            integrity[k] = ordinary == 0 ? integrity[k] : r.integrity;
             b.fracture[k] = ordinary == 0 ? 0.0 : r.fracture;
         }
     }
@@ -167,15 +167,15 @@ GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points
     const double* const old_sliding = points.old_sliding;
     double* __restrict const slip = points.slip;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const SpentResponse r = spent_response(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], slip[k]});
-        const double spent = r.holds * b.spent[k];
+        const ResidualResponse r = residual_response(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], slip[k]});
+        const double residual = r.holds * b.residual[k];
         const double normal = b.gone[k] != 0 ? 0.0 : b.normal_traction[k];
         const double shear = b.gone[k] != 0 ? 0.0 : b.shear_traction[k];
-        b.normal_traction[k] = spent != 0 ? r.normal : normal;
-        b.shear_traction[k] = spent != 0 ? r.shear : shear;
-        slip[k] = spent != 0 ? r.slip : slip[k];
-        b.friction[k] = spent != 0 ? r.friction : 0.0;
-        b.ordinary[k] = b.ordinary[k] + spent + b.gone[k];
+        b.normal_traction[k] = residual != 0 ? r.normal : normal;
+        b.shear_traction[k] = residual != 0 ? r.shear : shear;
+        slip[k] = residual != 0 ? r.slip : slip[k];
+        b.friction[k] = residual != 0 ? r.friction : 0.0;
+        b.ordinary[k] = b.ordinary[k] + residual + b.gone[k];
     }
 }
 
@@ -236,7 +236,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     const ContactGeometry& g = a.contacts[c];
     ContactHistory& history = s.points.of(point);
     history.motion = {s.opening[point], s.sliding[point]};
-    history.cohesion_left = s.cohesion_left[point];
+    history.integrity = s.integrity[point];
     history.slip = s.slip[point];
     const ContactResponse r = update_contact(law, to, history);
     ContactSums& sums = s.contact_sums[block];
@@ -267,8 +267,8 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     }
     history = r.history;
     s.failed[point] = history.failed() ? 1 : 0;
-    s.spent[point] = is_spent(law, history) ? 1 : 0;
-    s.cohesion_left[point] = history.cohesion_left;
+    s.residual[point] = is_residual(law, history) ? 1 : 0;
+    s.integrity[point] = history.integrity;
     s.slip[point] = history.slip;
     return r.traction;
 }
@@ -330,7 +330,7 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
     const Range range = a.contact_blocks[block];
     const std::int32_t count = range.size();
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    const Points points{&s.opening[first], &s.sliding[first], &s.cohesion_left[first], &s.slip[first], &s.fracture_energy[first]};
+    const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
     ContactSums& sums = s.contact_sums[block];
     Batch batch;
     gather(a, s, range, batch);

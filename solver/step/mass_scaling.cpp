@@ -7,17 +7,17 @@
 namespace graincrack {
 namespace {
 
-bool holds(const MassScaling::Tie& tie, const State& s) {
+bool holds(const MassScaling::Link& tie, const State& s) {
     return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
 }
 
 /// Lists the members of a block that platens hold.
-void find_held(const MassScaling& scaling, std::int32_t block, GroupState& g) {
+void find_constrained(const MassScaling& scaling, std::int32_t block, GroupState& g) {
     const Range members = scaling.members_of(block);
-    g.held[block].clear();
+    g.constrained[block].clear();
     for (std::int32_t i = members.begin; i < members.end; ++i) {
-        if (const std::uint8_t holder = g.holder[g.component[i]]; holder != 0) {
-            g.held[block].push_back({i - members.begin, holder});
+        if (const std::uint8_t constraining_platen = g.constraining_platen[g.component[i]]; constraining_platen != 0) {
+            g.constrained[block].push_back({i - members.begin, constraining_platen});
         }
     }
 }
@@ -25,16 +25,16 @@ void find_held(const MassScaling& scaling, std::int32_t block, GroupState& g) {
 /// Finds the components of a group by its ties, and whether a platen holds them.
 void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, GroupState& g) {
     const Range members = scaling.groups[group];
-    const Range ties = scaling.ties_of_group[group];
+    const Range links = scaling.links_of_group[group];
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         g.component[i] = i;
         g.inverse_mass[i] = 0;
-        g.holder[i] = 0;
+        g.constraining_platen[i] = 0;
     }
-    for (std::int32_t t = ties.begin; t < ties.end; ++t) {
-        if (g.tied[t] != 0) {
-            const std::int32_t i = root_of(g.component, scaling.ties[t].first);
-            const std::int32_t j = root_of(g.component, scaling.ties[t].second);
+    for (std::int32_t t = links.begin; t < links.end; ++t) {
+        if (g.linked[t] != 0) {
+            const std::int32_t i = root_of(g.component, scaling.links[t].first);
+            const std::int32_t j = root_of(g.component, scaling.links[t].second);
             g.component[std::max(i, j)] = std::min(i, j);
         }
     }
@@ -49,7 +49,7 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         if (g.supported[i] != 0) {
             g.inverse_mass[g.component[i]] = 0;
-            g.holder[g.component[i]] = g.supported[i];
+            g.constraining_platen[g.component[i]] = g.supported[i];
         }
         if (g.component[i] != members.begin) {
             g.whole[group] = 0;
@@ -83,10 +83,10 @@ double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const Pla
     double sum = 0;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         const std::int32_t node = scaling.members[i];
-        const std::uint8_t holder = g.holder[g.component[i]];
-        const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[holder], [&](std::int32_t k, std::int32_t j) {
-            return g.component[j] == g.component[k] && holder == 0;
-        });
+        const std::uint8_t constraining_platen = g.constraining_platen[g.component[i]];
+        const Vector2 mean = mean_velocity(
+            a, scaling, members, i, s, platens[constraining_platen],
+            [&](std::int32_t k, std::int32_t j) { return g.component[j] == g.component[k] && constraining_platen == 0; });
         const Vector2 relative = s.velocity[node] - mean;
         sum += a.mass[node] * (own * dot(s.velocity[node], s.velocity[node]) + scaling.factor * dot(relative, relative));
     }
@@ -108,14 +108,14 @@ double half_impulse_work(const StepParameters& parameters, Range members, const 
 void regroup(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group, State& s) {
     GroupState& g = s.groups;
     const Range members = scaling.groups[group];
-    const Range ties = scaling.ties_of_group[group];
+    const Range links = scaling.links_of_group[group];
     const auto of_group = [&members](const auto& all) {
         return std::vector(all.begin() + members.begin, all.begin() + members.end);
     };
     const std::vector<std::int32_t> old_component = of_group(g.component);
-    const std::vector<std::uint8_t> old_holder = of_group(g.holder);
-    for (std::int32_t t = ties.begin; t < ties.end; ++t) {
-        g.tied[t] = holds(scaling.ties[t], s) ? 1 : 0;
+    const std::vector<std::uint8_t> old_holder = of_group(g.constraining_platen);
+    for (std::int32_t t = links.begin; t < links.end; ++t) {
+        g.linked[t] = holds(scaling.links[t], s) ? 1 : 0;
     }
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         g.supported[i] = s.touching[scaling.members[i]];
@@ -123,7 +123,7 @@ void regroup(const Assemblage& a, const MassScaling& scaling, const PlatenVeloci
     find_components(a, scaling, group, g);
     // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
     const auto held_by = [&](std::int32_t i) { return old_holder[old_component[i - members.begin] - members.begin]; };
-    const auto holder_now = [&](std::int32_t i) { return g.holder[g.component[i]]; };
+    const auto holder_now = [&](std::int32_t i) { return g.constraining_platen[g.component[i]]; };
     std::vector<Vector2> specific_momentum;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[held_by(i)], [&](std::int32_t k, std::int32_t j) {
@@ -154,11 +154,11 @@ GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, con
     GroupState g;
     g.component.resize(scaling.members.size());
     g.inverse_mass.resize(scaling.members.size());
-    g.holder.resize(scaling.members.size());
+    g.constraining_platen.resize(scaling.members.size());
     g.whole.resize(scaling.groups.size());
     g.sums.resize(scaling.blocks.size());
-    for (const MassScaling::Tie& tie : scaling.ties) {
-        g.tied.push_back(holds(tie, s) ? 1 : 0);
+    for (const MassScaling::Link& tie : scaling.links) {
+        g.linked.push_back(holds(tie, s) ? 1 : 0);
     }
     g.supported.resize(scaling.members.size());
     for (std::int32_t group = 0; group < static_cast<std::int32_t>(scaling.groups.size()); ++group) {
@@ -173,17 +173,17 @@ void complete_group_state(const MassScaling& scaling, State& s) {
     for (const PlatenPoint& point : s.platen_points) {
         may_touch[point.node] = true;
     }
-    g.holder.assign(scaling.members.size(), 0);
+    g.constraining_platen.assign(scaling.members.size(), 0);
     for (std::size_t i = 0; i < scaling.members.size(); ++i) {
-        std::uint8_t& holder = g.holder[g.component[i]];
-        holder = std::max(holder, g.supported[i]);
+        std::uint8_t& constraining_platen = g.constraining_platen[g.component[i]];
+        constraining_platen = std::max(constraining_platen, g.supported[i]);
     }
     g.whole.assign(scaling.groups.size(), 1);
     g.cracked.assign(scaling.blocks.size(), 0);
     g.platen_members.assign(scaling.blocks.size(), {});
-    g.held.resize(scaling.blocks.size());
+    g.constrained.resize(scaling.blocks.size());
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        find_held(scaling, block, g);
+        find_constrained(scaling, block, g);
         const Range groups = scaling.blocks[block];
         for (std::int32_t group = groups.begin; group < groups.end; ++group) {
             for (std::int32_t i = scaling.groups[group].begin; i < scaling.groups[group].end; ++i) {
@@ -196,12 +196,12 @@ void complete_group_state(const MassScaling& scaling, State& s) {
             }
         }
     }
-    g.block_of_point.resize(scaling.ties.size());
+    g.block_of_point.resize(scaling.links.size());
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
         const Range groups = scaling.blocks[block];
-        for (std::int32_t t = scaling.ties_of_group[groups.begin].begin; t < scaling.ties_of_group[groups.end - 1].end; ++t) {
-            g.block_of_point[scaling.ties[t].point] = block;
-            g.cracked[block] |= s.failed[scaling.ties[t].point];
+        for (std::int32_t t = scaling.links_of_group[groups.begin].begin; t < scaling.links_of_group[groups.end - 1].end; ++t) {
+            g.block_of_point[scaling.links[t].point] = block;
+            g.cracked[block] |= s.failed[scaling.links[t].point];
         }
     }
 }
@@ -226,11 +226,11 @@ void update_groups(const Assemblage& a, const StepParameters& parameters, const 
     }
     const PlatenVelocities platens(loading, parameters.time_step);
     for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
-        const Range ties = scaling.ties_of_group[group];
+        const Range links = scaling.links_of_group[group];
         const Range members = scaling.groups[group];
         bool changes = false;
-        for (std::int32_t t = ties.begin; t < ties.end; ++t) {
-            changes = changes || (s.failed[scaling.ties[t].point] != 0 && holds(scaling.ties[t], s) != (g.tied[t] != 0));
+        for (std::int32_t t = links.begin; t < links.end; ++t) {
+            changes = changes || (s.failed[scaling.links[t].point] != 0 && holds(scaling.links[t], s) != (g.linked[t] != 0));
         }
         for (std::int32_t i = members.begin; i < members.end; ++i) {
             changes = changes || g.supported[i] != s.touching[scaling.members[i]];
@@ -243,18 +243,18 @@ void update_groups(const Assemblage& a, const StepParameters& parameters, const 
         };
         const double before = energy();
         regroup(a, scaling, platens, group, s);
-        g.sums[block].shed += before - energy();
-        find_held(scaling, block, g);
+        g.sums[block].regrouping_loss += before - energy();
+        find_constrained(scaling, block, g);
     }
 }
 
-void shed_added_mass(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, double time_step,
+void drop_added_mass(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, double time_step,
                      State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     const double shorter = 1 - time_step / parameters.time_step;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        s.groups.sums[block].shed += added_kinetic_energy(a, parameters, loading, block, s) +
-                                     shorter * half_impulse_work(parameters, scaling.members_of(block), s);
+        s.groups.sums[block].regrouping_loss += added_kinetic_energy(a, parameters, loading, block, s) +
+                                                shorter * half_impulse_work(parameters, scaling.members_of(block), s);
     }
 }
 

@@ -12,7 +12,7 @@ namespace graincrack {
 /// The groups of the state as it is, away from platens.
 GroupState make_group_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
 
-/// Finds what follows from the rest of the state: `whole`, `held` and where groups may change.
+/// Finds what follows from the rest of the state: `whole`, `constrained` and where groups may change.
 void complete_group_state(const MassScaling& scaling, State& state);
 
 /// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
@@ -22,7 +22,7 @@ void update_groups(const Assemblage& assemblage, const StepParameters& parameter
 
 /// Takes the added mass away for good, at the present velocities and `state.force`, and books what it sheds.
 /// \param time_step of the steps to come, s
-void shed_added_mass(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, double time_step,
+void drop_added_mass(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, double time_step,
                      State& state);
 
 /// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a block of groups, v against the platen where one holds them, J.

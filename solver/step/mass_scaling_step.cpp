@@ -19,7 +19,7 @@ struct Batch {
     alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
     alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
     alignas(64) double mean_drag[size];                               ///< drag of the mean less the mean of drags, per mass
-    alignas(64) double drag[size];
+    alignas(64) double damping_force_of_nodes[size];
 };
 
 Vector2 pair_at(const double* values, std::ptrdiff_t i) { return {values[2 * i], values[2 * i + 1]}; }
@@ -40,14 +40,15 @@ void gather(const MassScaling& scaling, Range members, const State& s, Batch& b)
     }
 }
 
-/// Calls `whole(first, last)` for every group that is one component, `torn(first, last)` for all others; places within the block.
+/// Calls `whole(first, last)` for every group that is one component, `split(first, last)` for all others; places within the
+/// block.
 template <class Whole, class Torn>
-void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupState& g, Whole&& whole, Torn&& torn) {
+void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupState& g, Whole&& whole, Torn&& split) {
     const Range groups = scaling.blocks[block];
     const std::int32_t origin = scaling.groups[groups.begin].begin;
     for (std::int32_t group = groups.begin; group < groups.end; ++group) {
         const Range members{scaling.groups[group].begin - origin, scaling.groups[group].end - origin};
-        g.whole[group] != 0 ? whole(members) : torn(members);
+        g.whole[group] != 0 ? whole(members) : split(members);
     }
 }
 
@@ -101,8 +102,8 @@ void find_means(const MassScaling& scaling, std::int32_t block, const GroupState
 GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
-        b.drag[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
-                                  b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
+        b.damping_force_of_nodes[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
+                                                    b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
     }
 }
 
@@ -112,11 +113,11 @@ void find_mean_drags(const MassScaling& scaling, std::int32_t block, const Group
     for_each_group(
         scaling, block, g,
         [&](Range members) {
-            Vector2 drag;
+            Vector2 damping_force_of_nodes;
             for (std::int32_t i = members.begin; i < members.end; ++i) {
-                drag += pair_at(b.drag, i);
+                damping_force_of_nodes += pair_at(b.damping_force_of_nodes, i);
             }
-            const Vector2 mean = g.inverse_mass[origin + members.begin] * drag;
+            const Vector2 mean = g.inverse_mass[origin + members.begin] * damping_force_of_nodes;
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_drag, i, mean);
             }
@@ -125,7 +126,8 @@ void find_mean_drags(const MassScaling& scaling, std::int32_t block, const Group
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_drag, i, {});
                 const std::int32_t first = g.component[origin + i] - origin;
-                set_pair(b.mean_drag, first, pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.drag, i));
+                set_pair(b.mean_drag, first,
+                         pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.damping_force_of_nodes, i));
             }
             for (std::int32_t i = members.begin; i < members.end; ++i) {
                 set_pair(b.mean_drag, i, pair_at(b.mean_drag, g.component[origin + i] - origin));
@@ -133,12 +135,12 @@ void find_mean_drags(const MassScaling& scaling, std::int32_t block, const Group
         });
 }
 
-/// Drag of both motions into `drag`, and the damped acceleration of the mean.
+/// Drag of both motions into `damping_force_of_nodes`, and the damped acceleration of the mean.
 GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = damping_force(damping, b.mean_acceleration[k], b.mean_change[k], b.mean_velocity[k]);
-        b.drag[k] += mass[k] * (mean - b.mean_drag[k]);
+        b.damping_force_of_nodes[k] += mass[k] * (mean - b.mean_drag[k]);
         b.mean_acceleration[k] += mean;
     }
 }
@@ -152,8 +154,8 @@ void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVel
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
     gather(scaling, members, s, b);
     find_means(scaling, block, s.groups, b);
-    for (const auto& [i, holder] : s.groups.held[block]) {
-        set_pair(b.mean_velocity, i, platens[holder]);
+    for (const auto& [i, constraining_platen] : s.groups.constrained[block]) {
+        set_pair(b.mean_velocity, i, platens[constraining_platen]);
     }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
     find_mean_drags(scaling, block, s.groups, b);
@@ -163,17 +165,18 @@ void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVel
 /// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
 GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Batch& b) {
     for (std::int32_t k = count; k % lanes != 0; ++k) {
-        b.drag[k] = b.velocity[k] = b.mean_velocity[k] = 0;
+        b.damping_force_of_nodes[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
     // The new velocities into `mean_velocity`, which is not needed any more.
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = (1 - own) * b.mean_acceleration[k];
-        b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.drag[k]));
+        b.mean_velocity[k] =
+            b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force_of_nodes[k]));
     }
     double absorbed[lanes] = {};
     for (std::int32_t k = 0; k < count; k += lanes) {
         for (std::int32_t l = 0; l < lanes; ++l) {
-            absorbed[l] -= b.drag[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
+            absorbed[l] -= b.damping_force_of_nodes[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
         }
     }
     return ((absorbed[0] + absorbed[1]) + (absorbed[2] + absorbed[3])) +
@@ -181,8 +184,8 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
 }
 
 /// Of the platen that holds a component, m/s².
-Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t holder) {
-    const std::size_t platen = holder - 1U;
+Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t constraining_platen) {
+    const std::size_t platen = constraining_platen - 1U;
     return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};
 }
 
@@ -194,7 +197,7 @@ void damp_groups(const Assemblage& a, const StepParameters& parameters, const St
     damp(a, parameters, PlatenVelocities(loading, parameters.time_step), block, s, b);
     const Range members = parameters.mass_scaling.members_of(block);
     for (std::int32_t i = members.begin; i < members.end; ++i) {
-        s.drag[parameters.mass_scaling.members[i]] = pair_at(b.drag, i - members.begin);
+        s.damping_force_of_nodes[parameters.mass_scaling.members[i]] = pair_at(b.damping_force_of_nodes, i - members.begin);
     }
 }
 
@@ -204,8 +207,8 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, con
     const double dt = parameters.time_step;
     Batch b;
     damp(a, parameters, PlatenVelocities(loading, dt), block, s, b);
-    for (const auto& [i, holder] : s.groups.held[block]) {
-        set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, holder));
+    for (const auto& [i, constraining_platen] : s.groups.constrained[block]) {
+        set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, constraining_platen));
     }
     const Range members = scaling.members_of(block);
     const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
@@ -213,12 +216,13 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, con
     run_on(a.vector_target,
            [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
     s.groups.sums[block].damping += 0.5 * dt * absorbed;
-    for (const auto& [i, holder] : s.groups.held[block]) {
-        const Vector2 against_platen =
-            (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) - platen_acceleration(loading, dt, holder);
+    for (const auto& [i, constraining_platen] : s.groups.constrained[block]) {
+        const Vector2 against_platen = (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) -
+                                       platen_acceleration(loading, dt, constraining_platen);
         const double force = -scaling.factor * scaling.mass[2 * (members.begin + i)] * against_platen.y;  // of the added mass
         s.groups.sums[block].platen_work +=
-            0.5 * force * (loading.increment_before[holder - 1U] + loading.increment_after[holder - 1U]);
+            0.5 * force *
+            (loading.increment_before[constraining_platen - 1U] + loading.increment_after[constraining_platen - 1U]);
     }
     Vector2* const velocity = s.velocity.data();
     Vector2* const displacement = s.displacement.data();

@@ -85,13 +85,13 @@ void gather_contacts(const Assemblage& a, const GrainBlock& block, State& s) {
     }
 }
 
-void add_touches(std::int32_t block, State& s) {
-    const TouchList& list = s.touches;
-    const Range gathers = list.gathers_of_block[block];
-    for (std::int32_t i = gathers.begin; i < gathers.end; ++i) {
-        const TouchGather& gather = list.gathers[i];
+void add_active_contacts(std::int32_t block, State& s) {
+    const ContactPairList& list = s.contact_pairs;
+    const Range node_forces = list.node_forces_of_block[block];
+    for (std::int32_t i = node_forces.begin; i < node_forces.end; ++i) {
+        const NodeForces& gather = list.node_forces[i];
         for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
-            s.force[gather.node] += list.moving.forces[list.gathered_slots[k]];
+            s.force[gather.node] += list.active.forces[list.node_force_slots[k]];
         }
     }
 }
@@ -138,14 +138,16 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
     double absorbed = 0;
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 old_velocity = velocity[i];
-        const Vector2 drag = damping_force(damping, force[i], force[i] - last_force[i], old_velocity);
+        const Vector2 damping_force_of_nodes = damping_force(damping, force[i], force[i] - last_force[i], old_velocity);
         last_force[i] = force[i];
         const double rate = time_step * inverse_mass[i];
-        const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + drag.x), old_velocity.y + rate * (force[i].y + drag.y)};
+        const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + damping_force_of_nodes.x),
+                                   old_velocity.y + rate * (force[i].y + damping_force_of_nodes.y)};
         velocity[i] = new_velocity;
         displacement[i].x += time_step * new_velocity.x;
         displacement[i].y += time_step * new_velocity.y;
-        absorbed -= drag.x * (old_velocity.x + new_velocity.x) + drag.y * (old_velocity.y + new_velocity.y);
+        absorbed -= damping_force_of_nodes.x * (old_velocity.x + new_velocity.x) +
+                    damping_force_of_nodes.y * (old_velocity.y + new_velocity.y);
     }
     return 0.5 * time_step * absorbed;
 }
@@ -158,7 +160,7 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
     std::fill(s.touching.begin() + range.nodes.begin, s.touching.begin() + range.nodes.end, std::uint8_t{0});
     gather_contacts(a, range, s);
     add_elements(a, range.elements, s);
-    add_touches(block, s);
+    add_active_contacts(block, s);
     add_platens(boundary, loading, block, commit, s);
     add_membrane(a, boundary, loading.pressure, block, s);
     if (!boundary.drives.empty()) {

@@ -16,8 +16,8 @@ namespace graincrack {
 namespace {
 
 /// Whether the last review found other touches than there were before.
-bool have_changed(const TouchList& list) {
-    return std::any_of(list.moving.changed.begin(), list.moving.changed.begin() + static_cast<std::ptrdiff_t>(list.blocks.size()),
+bool have_changed(const ContactPairList& list) {
+    return std::any_of(list.active.changed.begin(), list.active.changed.begin() + static_cast<std::ptrdiff_t>(list.blocks.size()),
                        [](std::uint8_t changed) { return changed != 0; });
 }
 
@@ -31,7 +31,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
         const Range grain_blocks = share_of(a.grain_blocks.size(), thread, team.size());
         const Range contact_blocks = share_of(a.contact_blocks.size(), thread, team.size());
         const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, team.size());
-        const Range touch_blocks = share_of(s.touches.blocks.size(), thread, team.size());
+        const Range detection_blocks = share_of(s.contact_pairs.blocks.size(), thread, team.size());
         LoadingClock clock = clock_at_start;
         for (std::int64_t k = 0; k < n_steps * parts; ++k) {
             for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
@@ -57,20 +57,20 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             for (std::int32_t block = contact_blocks.begin; block < contact_blocks.end; ++block) {
                 advance_contacts(a, parameters.law, block, first_step + k / parts + 1, s);
             }
-            const bool is_review = (s.integrations + k) % s.touches.review_interval == 0;
-            for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
-                (is_review ? review_touches : move_touches)(a, parameters, block, s);
+            const bool is_detection = (s.integrations + k) % s.contact_pairs.detection_interval == 0;
+            for (std::int32_t block = detection_blocks.begin; block < detection_blocks.end; ++block) {
+                (is_detection ? detect_contacts : move_active_contacts)(a, parameters, block, s);
             }
             team.wait();
-            if (is_review && have_changed(s.touches)) {
+            if (is_detection && have_changed(s.contact_pairs)) {
                 if (thread == 0) {
-                    arrange_gathers(a, s.touches);
+                    index_node_forces(a, s.contact_pairs);
                 }
                 team.wait();
             }
         }
-        for (std::int32_t block = touch_blocks.begin; block < touch_blocks.end; ++block) {
-            settle_touches(block, s.touches);
+        for (std::int32_t block = detection_blocks.begin; block < detection_blocks.end; ++block) {
+            store_active(block, s.contact_pairs);
         }
         if (thread == 0) {
             clock_at_end = clock;
@@ -84,15 +84,15 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
 
 /// Ends mass scaling: velocities stay, the added mass and what it carried are gone, and from the next step on steps are in parts.
 /// Books what half a step of the ledger's terms is shorter by.
-void go_on_in_parts(const Assemblage& a, const Boundary& boundary, const StepParameters& whole, const StepParameters& of_parts,
-                    const StepLoading& loading, State& s) {
+void go_on_in_substeps(const Assemblage& a, const Boundary& boundary, const StepParameters& whole,
+                       const StepParameters& of_substeps, const StepLoading& loading, State& s) {
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
         sum_nodal_forces(a, boundary, loading, block, false, s);
-        book_half_work(a, boundary, block, whole.time_step - of_parts.time_step, s);
+        book_half_work(a, boundary, block, whole.time_step - of_substeps.time_step, s);
     }
-    shed_added_mass(a, whole, loading, of_parts.time_step, s);
-    s.in_parts = true;
-    s.touches.next_check = s.step;
+    drop_added_mass(a, whole, loading, of_substeps.time_step, s);
+    s.subcycled = true;
+    s.contact_pairs.next_check = s.step;
 }
 
 }  // namespace
@@ -100,23 +100,23 @@ void go_on_in_parts(const Assemblage& a, const Boundary& boundary, const StepPar
 void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
              std::int64_t n_steps, Team& team, State& s) {
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
-    const StepParameters of_parts = parameters_of_parts(parameters);
-    if (s.in_parts) {
+    const StepParameters of_substeps = parameters_of_substeps(parameters);
+    if (s.subcycled) {
         clock.part(parameters.parts);
     }
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
-        const StepParameters& now = s.in_parts ? of_parts : parameters;
-        const std::int64_t parts = s.in_parts ? parameters.parts : 1;
-        if (s.step >= s.touches.next_check) {
-            if (look_after_touches(a, now, parts, s)) {
-                go_on_in_parts(a, boundary, parameters, of_parts, clock.now(), s);
+        const StepParameters& now = s.subcycled ? of_substeps : parameters;
+        const std::int64_t parts = s.subcycled ? parameters.parts : 1;
+        if (s.step >= s.contact_pairs.next_check) {
+            if (update_pair_list(a, now, parts, s)) {
+                go_on_in_substeps(a, boundary, parameters, of_substeps, clock.now(), s);
                 clock.part(parameters.parts);
                 continue;
             }
-            s.touches.next_check = s.step + std::max<std::int64_t>(1, (s.touches.next_check - s.step) / parts);
+            s.contact_pairs.next_check = s.step + std::max<std::int64_t>(1, (s.contact_pairs.next_check - s.step) / parts);
         }
-        advance_steps(a, boundary, now, std::min(end, s.touches.next_check) - s.step, parts, team, clock, s);
+        advance_steps(a, boundary, now, std::min(end, s.contact_pairs.next_check) - s.step, parts, team, clock, s);
     }
     s.loading = clock.now();
 }

@@ -58,7 +58,7 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
       boundary(make_test_boundary(assemblage, specimen, compression(), test::augig_contact())) {
     assemblage.vector_target = vector_target;
     const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
-    const StepInParts step = stable_step_in_parts(assemblage, boundary, parameters.law, factor);
+    const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, factor);
     parameters.mass_scaling = make_mass_scaling(assemblage, factor);
     parameters.parts = step.parts;
     parameters.time_step = 0.7 * step.time_step;

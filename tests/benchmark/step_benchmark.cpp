@@ -44,7 +44,7 @@ LoadedSpecimen loose_grains(VectorTarget target) {
     LoadedSpecimen loaded(std::move(specimen), LawVariant::consistent, false, target);
     constexpr double push = 50;  // m/s
     for (std::size_t i = 0; i < loaded.state.velocity.size(); ++i) {
-        const double angle = 2.4 * loaded.assemblage.outline.grain_of_node[i];
+        const double angle = 2.4 * loaded.assemblage.surface.grain_of_node[i];
         loaded.state.velocity[i] += Vector2{push * std::cos(angle), push * std::sin(angle)};
     }
     Team alone(1);
@@ -53,16 +53,16 @@ LoadedSpecimen loose_grains(VectorTarget target) {
 }
 
 /// The touches alone, moved or reviewed where they are.
-void run_touches(::benchmark::State& timer, VectorTarget target, bool is_review) {
+void run_touches(::benchmark::State& timer, VectorTarget target, bool is_detection) {
     LoadedSpecimen loaded = loose_grains(target);
     loaded.parameters.time_step = 0;
     for (auto _ : timer) {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(loaded.state.touches.blocks.size()); ++block) {
-            (is_review ? review_touches : move_touches)(loaded.assemblage, loaded.parameters, block, loaded.state);
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(loaded.state.contact_pairs.blocks.size()); ++block) {
+            (is_detection ? detect_contacts : move_active_contacts)(loaded.assemblage, loaded.parameters, block, loaded.state);
         }
     }
     count(timer, loaded, 1);
-    const auto& moving = loaded.state.touches.moving.count;
+    const auto& moving = loaded.state.contact_pairs.active.count;
     timer.counters["touches"] = std::accumulate(moving.begin(), moving.end(), 0);
 }
 

@@ -29,7 +29,7 @@ Case make_case(const Specimen& specimen, double share) {
     Case c{make_assemblage(specimen, rock(), PlaneCondition::strain), {}};
     LoadingRequest loading;
     c.boundary = make_test_boundary(c.assemblage, specimen, loading, test::augig_contact());
-    c.added = weigh_down_stiffest(c.assemblage, c.boundary, test::augig_law(), rock().density, share);
+    c.added = scale_mass_of_stiffest_elements(c.assemblage, c.boundary, test::augig_law(), rock().density, share);
     return c;
 }
 Specimen rectangle(int elements_per_edge = 1) {
@@ -62,7 +62,7 @@ TEST(AddedMass, NoneChangesNothing) {
 }
 
 TEST(AddedMass, GoesToFew) {
-    const Case c = make_case(rectangle(), most_added_mass);
+    const Case c = make_case(rectangle(), max_added_mass);
     std::size_t heavier = 0;
     for (std::size_t i = 0; i < c.assemblage.mass.size(); ++i) {
         heavier += c.assemblage.mass[i] > c.assemblage.rock_mass[i] ? 1U : 0U;
@@ -73,7 +73,7 @@ TEST(AddedMass, GoesToFew) {
 
 // Grains of one triangle have three nodes of one mass each, before and after: so their centres of mass stay.
 TEST(AddedMass, KeepsCentresOfMass) {
-    const Case c = make_case(rectangle(), most_added_mass);
+    const Case c = make_case(rectangle(), max_added_mass);
     for (const auto& nodes : c.assemblage.element_nodes) {
         EXPECT_DOUBLE_EQ(c.assemblage.mass[nodes[0]], c.assemblage.mass[nodes[1]]);
         EXPECT_DOUBLE_EQ(c.assemblage.mass[nodes[0]], c.assemblage.mass[nodes[2]]);
@@ -84,7 +84,7 @@ TEST(AddedMass, MakesBothStepsLonger) {
     for (const int elements_per_edge : {1, 2}) {
         const Specimen specimen = rectangle(elements_per_edge);
         const Case before = make_case(specimen, 0);
-        const Case after = make_case(specimen, most_added_mass);
+        const Case after = make_case(specimen, max_added_mass);
         for (const double factor : {0.0, 100.0}) {
             const double gain = stable_time_step(after.assemblage, after.boundary, test::augig_law(), factor) /
                                 stable_time_step(before.assemblage, before.boundary, test::augig_law(), factor);
@@ -97,8 +97,8 @@ TEST(AddedMass, MakesBothStepsLonger) {
 TEST(AddedMass, OfEqualGrainsIsSpread) {
     Assemblage a = make_assemblage(test::union_jack_grid(4, 4, 0.02, 0.02), rock(), PlaneCondition::strain);
     const std::vector<double> before = a.mass;
-    a.outline.edges.clear();  // nothing holds them
-    const double added = weigh_down_stiffest(a, {}, test::augig_law(), rock().density, 0.1);
+    a.surface.edges.clear();  // nothing holds them
+    const double added = scale_mass_of_stiffest_elements(a, {}, test::augig_law(), rock().density, 0.1);
     EXPECT_NEAR(added, 0.05, 1e-6);  // both needs are the same
     for (std::size_t i = 0; i < before.size(); ++i) {
         EXPECT_NEAR(a.mass[i], 1.05 * before[i], 1e-6 * before[i]);

@@ -64,9 +64,9 @@ TEST(CombinedLaw, ThePartsOfTheCurveInOpening) {
         const double opening = law.op + D * (last_opening(law) - law.op);
         expect_close(walk.to({opening, 0}).normal, c.tensile_strength * printed_softening(D), 1e-12, c.tensile_strength);
         expect_close(damage(law, walk.history()), D, 1e-12, 1);
-        const double torn = walk.traction().normal;
-        expect_close(walk.to({0.25 * opening, 0}).normal, 0.25 * torn, 1e-12, torn);  // the secant
-        expect_close(walk.to({opening, 0}).normal, torn, 1e-12, torn);
+        const double split = walk.traction().normal;
+        expect_close(walk.to({0.25 * opening, 0}).normal, 0.25 * split, 1e-12, split);  // the secant
+        expect_close(walk.to({opening, 0}).normal, split, 1e-12, split);
     }
     EXPECT_EQ(walk.to({1.001 * last_opening(law), 0}).normal, 0);
     EXPECT_EQ(point_state(walk.history()), PointState::separated);

@@ -79,9 +79,9 @@ TEST(ConsistentLaw, SlidingUnderPressureIsEq10AndThenFriction) {
             expect_close(walk.to({closure, s}).shear, c.shear_stiffness * s * std::exp(-y), 1e-12, c.cohesion);
         }
         EXPECT_FALSE(walk.history().failed());
-        ContactWalk torn(law_of(c));
-        torn.to({closure, 0});
-        const auto shear = [&](double s) { return torn.to({closure, s}).shear; };
+        ContactWalk split(law_of(c));
+        split.to({closure, 0});
+        const auto shear = [&](double s) { return split.to({closure, s}).shear; };
         verify("law: consistent, shear to its peak under pressure (J/m2)", integral(shear, 0, c.critical_sliding, 8), 155.46,
                5e-5, "cc dcs (e - 2), five digits");
         walk.go({closure, 4 * c.critical_sliding}, 4000);

@@ -82,9 +82,9 @@ TEST(ContactLawPaths, DissipationIsNeverNegativeAndNothingHeals) {
                 for (const int steps : {40, 500}) {  // the coarser of up to a tenth of δcs
                     const ContactWalk walk = led_along(law, random_path(c, seed), steps);
                     verify_between("law: random paths, least fracture dissipation of an update over Gf",
-                                   walk.least_fracture() / c.fracture_energy, -1e-12, HUGE_VAL, "never negative");
+                                   walk.min_fracture() / c.fracture_energy, -1e-12, HUGE_VAL, "never negative");
                     verify_between("law: random paths, least friction of an update over Gf",
-                                   walk.least_friction() / c.fracture_energy, 0, HUGE_VAL, "never negative");
+                                   walk.min_friction() / c.fracture_energy, 0, HUGE_VAL, "never negative");
                     EXPECT_GE(walk.stored(), 0);
                     EXPECT_FALSE(walk.healed());
                     failed += walk.history().failed() ? 1 : 0;
@@ -330,7 +330,7 @@ TEST(ContactLawPaths, ACycleThroughFailure) {
     for (const ContactLaw& law : all_laws(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
-        const double torn = walk.go({pulled, 0}, 4000).normal;
+        const double split = walk.go({pulled, 0}, 4000).normal;
         EXPECT_TRUE(walk.history().failed_open);
         walk.go({closed, 0}, 1000);
         EXPECT_EQ(walk.traction().normal, law.kt * closed);
@@ -340,7 +340,7 @@ TEST(ContactLawPaths, ACycleThroughFailure) {
         walk.go({closed, 0}, 20000);
         verify("law: cycle, friction there and back over tan(phi) sigma_n", -walk.traction().shear / residual, 1, 1e-12, "1");
         walk.go({0.5 * pulled, 0}, 4000);
-        EXPECT_LE(walk.traction().normal, 0.5 * torn * (1 + 1e-12));  // the secant it was torn to, or less
+        EXPECT_LE(walk.traction().normal, 0.5 * split * (1 + 1e-12));  // the secant it was torn to, or less
         verify("law: cycle, work less what was booked over that", walk.balance(), 0, 1e-4, "0 but for jumps within a step",
                walk.fracture() + walk.friction());
     }

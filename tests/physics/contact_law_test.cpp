@@ -197,10 +197,10 @@ TEST(ContactLaw, ACycleThroughFailure) {
         ContactWalk walk(law);
         walk.go({pulled, 0}, 4000);
         ASSERT_TRUE(walk.history().failed_open);
-        const double torn = walk.traction().normal;
-        expect_close(torn, 0.7 * c.tensile_strength, 5e-3, c.tensile_strength);
+        const double split = walk.traction().normal;
+        expect_close(split, 0.7 * c.tensile_strength, 5e-3, c.tensile_strength);
         walk.go({0.5 * pulled, 0}, 1000);
-        expect_close(walk.traction().normal, 0.5 * torn, 1e-12, torn);  // the secant through the origin
+        expect_close(walk.traction().normal, 0.5 * split, 1e-12, split);  // the secant through the origin
         walk.go({closed, 0}, 1000);
         expect_close(walk.traction().normal, -20 * MPa, 1e-12, 20 * MPa);
         walk.go({closed, 3 * c.critical_sliding}, 4000);
@@ -211,7 +211,7 @@ TEST(ContactLaw, ACycleThroughFailure) {
         walk.go({closed, 1 * c.critical_sliding}, 4000);
         expect_close(walk.traction().shear, -residual, 1e-12, residual);
         walk.go({0.5 * pulled, 0}, 4000);
-        expect_close(walk.traction().normal, 0.5 * torn, 1e-12, torn);  // no healing, nothing lost by being closed
+        expect_close(walk.traction().normal, 0.5 * split, 1e-12, split);  // no healing, nothing lost by being closed
         verify("law: cycle through failure, work less what was booked over fracture", walk.balance(), 0, 2e-3,
                "0 but for three jumps of shear within a step", walk.fracture());
     }

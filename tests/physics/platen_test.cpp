@@ -100,7 +100,7 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
         const Measurement m = run.measured();
         const double slip = run.mean(run.state.displacement).x - before;
         // What holds the block against the pressure: the platens' friction, never more than the limit.
-        double held = 0;
+        double constrained = 0;
         double limit = 0;
         for (const PlatenPoint& point : run.state.platen_points) {
             const Platen& platen = run.boundary.platens[static_cast<std::size_t>(point.platen)];
@@ -108,16 +108,16 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
                 platen_response(platen, point, run.state.displacement[static_cast<std::size_t>(point.node)],
                                 run.state.loading.platen_displacement[static_cast<std::size_t>(point.platen)]);
             EXPECT_LE(std::abs(r.force.x), mu * std::abs(r.force.y) * (1 + 1e-12));
-            held -= r.force.x;
+            constrained -= r.force.x;
             limit += mu * std::abs(r.force.y);
         }
         const double pushed = pressure * run.specimen.height;
         const double stretch = pushed / (2 * 6.98e13 * 0.02);  // of the friction springs
         if (share < 1) {
-            verify("dynamics: block between platens, friction below its limit (N)", held, pushed, 1e-2, "the push");
+            verify("dynamics: block between platens, friction below its limit (N)", constrained, pushed, 1e-2, "the push");
             EXPECT_LT(slip, 10 * stretch);
         } else {
-            verify("dynamics: block between platens, friction when it slips (N)", held, limit, 1e-9, "tan(phi) N");
+            verify("dynamics: block between platens, friction when it slips (N)", constrained, limit, 1e-9, "tan(phi) N");
             EXPECT_GT(slip, 100 * stretch);
             // Booked: traction times slip, within what slips first and last at the corners.
             expect_close(m.energies.platen - at_rest.energies.platen, limit * slip, 0.02, limit * slip);

@@ -28,7 +28,7 @@ Vector2 velocity_of_upper_half(const test::SmallRun& run) {
     Vector2 sum;
     double mass = 0;
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        const auto& grain = run.assemblage.outline.grain_of_node;
+        const auto& grain = run.assemblage.surface.grain_of_node;
         if (grain[i] == grain.back()) {
             sum += run.assemblage.mass[i] * run.state.velocity[i];
             mass += run.assemblage.mass[i];
@@ -104,7 +104,7 @@ TEST(Program, AColumnCarriesItsWeight) {
     )",
                       augig_law(), PlaneCondition::strain, 0.8);
     column.go(100);
-    EXPECT_EQ(column.conductor.records().at(0).ended_by, "rest");
+    EXPECT_EQ(column.stage_controller.records().at(0).ended_by, "rest");
     const double foot = rock.density * g * height;
     for (const auto& [probe, y] : {std::pair{"low", -0.03125}, {"middle", 0.0}, {"high", 0.03125}}) {
         // The stress is linear and CSTs are constant: the mean over a circle that lies evenly about y is exact.
@@ -134,7 +134,7 @@ TEST(Program, CirclesSeeAUniformStress) {
     )",
                      augig_law(), PlaneCondition::stress, 0.8);
     patch.go(100);
-    EXPECT_EQ(patch.conductor.records().at(0).ended_by, "rest");
+    EXPECT_EQ(patch.stage_controller.records().at(0).ended_by, "rest");
     // The mean stress over the whole follows from the tractions alone; contacts of no thickness take no part in it, but their
     // opening moves the tractions' points: of the size of the strain, 1e-4.
     const auto all = [&](const char* name) { return patch.column("all", name).back() * 1e-6; };
@@ -175,7 +175,7 @@ double acceleration_down(double slope, double friction) {
                                  g * std::sin(a), -g * std::cos(a)),
                      law(sticks), PlaneCondition::strain, 0.8, 0.5);
     block.go(100);
-    EXPECT_EQ(block.conductor.records().at(0).ended_by, "rest");
+    EXPECT_EQ(block.stage_controller.records().at(0).ended_by, "rest");
     block.run.parameters.law = law(friction);
     block.run.parameters.damping = 0;
     BatchLoading loading;
@@ -225,10 +225,10 @@ TEST(Program, AJointShearsAtItsFriction) {
     )",
                      law, PlaneCondition::strain, 0.8);
     joint.go(50);
-    ASSERT_EQ(joint.conductor.records().size(), 3U);
-    EXPECT_EQ(joint.conductor.records()[0].ended_by, "rest");
-    EXPECT_EQ(joint.conductor.records()[1].ended_by, "push.displacement_x");
-    EXPECT_EQ(joint.conductor.records()[2].ended_by, "push.displacement_x");
+    ASSERT_EQ(joint.stage_controller.records().size(), 3U);
+    EXPECT_EQ(joint.stage_controller.records()[0].ended_by, "rest");
+    EXPECT_EQ(joint.stage_controller.records()[1].ended_by, "push.displacement_x");
+    EXPECT_EQ(joint.stage_controller.records()[2].ended_by, "push.displacement_x");
     const std::vector<double>& force = joint.column("push", "force_x");
     const std::vector<double>& time = joint.history[HistoryColumn::time];
     const double limit = 10e6 * width * std::tan(phi * test::degree);
@@ -236,8 +236,8 @@ TEST(Program, AJointShearsAtItsFriction) {
         return force[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())];
     };
     // Whatever its distribution, the friction of points that all slide is tan phi times the whole normal force.
-    verify("specimens: joint in shear, force forth over normal force", at(joint.conductor.records()[1].end) / (10e6 * width),
-           std::tan(phi * test::degree), 5e-3, "tan phi");
+    verify("specimens: joint in shear, force forth over normal force",
+           at(joint.stage_controller.records()[1].end) / (10e6 * width), std::tan(phi * test::degree), 5e-3, "tan phi");
     verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width),
            -std::tan(phi * test::degree), 5e-3, "tan phi");
     EXPECT_GT(joint.energies.back().friction, 0.5 * limit * 30e-6);
@@ -372,8 +372,8 @@ ProgramRun everything_at_once(double damping, int threads) {
 TEST(Program, TheLedgerStaysClosed) {
     for (const double damping : {0.0, 0.8}) {
         const ProgramRun all = everything_at_once(damping, 1);
-        ASSERT_EQ(all.conductor.records().size(), 3U);
-        EXPECT_EQ(all.conductor.records()[1].ended_by, "tensile_cracks");
+        ASSERT_EQ(all.stage_controller.records().size(), 3U);
+        EXPECT_EQ(all.stage_controller.records()[1].ended_by, "tensile_cracks");
         EXPECT_GT(all.run.failed_points(), 10U);
         EXPECT_GT(all.energies.back().external, 0.0);
         verify("specimens: ledger residual over stored energy, a program with every force", all.residual(), 0, 2e-3,

@@ -87,15 +87,15 @@ bool same(const SmallRun& l, const SmallRun& r) {
         return std::string(reinterpret_cast<const char*>(v.data()), v.size() * sizeof(Vector2));
     };
     return bytes(l.state.displacement) == bytes(r.state.displacement) && bytes(l.state.velocity) == bytes(r.state.velocity) &&
-           l.state.opening == r.state.opening && l.state.cohesion_left == r.state.cohesion_left && l.state.slip == r.state.slip;
+           l.state.opening == r.state.opening && l.state.integrity == r.state.integrity && l.state.slip == r.state.slip;
 }
 
 TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {
     for (const double factor : {0.0, 60.0}) {
         const SmallRun one = crushed(LawVariant::consistent, factor, widest_vector_target(), 1);
-        const auto& touches = one.state.touches.touches;
-        EXPECT_GT(std::count_if(touches.begin(), touches.end(), [](const Touch& touch) { return touch.active; }), 5);
-        EXPECT_EQ(one.state.in_parts, factor > 0);
+        const auto& touches = one.state.contact_pairs.contacts;
+        EXPECT_GT(std::count_if(touches.begin(), touches.end(), [](const NodeEdgeContact& touch) { return touch.active; }), 5);
+        EXPECT_EQ(one.state.subcycled, factor > 0);
         for (const int threads : {2, 3}) {
             EXPECT_TRUE(same(one, crushed(LawVariant::consistent, factor, widest_vector_target(), threads))) << threads;
         }

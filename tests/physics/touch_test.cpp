@@ -19,11 +19,13 @@ using test::expect_close;
 using test::SmallRun;
 
 std::size_t active_touches(const SmallRun& run) {
-    return static_cast<std::size_t>(std::count_if(run.state.touches.touches.begin(), run.state.touches.touches.end(),
-                                                  [](const Touch& t) { return t.active && t.pressing > 0; }));
+    return static_cast<std::size_t>(std::count_if(run.state.contact_pairs.contacts.begin(),
+                                                  run.state.contact_pairs.contacts.end(),
+                                                  [](const NodeEdgeContact& t) { return t.active && t.overlap > 0; }));
 }
 std::size_t released_contacts(const SmallRun& run) {
-    return static_cast<std::size_t>(std::count(run.state.touches.released.begin(), run.state.touches.released.end(), 1));
+    return static_cast<std::size_t>(
+        std::count(run.state.contact_pairs.released.begin(), run.state.contact_pairs.released.end(), 1));
 }
 
 /// Two separate triangles, the right one's corner towards the left one's face, `gap` apart, off its middle by `offset`.
@@ -55,7 +57,7 @@ Balance balance_of(const SmallRun& run) {
     return b;
 }
 
-TEST(Touch, ACornerHitsAFace) {
+TEST(NodeEdgeContact, ACornerHitsAFace) {
     SmallRun run(two_grains(1e-5, 0.4e-3), test::augig_law(), PlaneCondition::strain, 0.2);
     run.set_velocity([](const Vector2& p) { return p.x > 0 ? Vector2{-1.0, 0.7} : Vector2{0.5, 0}; });
     run.begin();
@@ -82,7 +84,7 @@ TEST(Touch, ACornerHitsAFace) {
 }
 
 // A row of grains with a flat top, and a triangle whose corner is led along it at constant depth.
-TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
+TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
     std::vector<test::Point> points;
     std::vector<test::Triangle> triangles;
     const double a = 4e-3;
@@ -117,25 +119,25 @@ TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
     const auto lead = [&](const Vector2& by) {
         const Vector2 step = (1 / run.parameters.time_step) * by;
         for (std::size_t i = 0; i < s.velocity.size(); ++i) {
-            const bool upper = run.assemblage.outline.grain_of_node[i] == run.assemblage.outline.grain_of_node[node];
+            const bool upper = run.assemblage.surface.grain_of_node[i] == run.assemblage.surface.grain_of_node[node];
             s.velocity[i] = upper ? step : Vector2{};
             s.displacement[i] += upper ? by : Vector2{};
         }
         ++s.step;
-        look_after_touches(run.assemblage, run.parameters, 1, s);
+        update_pair_list(run.assemblage, run.parameters, 1, s);
         Vector2 force;
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
-            review_touches(run.assemblage, run.parameters, block, s);
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.contact_pairs.blocks.size()); ++block) {
+            detect_contacts(run.assemblage, run.parameters, block, s);
         }
-        for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
-            force += s.touches.pairs[i].node == node ? s.touches.forces[3 * i] : Vector2{};
+        for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
+            force += s.contact_pairs.pairs[i].node == node ? s.contact_pairs.forces[3 * i] : Vector2{};
         }
         return force;
     };
     lead({0, 0});
     lead({0, -1e-5 - 1e-12});                  // just in touch: the depth at which a touch is found does not press
     const Vector2 pressed = lead({0, -1e-8});  // 10 nm deep
-    const double normal = law.kt * run.assemblage.outline.tributary[node] * 1e-8;
+    const double normal = law.kt * run.assemblage.surface.tributary[node] * 1e-8;
     expect_close(pressed.y, normal, 1e-3, normal);
     std::vector<std::int32_t> edges;
     for (int i = 0; i < 4000; ++i) {
@@ -144,10 +146,10 @@ TEST(Touch, PassesFromEdgeToEdgeWithoutAJump) {
         if (i > 10) {  // friction has reached its limit within 0.1 µm and stays there
             ASSERT_NEAR(force.x, -pressed.y * law.tan_phi, 1e-6 * normal) << "step " << i;
         }
-        for (std::size_t k = 0; k < s.touches.pairs.size(); ++k) {
-            if (s.touches.touches[k].active && s.touches.pairs[k].node == node &&
-                (edges.empty() || edges.back() != s.touches.pairs[k].edge)) {
-                edges.push_back(s.touches.pairs[k].edge);
+        for (std::size_t k = 0; k < s.contact_pairs.pairs.size(); ++k) {
+            if (s.contact_pairs.contacts[k].active && s.contact_pairs.pairs[k].node == node &&
+                (edges.empty() || edges.back() != s.contact_pairs.pairs[k].edge)) {
+                edges.push_back(s.contact_pairs.pairs[k].edge);
             }
         }
     }
@@ -162,7 +164,7 @@ struct Led {
     std::int32_t node = 0;  ///< of the last grain, its lowest
     explicit Led(const Specimen& s) : run(s, test::augig_law()) {
         run.begin();
-        const auto& grain = run.assemblage.outline.grain_of_node;
+        const auto& grain = run.assemblage.surface.grain_of_node;
         const std::int32_t last = *std::max_element(grain.begin(), grain.end());
         for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
             const bool lower = grain[node] != last || run.assemblage.position[i].y < run.assemblage.position[node].y;
@@ -172,7 +174,7 @@ struct Led {
     /// \return force on the node, N
     Vector2 lead(const Vector2& by) {
         State& s = run.state;
-        const auto& grain = run.assemblage.outline.grain_of_node;
+        const auto& grain = run.assemblage.surface.grain_of_node;
         const Vector2 step = (1 / run.parameters.time_step) * by;
         for (std::size_t i = 0; i < s.velocity.size(); ++i) {
             const bool is_led = grain[i] == grain[node];
@@ -180,13 +182,13 @@ struct Led {
             s.displacement[i] += is_led ? by : Vector2{};
         }
         ++s.step;
-        look_after_touches(run.assemblage, run.parameters, 1, s);
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.touches.blocks.size()); ++block) {
-            review_touches(run.assemblage, run.parameters, block, s);
+        update_pair_list(run.assemblage, run.parameters, 1, s);
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.contact_pairs.blocks.size()); ++block) {
+            detect_contacts(run.assemblage, run.parameters, block, s);
         }
         Vector2 force;
-        for (std::size_t i = 0; i < s.touches.pairs.size(); ++i) {
-            force += s.touches.pairs[i].node == node ? s.touches.forces[3 * i] : Vector2{};
+        for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
+            force += s.contact_pairs.pairs[i].node == node ? s.contact_pairs.forces[3 * i] : Vector2{};
         }
         return force;
     }
@@ -194,14 +196,14 @@ struct Led {
 
 // A corner comes down on a roof of two bonded grains, so near its ridge that it is in the zone of corners where no touch begins,
 // and goes on down beside the bond between them.
-TEST(Touch, ACornerThatSlipsInBesideABondIsCaught) {
+TEST(NodeEdgeContact, ACornerThatSlipsInBesideABondIsCaught) {
     const double a = 4e-3;
     for (const double beside : {0.4e-2, 0.45e-2, 0.8e-2, 2e-2}) {
         SCOPED_TRACE(beside);
         const double x = beside * a;
         Led led(test::specimen_of_triangles({{-a, 0}, {0, -a}, {a, 0}, {0, 0}, {x, 1e-5}, {x + a / 2, a}, {x - a / 2, a}},
                                             {{0, 1, 3}, {1, 2, 3}, {4, 5, 6}}));
-        const double edge = led.run.assemblage.outline.mean_length;
+        const double edge = led.run.assemblage.surface.mean_length;
         led.lead({0, 0});
         double depth = -1e-5;
         while (depth < 0.02 * edge && led.lead({0, -1e-4 * edge}).y <= 0) {
@@ -220,7 +222,7 @@ SmallRun sliding_blocks(double slide) {
     const double r = std::sqrt(0.5);
     run.set_velocity([&](const Vector2&) { return Vector2{}; });
     for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
-        const double side = run.assemblage.outline.grain_of_node[i] == 0 ? 1 : -1;
+        const double side = run.assemblage.surface.grain_of_node[i] == 0 ? 1 : -1;
         // Grain 0 is below the diagonal: it goes up and to the left (against the other) and along the diagonal.
         run.state.velocity[i] = {side * r * (slide - 0.05), side * r * (slide + 0.05)};
     }
@@ -228,14 +230,14 @@ SmallRun sliding_blocks(double slide) {
     return run;
 }
 
-TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
+TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
     SmallRun run = sliding_blocks(120.0);  // so fast that the blocks are still pressed together when they have slid far
     const double energy = run.measured().energies.kinetic;
     const auto force_on_grain = [&run] {
         (void)run.measured();  // sums the forces
         Vector2 sum;
         for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
-            sum += run.assemblage.outline.grain_of_node[i] == 0 ? run.state.force[i] : Vector2{};
+            sum += run.assemblage.surface.grain_of_node[i] == 0 ? run.state.force[i] : Vector2{};
         }
         return sum;
     };
@@ -245,7 +247,7 @@ TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
         const Energies e = run.measured().energies;
         pressed = length(before);
         // What the step's own look after the list does, seen from outside.
-        look_after_touches(run.assemblage, run.parameters, 1, run.state);
+        update_pair_list(run.assemblage, run.parameters, 1, run.state);
         const Vector2 after = force_on_grain();
         const Energies f = run.measured().energies;
         expect_close(after.x, before.x, 1e-9, std::max(length(before), 1.0));
@@ -261,22 +263,22 @@ TEST(Touch, ReleaseOfAContactKeepsForceAndEnergy) {
     EXPECT_LT(std::abs(last.imbalance() + energy), 5e-3 * energy);
 }
 
-TEST(Touch, BondedNeighboursAreNotSearched) {
+TEST(NodeEdgeContact, BondedNeighboursAreNotSearched) {
     SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), test::augig_law());
     run.set_velocity([](const Vector2& p) { return Vector2{0, -0.5 * p.y / 0.015}; });
     run.begin();
     run.steps(200);
     EXPECT_LT(run.measured().energies.contact * 1e3, 1e3 * run.measured().energies.strain);
     EXPECT_GT(run.measured().energies.contact, 0.0);
-    EXPECT_TRUE(run.state.touches.pairs.empty());
+    EXPECT_TRUE(run.state.contact_pairs.pairs.empty());
 }
 
 /// 48 grains crushed between platens far past the peak, with a law that closes its energy.
 struct Crushed {
     std::vector<Vector2> displacement;
     double residual = 0, deepest = 0;
-    std::size_t released = 0, touches = 0;
-    bool in_parts = false;
+    std::size_t released = 0, contacts = 0;
+    bool subcycled = false;
     double mean_edge = 0;
 };
 Crushed crush(int threads, double shortening, bool scaled = false) {
@@ -296,7 +298,7 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
     run.begin();
     Loading loading(request, run.specimen, test::augig_granite().rock, PlaneCondition::strain);
     Crushed c;
-    c.mean_edge = run.assemblage.outline.mean_length;
+    c.mean_edge = run.assemblage.surface.mean_length;
     double scale = 0;
     double worst = 0;
     while (run.state.loading.platen_displacement[bottom_platen] < 0.5 * shortening * 0.03) {
@@ -306,45 +308,45 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
         scale = std::max(scale, e.stored());
         worst = std::max(worst, std::abs(e.imbalance()));
         c.deepest = std::max(c.deepest, test::deepest_overlap(run.assemblage, run.state.displacement));
-        c.touches = std::max(c.touches, active_touches(run));
+        c.contacts = std::max(c.contacts, active_touches(run));
     }
     c.residual = worst / scale;
     c.released = released_contacts(run);
-    c.in_parts = run.state.in_parts;
+    c.subcycled = run.state.subcycled;
     c.displacement = run.state.displacement;
     return c;
 }
 
-TEST(Touch, CrushedToFivePerCentKeepsEnergyAndShape) {
+TEST(NodeEdgeContact, CrushedToFivePerCentKeepsEnergyAndShape) {
     const Crushed c = crush(1, 0.05);
     EXPECT_GT(c.released, 5U);
-    EXPECT_GT(c.touches, 10U);
+    EXPECT_GT(c.contacts, 10U);
     EXPECT_LT(c.residual, 5e-3);
     EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
     EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);  // the measure sees what presses
 }
 
-TEST(Touch, CrushedWithMassScalingToo) {
+TEST(NodeEdgeContact, CrushedWithMassScalingToo) {
     const Crushed c = crush(1, 0.05, true);
-    EXPECT_TRUE(c.in_parts);
+    EXPECT_TRUE(c.subcycled);
     EXPECT_GT(c.released, 5U);
-    EXPECT_GT(c.touches, 10U);
+    EXPECT_GT(c.contacts, 10U);
     EXPECT_LT(c.residual, 5e-3);
     EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
     EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);
     const Crushed other = crush(2, 0.01, true);
     const Crushed one = crush(1, 0.01, true);
-    EXPECT_TRUE(one.in_parts);
+    EXPECT_TRUE(one.subcycled);
     for (std::size_t i = 0; i < one.displacement.size(); ++i) {
         ASSERT_EQ(other.displacement[i].x, one.displacement[i].x) << "node " << i;
         ASSERT_EQ(other.displacement[i].y, one.displacement[i].y) << "node " << i;
     }
 }
 
-TEST(Touch, TheSameBytesForAnyNumberOfThreads) {
+TEST(NodeEdgeContact, TheSameBytesForAnyNumberOfThreads) {
     const Crushed c = crush(1, 0.015);
     EXPECT_GT(c.released, 1U);
-    EXPECT_GT(c.touches, 3U);
+    EXPECT_GT(c.contacts, 3U);
     for (const int threads : {2, 3}) {
         const Crushed other = crush(threads, 0.015);
         ASSERT_EQ(other.displacement.size(), c.displacement.size());

@@ -46,8 +46,8 @@ public:
         fracture_ += r.dissipation.fracture;
         friction_ += r.dissipation.friction;
         mismatch_ += r.dissipation.mismatch;
-        least_fracture_ = std::min(least_fracture_, r.dissipation.fracture);
-        least_friction_ = std::min(least_friction_, r.dissipation.friction);
+        min_fracture_ = std::min(min_fracture_, r.dissipation.fracture);
+        min_friction_ = std::min(min_friction_, r.dissipation.friction);
         largest_shear_ = std::max(largest_shear_, std::abs(r.traction.shear));
         healed_ = healed_ || damage(law_, r.history) < damage(law_, history_) || (history_.failed() && !r.history.failed()) ||
                   (history_.separated && !r.history.separated);
@@ -74,8 +74,8 @@ public:
     [[nodiscard]] double stored() const { return stored_energy(law_, history_); }
     /// work − stored − all that was booked
     [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - mismatch_; }
-    [[nodiscard]] double least_fracture() const { return least_fracture_; }  ///< of one update
-    [[nodiscard]] double least_friction() const { return least_friction_; }
+    [[nodiscard]] double min_fracture() const { return min_fracture_; }  ///< of one update
+    [[nodiscard]] double min_friction() const { return min_friction_; }
     [[nodiscard]] double largest_shear() const { return largest_shear_; }
     [[nodiscard]] bool healed() const { return healed_; }  ///< damage fell or a failure was forgotten
 
@@ -84,7 +84,7 @@ private:
     ContactHistory history_;
     ContactTraction traction_;
     double work_ = 0, fracture_ = 0, friction_ = 0, mismatch_ = 0;
-    double least_fracture_ = 0, least_friction_ = 0, largest_shear_ = 0;
+    double min_fracture_ = 0, min_friction_ = 0, largest_shear_ = 0;
     bool healed_ = false;
 };
 

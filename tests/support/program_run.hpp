@@ -21,7 +21,7 @@ public:
         : program(parse_program(text, "test.toml")),
           run(std::move(specimen), law, plane, fraction, rock),
           probes(program, run.assemblage, run.specimen),
-          conductor(program, run.specimen, rock) {
+          stage_controller(program, run.specimen, rock) {
         run.set_boundary(make_program_boundary(run.assemblage, run.specimen, program, contact, platen_friction), fraction);
         run.parameters.damping = damping;
         set_initial_velocities(program, run.assemblage, run.specimen, run.state);
@@ -32,14 +32,14 @@ public:
         record();
         const auto last = [this](const std::string& probe, std::size_t column) { return probes.last(probe, column); };
         const std::function<double(const std::string&, std::size_t)> reader = last;
-        const auto feedback = [&] { return ConductorFeedback{run.state.time, history, reader}; };
-        conductor.begin(feedback());
-        run.state.loading.channels = conductor.values(0);
-        while (!conductor.finished()) {
+        const auto feedback = [&] { return StageFeedback{run.state.time, history, reader}; };
+        stage_controller.begin(feedback());
+        run.state.loading.channels = stage_controller.values(0);
+        while (!stage_controller.finished()) {
             const double duration = static_cast<double>(steps) * run.parameters.time_step;
-            run.steps(steps, conductor.next(feedback(), duration), threads);
+            run.steps(steps, stage_controller.next(feedback(), duration), threads);
             record();
-            conductor.judge(feedback());
+            stage_controller.check_stage_end(feedback());
         }
     }
     [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {
@@ -67,7 +67,7 @@ public:
     Program program;
     SmallRun run;
     Probes probes;
-    Conductor conductor;
+    StageController stage_controller;
     History history;
     std::vector<Energies> energies;
 

@@ -42,7 +42,7 @@ struct SmallRun {
     /// Other supports, and the state at rest.
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
-        const StepInParts step = stable_step_in_parts(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
+        const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
         parameters.parts = step.parts;
         parameters.time_step = fraction * step.time_step;
         state = make_state(assemblage, boundary, specimen);

@@ -28,21 +28,21 @@ ContactEvent event(std::int64_t step, std::int32_t contact, std::uint8_t point) 
     return e;
 }
 
-TEST(CrackCatalogue, RowsInTheOrderOfStepContactAndPoint) {
+TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
     SmallRun run(test::jittered_grid(12, 12, 0.02, 0.02, 0.2), test::augig_law());
     ASSERT_GE(run.state.events.size(), 3U);
-    CrackCatalogue catalogue(2 * run.assemblage.contacts.size());
-    EXPECT_TRUE(catalogue.empty());
+    CrackLog crack_log(2 * run.assemblage.contacts.size());
+    EXPECT_TRUE(crack_log.empty());
     run.state.events[2] = {event(5, 300, 0), event(6, 270, 1)};
     run.state.events[0] = {event(6, 7, 1), event(5, 9, 1)};
     run.state.events[1] = {event(5, 130, 0)};
     run.state.events[0][0].mode = CrackMode::tensile;
     run.state.fracture_energy[2 * 130] = 0.25;
-    catalogue.collect(run.assemblage, 1e-3, run.state);
+    crack_log.collect(run.assemblage, 1e-3, run.state);
     for (const auto& block : run.state.events) {
         EXPECT_TRUE(block.empty());
     }
-    const std::vector<Crack> rows = catalogue.rows(run.state);
+    const std::vector<Crack> rows = crack_log.rows(run.state);
     ASSERT_EQ(rows.size(), 5U);
     const std::int32_t contacts[] = {9, 130, 300, 7, 270};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -53,8 +53,8 @@ TEST(CrackCatalogue, RowsInTheOrderOfStepContactAndPoint) {
         EXPECT_EQ(rows[i].length, run.assemblage.contacts[static_cast<std::size_t>(contacts[i])].point_area);
     }
     EXPECT_EQ(rows[1].energy_released, 0.25);
-    EXPECT_EQ(catalogue.tensile_points(), 1U);
-    EXPECT_EQ(catalogue.shear_points(), 4U);
+    EXPECT_EQ(crack_log.tensile_points(), 1U);
+    EXPECT_EQ(crack_log.shear_points(), 4U);
     EXPECT_EQ(rows[3].mode, CrackMode::tensile);
     EXPECT_EQ(rows[0].orientation, 0);  // a direction, not a sense: π is 0
     expect_close(rows[0].mode_angle, std::atan2(4.0, -3.0), 1e-15, 1);
@@ -63,23 +63,23 @@ TEST(CrackCatalogue, RowsInTheOrderOfStepContactAndPoint) {
     EXPECT_EQ(rows[0].position, (std::array<double, 2>{0.001, 0.002}));
 }
 
-TEST(CrackCatalogue, SeparationIsNoCrackOfItsOwn) {
+TEST(CrackLog, SeparationIsNoCrackOfItsOwn) {
     SmallRun run(test::one_diagonal_grid(3, 3, 0.02, 0.02), test::augig_law());
-    CrackCatalogue catalogue(2 * run.assemblage.contacts.size());
+    CrackLog crack_log(2 * run.assemblage.contacts.size());
     ContactEvent separation = event(9, 4, 1);
     separation.is_separation = true;
     run.state.events[0] = {separation, event(9, 4, 1)};  // both at once, in any order
-    catalogue.collect(run.assemblage, 1.0, run.state);
-    ASSERT_EQ(catalogue.rows(run.state).size(), 1U);
-    EXPECT_EQ(catalogue.rows(run.state)[0].time_separated, 9);
+    crack_log.collect(run.assemblage, 1.0, run.state);
+    ASSERT_EQ(crack_log.rows(run.state).size(), 1U);
+    EXPECT_EQ(crack_log.rows(run.state)[0].time_separated, 9);
     separation.contact = 5;  // a crack that was there before the run
     run.state.events[0] = {separation};
-    catalogue.collect(run.assemblage, 1.0, run.state);
-    EXPECT_EQ(catalogue.rows(run.state).size(), 1U);
+    crack_log.collect(run.assemblage, 1.0, run.state);
+    EXPECT_EQ(crack_log.rows(run.state).size(), 1U);
 }
 
 // Torn apart by hand: what the contact stage reports is what was done to it.
-TEST(CrackCatalogue, OfARunThatIsPulledApart) {
+TEST(CrackLog, OfARunThatIsPulledApart) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
                                           {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
                  test::augig_law());
@@ -89,14 +89,14 @@ TEST(CrackCatalogue, OfARunThatIsPulledApart) {
         run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};  // the upper grain flies off
     }
     run.begin();
-    CrackCatalogue catalogue(2);
+    CrackLog crack_log(2);
     for (int i = 0; i < 200; ++i) {
         run.steps(1);
     }
-    catalogue.collect(run.assemblage, run.parameters.time_step, run.state);
-    const std::vector<Crack> rows = catalogue.rows(run.state);
+    crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
+    const std::vector<Crack> rows = crack_log.rows(run.state);
     ASSERT_EQ(rows.size(), 2U);
-    EXPECT_EQ(catalogue.tensile_points(), 2U);
+    EXPECT_EQ(crack_log.tensile_points(), 2U);
     for (const Crack& crack : rows) {
         EXPECT_EQ(crack.point, &crack - rows.data());
         EXPECT_EQ(crack.length, 0.01);

@@ -59,7 +59,7 @@ TEST(ContactLawPoint, ThePageHasASectionForEveryLaw) {
 // The areas to the peaks: Eq 14 with δut = δct; two thirds of the rectangle under Munjiza's parabola.
 TEST(ContactLawPoint, LeastFractureEnergies) {
     const ContactParameters p = augig_contact();
-    const auto least = [&](LawVariant variant) { return least_fracture_energies(make_contact_law(p, variant, Coupling::full)); };
+    const auto least = [&](LawVariant variant) { return min_fracture_energies(make_contact_law(p, variant, Coupling::full)); };
     const double paper = p.tensile_strength * p.critical_opening * (std::numbers::e - 2);
     expect_close(paper, 1.657, 3e-4, 1.657);  // four digits, by hand
     for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent}) {
@@ -144,7 +144,7 @@ TEST(ContactLawPoint, PreExistingCracksAreBrokenInEveryReading) {
 TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
     for (const ContactLaw& law : all_laws(augig_contact())) {
         SCOPED_TRACE(test::name_of_law(law));
-        int held = 0;
+        int constrained = 0;
         int failed = 0;
         int released = 0;
         for (double opening = -3; opening < 1.3; opening += 0.17) {
@@ -154,9 +154,9 @@ TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
                     const ContactMotion to{opening * law.dct, sliding * reach};
                     ContactHistory before;
                     before.motion = {opening < 0 ? -1e-12 : 1e-9, 0.4 * reach};
-                    before.cohesion_left = description_of(law.variant).variant == LawVariant::consistent ? left : 1;
+                    before.integrity = description_of(law.variant).variant == LawVariant::consistent ? left : 1;
                     const IntactResponse r = intact_response(
-                        law, {before.motion.opening, before.motion.sliding, to.opening, to.sliding, before.cohesion_left});
+                        law, {before.motion.opening, before.motion.sliding, to.opening, to.sliding, before.integrity});
                     const ContactResponse full = update_contact(law, to, before);
                     failed += full.history.failed() ? 1 : 0;
                     if (r.holds == 0) {
@@ -164,12 +164,12 @@ TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
                         EXPECT_TRUE(full.history.failed() || books_mismatch);
                         continue;
                     }
-                    ++held;
+                    ++constrained;
                     EXPECT_FALSE(full.history.failed());
                     // 2e-16 · some products
                     expect_close(r.normal, full.traction.normal, 1e-15, law.tc + std::abs(full.traction.normal));
                     expect_close(r.shear, full.traction.shear, 1e-15, law.cc);
-                    EXPECT_EQ(r.cohesion_left, full.history.cohesion_left);
+                    EXPECT_EQ(r.integrity, full.history.integrity);
                     EXPECT_EQ(r.fracture, full.dissipation.fracture);
                     EXPECT_EQ(full.dissipation.friction, 0);
                     EXPECT_EQ(full.dissipation.mismatch, 0);
@@ -177,7 +177,7 @@ TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
                 }
             }
         }
-        EXPECT_GT(held, 100);
+        EXPECT_GT(constrained, 100);
         EXPECT_GT(failed, 100);
         EXPECT_EQ(released > 100, law.variant == LawVariant::consistent);
         // Over δn = 0 only laws that are one there.
@@ -192,12 +192,13 @@ TEST(ContactLawPoint, SpentLawAgreesWithTheFullOne) {
     for (const ContactLaw& law : all_laws(augig_contact())) {
         SCOPED_TRACE(test::name_of_law(law));
         ContactHistory h = broken_contact();
-        spent_laws += is_spent(law, h) ? 1 : 0;
+        spent_laws += is_residual(law, h) ? 1 : 0;
         int slid = 0;
-        for (int k = 0; k < 4000 && is_spent(law, h); ++k) {
+        for (int k = 0; k < 4000 && is_residual(law, h); ++k) {
             const double phase = 0.01 * k;
             const ContactMotion to{law.dct * (std::sin(phase) - 0.7), law.dcs * std::sin(2.3 * phase)};
-            const SpentResponse r = spent_response(law, {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip});
+            const ResidualResponse r =
+                residual_response(law, {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip});
             const ContactResponse full = update_contact(law, to, h);
             const bool crosses = (to.opening >= 0) != (h.motion.opening >= 0);
             EXPECT_EQ(r.holds, crosses ? 0 : 1);
@@ -213,7 +214,7 @@ TEST(ContactLawPoint, SpentLawAgreesWithTheFullOne) {
             }
             h = full.history;
         }
-        EXPECT_EQ(slid > 500, is_spent(law, broken_contact()));
+        EXPECT_EQ(slid > 500, is_residual(law, broken_contact()));
     }
     EXPECT_GE(spent_laws, 4);
 }

@@ -25,7 +25,7 @@ TEST(MassScaling, GroupsAreTheVerticesOfTheMesh) {
     const Assemblage& a = run.assemblage;
     const MassScaling scaling = make_mass_scaling(a, 100);
     ASSERT_EQ(scaling.groups.size(), static_cast<std::size_t>((nx + 1) * (ny + 1)));
-    ASSERT_EQ(scaling.ties.size(), 2 * a.contacts.size());
+    ASSERT_EQ(scaling.links.size(), 2 * a.contacts.size());
     std::set<std::int32_t> seen;
     std::set<std::int32_t> points;
     std::int32_t begin = 0;
@@ -40,8 +40,8 @@ TEST(MassScaling, GroupsAreTheVerticesOfTheMesh) {
             EXPECT_TRUE(seen.insert(node).second);
             EXPECT_LT(length(a.position[static_cast<std::size_t>(node)] - vertex), 1e-12);
         }
-        for (std::int32_t t = scaling.ties_of_group[g].begin; t < scaling.ties_of_group[g].end; ++t) {
-            const MassScaling::Tie& tie = scaling.ties[static_cast<std::size_t>(t)];
+        for (std::int32_t t = scaling.links_of_group[g].begin; t < scaling.links_of_group[g].end; ++t) {
+            const MassScaling::Link& tie = scaling.links[static_cast<std::size_t>(t)];
             EXPECT_TRUE(points.insert(tie.point).second);
             for (const std::int32_t member : {tie.first, tie.second}) {
                 EXPECT_GE(member, members.begin);
@@ -54,7 +54,7 @@ TEST(MassScaling, GroupsAreTheVerticesOfTheMesh) {
         }
     }
     EXPECT_EQ(seen.size(), a.position.size());
-    EXPECT_EQ(points.size(), scaling.ties.size());
+    EXPECT_EQ(points.size(), scaling.links.size());
     // Blocks take every group once.
     std::int32_t group = 0;
     for (const Range block : scaling.blocks) {

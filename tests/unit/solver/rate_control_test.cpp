@@ -42,8 +42,7 @@ public:
 
 private:
     // With this mass the bar stores `least_energy` at `least_strain`.
-    static constexpr double mass =
-        2 * scales.least_energy / (wave_speed * wave_speed * scales.least_strain * scales.least_strain);
+    static constexpr double mass = 2 * scales.min_energy / (wave_speed * wave_speed * scales.min_strain * scales.min_strain);
     RateControl control_;
     double near_failure_;
     double speed_ = 0;
@@ -67,11 +66,11 @@ TEST(RateControl, HalfTheToleranceIsHalfTheSpeed) {
 TEST(RateControl, HalfTheShareIsHalfTheSpeedNearDamageAndFarFromIt) {
     const RateControl whole(tolerance, scales);
     const RateControl half(tolerance, scales, 0.5);
-    EXPECT_EQ(half.most_speed(1e-3), whole.most_speed(1e-3) / 2);
+    EXPECT_EQ(half.max_speed(1e-3), whole.max_speed(1e-3) / 2);
     for (const double near_failure : {0.0, 1.0}) {
         const double allowed = whole.allowed(near_failure);
         EXPECT_EQ(half.allowed(near_failure), allowed / 2);
-        EXPECT_EQ(half.least_speed(1e-3, allowed / 2), whole.least_speed(1e-3, allowed) / 2);
+        EXPECT_EQ(half.min_speed(1e-3, allowed / 2), whole.min_speed(1e-3, allowed) / 2);
     }
     Bar faster(1.0);
     Bar slower(1.0, tolerance, 0.5);
@@ -85,7 +84,7 @@ TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
     Bar near(1.0);
     EXPECT_GT(far.speed_after(400), 3 * near.speed_after(400));
     const double speed = far.speed_after(400);
-    EXPECT_LE(speed, control.most_speed(far.strain()));
+    EXPECT_LE(speed, control.max_speed(far.strain()));
     EXPECT_GT(control.allowed(0), 10 * tolerance);
     EXPECT_LE(control.allowed(0) * control.allowed(0) / 12, 1e-3);  // kinetic over stored energy (quasi-static, as tests ask)
     EXPECT_EQ(control.allowed(1), tolerance);
@@ -104,7 +103,7 @@ TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
         }
         EXPECT_LT(bar.speed_after(100), 0.1 * before);
         const RateControl control(tolerance, scales);
-        expect_close(bar.speed_after(1), control.least_speed(bar.strain(), tolerance), 1e-3, last);
+        expect_close(bar.speed_after(1), control.min_speed(bar.strain(), tolerance), 1e-3, last);
     }
 }
 
@@ -127,11 +126,11 @@ TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     for (int i = 0; i < 10; ++i) {
         free_speed = never_near.next({1e-3, 0, 100, 0, 0, 0, 0}, duration);
     }
-    EXPECT_EQ(speed, control.most_speed(1e-3));  // nothing moves: no measure holds it
-    EXPECT_GT(free_speed, 5 * control.least_speed(1e-3, tolerance));
+    EXPECT_EQ(speed, control.max_speed(1e-3));  // nothing moves: no measure holds it
+    EXPECT_GT(free_speed, 5 * control.min_speed(1e-3, tolerance));
     RateControl started(tolerance, scales);
-    EXPECT_EQ(started.next({1e-3, 0, 100, 0, 0, 0, 1}, duration), control.least_speed(1e-3, tolerance));
-    EXPECT_LT(started.next({1e-3, 0, 100, 0, 0, 0, 0}, duration), 1.1 * control.least_speed(1e-3, tolerance));
+    EXPECT_EQ(started.next({1e-3, 0, 100, 0, 0, 0, 1}, duration), control.min_speed(1e-3, tolerance));
+    EXPECT_LT(started.next({1e-3, 0, 100, 0, 0, 0, 0}, duration), 1.1 * control.min_speed(1e-3, tolerance));
 }
 
 TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
