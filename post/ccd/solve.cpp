@@ -106,7 +106,7 @@ std::optional<Place> nearest_to_centre(const std::vector<Model>& models, const s
                         std::inner_product(slope.begin(), slope.end(), place.begin(), 0.0));
             jacobian.push_back(std::move(slope));
         }
-        const std::optional<Place> next = min_norm(jacobian, b);
+        std::optional<Place> next = min_norm(jacobian, b);
         if (!next) return std::nullopt;
         if (distance(*next, place) < 1e-11) return next;
         for (std::size_t k = 0; k < place.size(); ++k) place[k] += share * ((*next)[k] - place[k]);
