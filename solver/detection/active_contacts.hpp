@@ -1,4 +1,4 @@
-// The node–edge contacts that go on, moved side by side, and where the nodes find their forces.
+// The active node–edge contacts, moved side by side, and the index by which nodes find their forces.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@
 
 namespace graincrack {
 
-/// Moves the touches of a block to the present displacements: their forces, friction into the sums.
+/// Moves the active contacts of a block to the present displacements: their forces, friction into the sums.
 void move_active_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
 
-/// Writes what the moving touches of a block have become into the list.
+/// Writes the active contacts of a block into the list.
 void store_active(std::int32_t block, ContactPairList& list);
 
-/// Makes the touches of the list that go on into moving ones, after a look or where a run goes on from a saved state.
+/// Makes the contacts of the list active ones, after an update or where a run continues from a saved state.
 void load_active(const Assemblage& assemblage, ContactPairList& list);
 
-/// Finds by node where the forces of the moving touches are; to be called where a review has changed them.
+/// Finds by node where the forces of the active contacts are; to be called where a detection has changed them.
 void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 
-/// Adds a pair of the list to the moving ones of its block.
+/// Adds a pair of the list to the active ones of its block.
 void append_active(const GrainSurface& surface, std::int32_t block, std::int32_t index, ContactPairList& list);
 
-/// Stored in all touches, J.
+/// Stored in all node–edge contacts, J.
 double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& list);
 
 }  // namespace graincrack

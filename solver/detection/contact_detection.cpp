@@ -16,19 +16,19 @@ using namespace detection_rule;
 constexpr double bond_width = 3e-3;  // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
 constexpr double min_area = 0.1;     // of what a node stands for, in a crowd
 constexpr double aligned = 0.5;      // cosine of two normals up to which two edges count as one surface
-constexpr double corner = 0.05;      // sine of a turn of the outline from which on its two edges are two faces
+constexpr double corner = 0.05;      // sine of a turn of the surface from which on its two edges are two faces
 
 /// What a block of nodes is worked on with.
 struct Block {
     const Assemblage& assemblage;
     const StepParameters& parameters;
     State& state;
-    PairGeometries& geometry;  ///< by place among the block's awake pairs
+    PairGeometries& geometry;  ///< by place among the block's watched pairs
     std::int32_t index;
     double friction = 0;
 };
 
-/// Asks for what a block of awake pairs remembers: the list is long, and they lie scattered in it.
+/// Prefetches what the watched pairs of a block remember: they lie scattered in a long list.
 void prefetch(const ContactPairList& list, Range watched) {
     for (std::int32_t i = watched.begin; i < watched.end; ++i) {
         const auto pair = static_cast<std::size_t>(list.watched[i]);
@@ -37,11 +37,11 @@ void prefetch(const ContactPairList& list, Range watched) {
     }
 }
 
-/// The awake pairs of one node.
+/// The watched pairs of one node.
 struct Group {
     Block& block;
     Range watched;
-    std::int32_t origin;  ///< first awake pair of the block
+    std::int32_t origin;  ///< first watched pair of the block
 
     [[nodiscard]] std::int32_t size() const { return watched.size(); }
     [[nodiscard]] std::int32_t at(std::int32_t i) const { return watched.begin - origin + i; }
@@ -97,19 +97,19 @@ std::int32_t next_edge(const Group& group, std::int32_t i) {
     return found;
 }
 
-/// Takes a touch and its forces away.
+/// Removes a contact and its forces.
 void clear(Group& group, std::int32_t i) {
     group.contact(i) = NodeEdgeContact{};
     std::fill_n(group.forces(i), 3, Vector2{});
 }
 
-/// Ends a touch; what its springs still hold is lost as the node slips off.
+/// Ends a contact; what its springs still store is lost as the node slips off.
 void end_contact(Group& group, std::int32_t i) {
     group.block.friction += node_edge_energy(group.block.parameters.law, group.contact(i));
     clear(group, i);
 }
 
-/// Passes a touch on to edge `to` with its force and energy.
+/// Transfers a contact to edge `to` with its force and energy.
 void transfer_to_adjacent_edge(Group& group, std::int32_t from, std::int32_t to) {
     NodeEdgeContact contact = group.contact(from);
     contact.initial_overlap = group.depth(to) - contact.overlap;
@@ -117,7 +117,7 @@ void transfer_to_adjacent_edge(Group& group, std::int32_t from, std::int32_t to)
     clear(group, from);
 }
 
-/// The edge on which touch `i` goes on; −1 if it ends.
+/// The edge on which contact `i` continues; −1 if it ends.
 std::int32_t continue_contact(Group& group, std::int32_t i) {
     std::int32_t on = i;
     if (const std::int32_t face = nearer_face(group, i, group.depth(i) - group.contact(i).initial_overlap); face >= 0) {
@@ -133,7 +133,7 @@ std::int32_t continue_contact(Group& group, std::int32_t i) {
     return on;
 }
 
-/// Decides how the touches of a node go on; those that do move.
+/// Decides how the contacts of a node continue; those that do become active.
 void continue_contact(Group& group) {
     std::array<std::int32_t, 16> active{};
     std::size_t count = 0;
@@ -152,8 +152,8 @@ void continue_contact(Group& group) {
     }
 }
 
-/// The area a node can still take: what its bonds had at the start, which the stable step knows of, less what its bonds and
-/// touches take now. Many corners on the end of one edge would be stiffer together than any bond was.
+/// The area that is still available at a node: what its bonds had at the start, which the stable step assumes, less what its
+/// bonds and contacts occupy now. Many corners on the end of one edge would be stiffer together than any bond was.
 double available_area(const GrainSurface& surface, const std::vector<ContactGeometry>& contacts, const ContactPairList& list,
                       std::int32_t node) {
     double room = 2 * surface.tributary[node] - list.occupied_area[node];
@@ -164,7 +164,7 @@ double available_area(const GrainSurface& surface, const std::vector<ContactGeom
     return room;
 }
 
-/// Area of a new touch: what the node stands for, or less where node or edge are held by others already.
+/// Area of a new contact: what the node stands for, or less where others occupy node or edge already.
 double area_of(const Group& group, std::int32_t i) {
     const Assemblage& a = group.block.assemblage;
     const auto room = [&](std::int32_t node) {
@@ -175,7 +175,7 @@ double area_of(const Group& group, std::int32_t i) {
     return std::clamp(std::min(room(group.node()), room(end)), min_area * tributary, tributary);
 }
 
-/// Whether a touch may begin: the node is in the grain, and nothing else keeps it out of there.
+/// Whether a contact may begin: the node is in the grain, and no other contact keeps it out of there.
 bool may_begin(const Group& group, std::int32_t i) {
     const PairGeometry g = group.geometry(i);
     if (group.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {

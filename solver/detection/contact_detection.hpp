@@ -11,11 +11,11 @@
 
 namespace graincrack {
 
-/// Where touches begin and how they pass on; see contact_detection.cpp and share/doc/touches.md.
+/// Where contacts begin and how they pass on to other edges; see contact_detection.cpp and share/doc/touches.md.
 namespace detection_rule {
-inline constexpr double slack = 1e-3;        // of an edge, beyond its ends: a touch stays on it so far, or passes on to the next
-inline constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no touch begins there, where the corners of several
-                                             // grains meet and would hold each other
+inline constexpr double slack = 1e-3;  // of an edge, beyond its ends: a contact stays on it so far, or is transferred to the next
+inline constexpr double corner_zone = 5e-3;  // of an edge, at its ends: no contact begins there, where the corners of several
+                                             // grains meet and would lock
 inline constexpr double deep = 6e-3;         // of the mean edge: a node as far in a grain as that is kept out even so
 }  // namespace detection_rule
 
@@ -25,8 +25,8 @@ inline constexpr double deep = 6e-3;         // of the mean edge: a node as far 
 bool came_through_neighbour(const Assemblage& assemblage, const State& state, const CandidatePair& pair,
                             const PairGeometry& geometry, double margin);
 
-/// Moves the touches of a block as `move_active_contacts` does, and decides before it which touches end or pass on to another
-/// edge, and after it which begin.
+/// Moves the contacts of a block as `move_active_contacts` does; decides before it which of them end or are transferred to
+/// another edge, and after it which begin.
 void detect_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
 
 }  // namespace graincrack

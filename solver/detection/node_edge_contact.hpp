@@ -1,20 +1,21 @@
-// A touch: a node of one grain against an edge of another, where no bond is left. Penalty and Coulomb friction, with an energy.
+// A node–edge contact: a node of one grain against an edge of another, where no bond is left. Penalty and Coulomb friction, with
+// an energy.
 //
 // With x the node, x0 → x1 the edge (solid on its left), t its direction, n its outward normal and s the place of the node along
-// it, 0 to 1, the depth of the node behind the edge is d = −(x − x0)·n. The part of it that presses is e = d − allowance; the
-// allowance is what the node was behind the edge when the touch began, so that a touch begins without a force however late it is
-// found, and hands on to another edge without a jump. Per tributary area A of the node:
+// it, 0 to 1, the depth of the node behind the edge is d = −(x − x0)·n. The overlap is e = d − initial overlap; the
+// initial overlap is the depth at which the contact was found, so that it begins without a force however late that was, and is
+// transferred to another edge without a jump. Per tributary area A of the node:
 //
 //   normal    kt A e on the node along n, stored ½ kt A e²
 //   friction  τ = ks q within ±kt e tan φc, q the elastic part of the sliding of the node along the edge; stored ½ ks A q²
 //
-// A touch ends between two steps: the node is past the edge by o when it is found to be out, and the scheme has taken more from
-// the spring than it held, ½ kt A e o; a grain that rattles would gain from every knock. So the step after the last one gives it
-// back by a pull of ½ kt A e o/(e + o), whose work over the way of two steps, 2 (e + o), in the mean of the scheme is that.
+// A contact ends between two steps: the node is past the edge by o when it is found to be out, and the scheme has taken more from
+// the spring than it stored, ½ kt A e o; a rattling grain would gain energy at every impact. The step after the last one corrects
+// that by a tension of ½ kt A e o/(e + o), whose work over two steps, 2 (e + o), in the mean of the scheme is that energy.
 //
 // kt, ks, φc are those of a contact that failed (Kazerani & Zhao 2014, Eqs 10, 12), so a bonded contact that has lost its
-// cohesion turns into touches of the same force and energy. The edge takes the opposite forces at its nodes in the shares 1 − s
-// and s, and the couple d τ that the distance of node and edge makes: linear and angular momentum are exact.
+// cohesion turns into node–edge contacts of the same force and energy. The edge takes the opposite forces at its nodes in the
+// shares 1 − s and s, and the couple d τ that the distance of node and edge makes: linear and angular momentum are exact.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +47,7 @@ inline PairGeometry pair_geometry(const Vector2& node, const Vector2& first, con
     return pair_geometry(second - first, node - first);
 }
 
-/// Forces of a touch.
+/// Forces of a node–edge contact.
 struct NodeEdgeForces {
     Vector2 on_node, on_first, on_second;  ///< N
 };
@@ -56,7 +57,7 @@ struct NodeEdgeResponse {
     double friction = 0;  ///< dissipated on the way here, J
 };
 
-/// Stored in the springs of a touch, J.
+/// Stored in the springs of a node–edge contact, J.
 inline double node_edge_energy(const ContactLaw& law, const NodeEdgeContact& contact) {
     return 0.5 * contact.area *
            (law.kt * contact.overlap * contact.overlap + law.ks * contact.elastic_slip * contact.elastic_slip);
@@ -64,13 +65,13 @@ inline double node_edge_energy(const ContactLaw& law, const NodeEdgeContact& con
 
 GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const ContactLaw& law, const NodeEdgeContact& contact, const PairGeometry& g) {
     const double pressure = contact.area * law.kt * (contact.overlap - contact.release_correction);
-    const double damping_force_of_nodes = contact.area * law.ks * contact.elastic_slip;
-    const Vector2 on_node = pressure * g.normal - damping_force_of_nodes * g.tangent;
-    const Vector2 couple = (damping_force_of_nodes * g.depth * g.inv_length) * g.normal;
+    const double friction = contact.area * law.ks * contact.elastic_slip;
+    const Vector2 on_node = pressure * g.normal - friction * g.tangent;
+    const Vector2 couple = (friction * g.depth * g.inv_length) * g.normal;
     return {on_node, -(1 - g.place) * on_node - couple, -g.place * on_node + couple};
 }
 
-/// Moves an active touch to a new place.
+/// Moves an active contact to a new place.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
 GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law, const NodeEdgeContact& old,
@@ -81,7 +82,7 @@ GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law,
     contact.initial_overlap = std::min(old.initial_overlap, std::max(g.depth, 0.0));
     contact.overlap = std::max(g.depth - contact.initial_overlap, 0.0);
     const double past = old.initial_overlap - g.depth;
-    const bool ends = (past > 0) & (old.overlap > 0);  // no branch: touches are moved side by side
+    const bool ends = (past > 0) & (old.overlap > 0);  // no branch: contacts are moved side by side
     contact.release_correction = ends ? 0.5 * old.overlap * past / (ends ? old.overlap + past : 1.0) : 0.0;
     const double limit = law.kt * contact.overlap * law.tan_phi / law.ks;
     const double trial = old.elastic_slip + sliding;

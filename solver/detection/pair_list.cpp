@@ -1,4 +1,4 @@
-// What is listed, kept, handed over and woken between steps.
+// The update of the pair list: which contacts have debonded or are released, when to search anew, and which pairs are watched.
 #include "solver/detection/pair_list.hpp"
 
 #include <algorithm>
@@ -15,18 +15,22 @@
 namespace graincrack {
 namespace {
 
-constexpr double buffer = 0.04;             // of the mean edge: pairs nearer than this are listed
-constexpr double release_travel = 0.005;    // of a contact's length: sliding or opening from which on it is released
-constexpr double debonding_travel = 0.001;  // of a contact's length: a failed point that has moved so far ties no more
-constexpr std::int64_t max_steps = 128;     // between two looks
+constexpr double buffer = 0.04;  // of the mean edge: pairs nearer than this are listed
+constexpr double release_travel =
+    0.005;  // of a contact's length: sliding or opening from which on it is released to node–edge contacts
+constexpr double debonding_travel =
+    0.001;                               // of a contact's length: a failed point that has moved so far no longer links its nodes
+constexpr std::int64_t max_steps = 128;  // between two updates
 constexpr std::int64_t min_steps = 4;
 constexpr std::int64_t detections_between_updates = 8;
-constexpr std::size_t fastest_one_in = 20;       // nodes are brisk: what flies by itself must not hurry all others
-constexpr double rebuild_delay_distance = 1e-3;  // of the mean edge: a search waits until brisk nodes may have gone so far
-constexpr double max_travel_p95 = 1e-3;      // of the mean edge, that brisk nodes may go between two looks where it can be had,
+constexpr std::size_t fastest_one_in =
+    20;  // nodes are faster than the 95th percentile: fast fragments must not shorten the interval
+constexpr double rebuild_delay_distance =
+    1e-3;                                // of the mean edge: a new search waits until nodes of that speed may have moved so far
+constexpr double max_travel_p95 = 1e-3;  // of the mean edge, that such nodes may move between two updates where possible,
 constexpr double max_travel_fastest = 1e-2;  // and that the fastest may
-constexpr double safety_factor = 8;          // times as far as node and edge go until then, and
-constexpr double safety_factor_p95 = 2;      // times as far as brisk nodes go: so near a pair is watched
+constexpr double safety_factor = 8;          // times the travel of node and edge until the next update, plus
+constexpr double safety_factor_p95 = 2;      // times the travel at the 95th percentile: a pair nearer than that is watched
 constexpr std::size_t groups_per_block = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
@@ -35,7 +39,7 @@ bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
     return s.failed[point] != 0 && damage(law, history_of(s, point)) >= 1;
 }
 
-/// Points that came loose since the last look.
+/// Contact points that debonded since the last update.
 /// \return whether there are any
 bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
     bool found = false;
@@ -70,7 +74,7 @@ std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaw& l
     return released_now;
 }
 
-/// Touches of the pairs that were listed before; one whose pair is listed no more (its node flew off) ends.
+/// Node–edge contacts of the pairs that were listed before; one whose pair is no longer listed, as its node has moved away, ends.
 std::vector<NodeEdgeContact> keep_contacts(const std::vector<CandidatePair>& pairs, const ContactLaw& law,
                                            ContactPairList& list) {
     std::vector<NodeEdgeContact> contacts(pairs.size());
@@ -112,59 +116,62 @@ void search(const Assemblage& a, const ContactLaw& law, State& s) {
 }
 
 /// How far a node has to go along an edge to be over the part between `inset` (of its length) of its ends, m; not above 0 there.
-double way_along(const PairGeometry& g, double inset) { return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length; }
-
-/// How far a node has to go to where a touch may begin, m; not above 0 there.
-double travel_to_begin(const PairGeometry& g, double mean_length) {
-    return std::min(std::max(-g.depth, way_along(g, detection_rule::corner_zone)),
-                    std::max(detection_rule::deep * mean_length - g.depth, way_along(g, 0)));
+double distance_along(const PairGeometry& g, double inset) {
+    return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length;
 }
 
-/// What a look needs of a node's pairs.
+/// How far a node has to move to where a node–edge contact may begin, m; not above 0 there.
+double travel_to_begin(const PairGeometry& g, double mean_length) {
+    return std::min(std::max(-g.depth, distance_along(g, detection_rule::corner_zone)),
+                    std::max(detection_rule::deep * mean_length - g.depth, distance_along(g, 0)));
+}
+
+/// Decides which pairs of a node are watched until the next update.
 class Watch {
 public:
-    /// \param duration to the next look, at most, s
-    /// \param brisk speed of few nodes, m/s
-    Watch(const Assemblage& a, double duration, double brisk, const State& s)
-        : assemblage_(a), state_(s), duration_(duration), brisk_(brisk) {
+    /// \param duration to the next update, at most, s
+    /// \param speed_p95 95th percentile of the speeds of all nodes, m/s
+    Watch(const Assemblage& a, double duration, double speed_p95, const State& s)
+        : assemblage_(a), state_(s), duration_(duration), speed_p95_(speed_p95) {
         speed_.reserve(s.velocity.size());
         for (const Vector2& v : s.velocity) {
             speed_.push_back(length(v));
         }
-        note_touches();
+        note_contacts();
     }
 
-    /// Finds where the pairs of some nodes stand, for `add_awake`.
-    void look_at(Range pairs) {
+    /// Finds the geometry of the pairs of some nodes, for `add_watched`.
+    void find_geometry(Range pairs) {
         begin_ = pairs.begin;
         geometry_.find(assemblage_, state_, pairs.size(), [&](std::int32_t i) { return pairs.begin + i; });
     }
-    /// Appends the pairs of a node, of those looked at, that touch, may begin to, or may be passed on to, before the next look.
-    void add_awake(Range pairs, std::vector<std::int32_t>& watched) {
+    /// Appends the pairs of a node, of those found, that are in contact, may come into contact, or may take a contact over,
+    /// before the next update.
+    void add_watched(Range pairs, std::vector<std::int32_t>& watched) {
         const ContactPairList& list = state_.contact_pairs;
         active_.clear();
-        pressing_ = 0;
+        overlap_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (goes_on_[p] != 0 && list.contacts[p].active) {
+            if (continues_[p] != 0 && list.contacts[p].active) {
                 active_.push_back({list.pairs[p].edge, geometry_.depth(p - begin_)});
-                pressing_ = std::max(pressing_, list.contacts[p].overlap);
+                overlap_ = std::max(overlap_, list.contacts[p].overlap);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (goes_on_[p] != 0 || matters(p, geometry_[p - begin_])) {
+            if (continues_[p] != 0 || matters(p, geometry_[p - begin_])) {
                 watched.push_back(p);
             }
         }
     }
 
 private:
-    /// Touches are among the pairs that were awake; after a search, when none is yet, anywhere.
-    void note_touches() {
+    /// Contacts are among the pairs that were watched; after a search, when none is watched yet, anywhere.
+    void note_contacts() {
         const ContactPairList& list = state_.contact_pairs;
-        goes_on_.assign(list.pairs.size(), 0);
+        continues_.assign(list.pairs.size(), 0);
         const auto note = [&](std::int32_t pair) {
             const NodeEdgeContact& contact = list.contacts[pair];
-            goes_on_[pair] = contact.active || contact.release_correction != 0 ? 1 : 0;
+            continues_[pair] = contact.active || contact.release_correction != 0 ? 1 : 0;
         };
         if (list.watched.empty()) {
             for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) {
@@ -180,7 +187,7 @@ private:
         const SurfaceEdge& edge = edge_of(pair);
         const double closing =
             speed_[state_.contact_pairs.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
-        return duration_ * (safety_factor * closing + safety_factor_p95 * brisk_);
+        return duration_ * (safety_factor * closing + safety_factor_p95 * speed_p95_);
     }
     [[nodiscard]] bool matters(std::int32_t pair, const PairGeometry& g) const {
         const double near = reach(pair);
@@ -192,39 +199,41 @@ private:
             return false;
         }
         const double margin = near + detection_rule::slack / g.inv_length;
-        return (g.depth < pressing_ + near && is_beside_active(pair)) || (way_along(g, 0) < margin && goes_on_active(g, margin));
+        return (g.depth < overlap_ + near && is_beside_active(pair)) ||
+               (distance_along(g, 0) < margin && is_at_depth_of_active(g, margin));
     }
-    /// Whether the edge follows one around the grain that the node touches.
+    /// Whether the edge is the previous or next one of its grain to an edge that the node is in contact with.
     [[nodiscard]] bool is_beside_active(std::int32_t pair) const {
         const SurfaceEdge& edge = edge_of(pair);
         return std::any_of(active_.begin(), active_.end(),
                            [&edge](const Active& active) { return active.edge == edge.previous || active.edge == edge.next; });
     }
-    /// Whether the node is about as deep behind the edge as it is behind one that it touches.
-    [[nodiscard]] bool goes_on_active(const PairGeometry& g, double margin) const {
+    /// Whether the node is about as deep behind the edge as behind one that it is in contact with.
+    [[nodiscard]] bool is_at_depth_of_active(const PairGeometry& g, double margin) const {
         return std::any_of(active_.begin(), active_.end(),
                            [&](const Active& active) { return std::abs(active.depth - g.depth) < margin; });
     }
 
     const Assemblage& assemblage_;
     const State& state_;
-    double duration_, brisk_;
+    double duration_, speed_p95_;
     std::int32_t begin_ = 0;
     PairGeometries geometry_;  ///< from pair `begin_` on
     struct Active {
         std::int32_t edge;
         double depth;  ///< m
     };
-    std::vector<double> speed_;          ///< [n] m/s
-    std::vector<std::uint8_t> goes_on_;  ///< [pairs] 1 for a touch, or one that has just ended and gives back in the next step
+    std::vector<double> speed_;  ///< [n] m/s
+    std::vector<std::uint8_t>
+        continues_;  ///< [pairs] 1 for a contact, or one that has just ended and corrects its energy in the next step
     std::vector<Active> active_;
-    double pressing_ = 0;  ///< of the touches of the node, at most, m
+    double overlap_ = 0;  ///< largest of the contacts of the node, m
 };
 
-/// Pairs that matter up to the next look, by node; the forces of the others are nil.
-void find_watched(const Assemblage& a, double duration, double brisk, State& s) {
+/// Pairs that matter up to the next update, by node; the forces of the others are zero.
+void find_watched(const Assemblage& a, double duration, double speed_p95, State& s) {
     ContactPairList& list = s.contact_pairs;
-    Watch watch(a, duration, brisk, s);
+    Watch watch(a, duration, speed_p95, s);
     list.watched.clear();
     list.watched_groups.clear();
     Range seen;
@@ -232,10 +241,10 @@ void find_watched(const Assemblage& a, double duration, double brisk, State& s) 
         const Range pairs = list.groups[i];
         if (pairs.begin == seen.end) {
             seen = {pairs.begin, list.groups[std::min(i + groups_per_block, list.groups.size()) - 1].end};
-            watch.look_at(seen);
+            watch.find_geometry(seen);
         }
         const auto begin = static_cast<std::int32_t>(list.watched.size());
-        watch.add_awake(pairs, list.watched);
+        watch.add_watched(pairs, list.watched);
         const auto end = static_cast<std::int32_t>(list.watched.size());
         if (end > begin) {
             list.watched_groups.push_back({begin, end});
@@ -243,13 +252,13 @@ void find_watched(const Assemblage& a, double duration, double brisk, State& s) 
     }
 }
 
-/// Chooses what the steps up to the next look work on.
-/// \param duration to the next look, at most, s
-/// \param brisk speed of few nodes, m/s
-void wake(const Assemblage& a, double duration, double brisk, State& s) {
+/// Chooses the pairs that the steps up to the next update work on.
+/// \param duration to the next update, at most, s
+/// \param speed_p95 95th percentile of the speeds of all nodes, m/s
+void watch_pairs(const Assemblage& a, double duration, double speed_p95, State& s) {
     ContactPairList& list = s.contact_pairs;
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
-    find_watched(a, duration, brisk, s);
+    find_watched(a, duration, speed_p95, s);
     list.blocks.clear();
     for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_block) {
         const std::size_t end = std::min(i + groups_per_block, list.watched_groups.size());
@@ -259,7 +268,7 @@ void wake(const Assemblage& a, double duration, double brisk, State& s) {
     load_active(a, list);
 }
 
-/// The area that touches take of each node; nothing where no pair is awake.
+/// The area of each node that contacts occupy; empty where no pair is watched.
 void find_occupied_area(const Assemblage& a, ContactPairList& list) {
     list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
     list.for_active([&list](std::int32_t i) {
@@ -270,7 +279,7 @@ void find_occupied_area(const Assemblage& a, ContactPairList& list) {
     });
 }
 
-/// Forces of all touches in the present displacements, without moving them.
+/// Forces of all node–edge contacts in the present displacements, without moving them.
 void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
     for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
         if (s.contact_pairs.contacts[i].active || s.contact_pairs.contacts[i].release_correction != 0) {
@@ -285,13 +294,13 @@ void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
     }
 }
 
-/// What a point of a released contact carried, as a touch of a node and an edge that face each other.
+/// What a point of a released contact carried, as a contact of a node and an edge that face each other.
 struct ReleasedContact {
     std::int32_t contact, point;
     double overlap, elastic_slip;  ///< m
 };
 
-/// Takes the tractions off contacts that are released.
+/// Takes the tractions off the contacts that are released.
 std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::vector<std::int32_t>& released_now, State& s) {
     std::vector<ReleasedContact> carried;
     for (const std::int32_t c : released_now) {
@@ -344,16 +353,16 @@ void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& 
 }
 
 struct Speeds {
-    double brisk;  ///< that one node in `fastest_one_in` exceeds, m/s
+    double p95;  ///< that one node in `fastest_one_in` exceeds, m/s
     double fastest;
 };
 Speeds find_speeds(const std::vector<Vector2>& velocity) {
     std::vector<double> squared;
     squared.reserve(velocity.size());
     std::transform(velocity.begin(), velocity.end(), std::back_inserter(squared), [](const Vector2& v) { return dot(v, v); });
-    const auto brisk = squared.end() - static_cast<std::ptrdiff_t>(squared.size() / fastest_one_in) - 1;
-    std::nth_element(squared.begin(), brisk, squared.end());
-    return {std::sqrt(*brisk), std::sqrt(*std::max_element(brisk, squared.end()))};
+    const auto speed_p95 = squared.end() - static_cast<std::ptrdiff_t>(squared.size() / fastest_one_in) - 1;
+    std::nth_element(squared.begin(), speed_p95, squared.end());
+    return {std::sqrt(*speed_p95), std::sqrt(*std::max_element(speed_p95, squared.end()))};
 }
 
 }  // namespace
@@ -368,7 +377,7 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
         return true;
     }
     const bool is_first = list.displacement_at_search.empty();
-    // How far nodes have gone since the last search, and how fast they go now.
+    // How far nodes have moved since the last search, and how fast they are now.
     double gone = 0;
     for (std::size_t i = 0; i < s.velocity.size() && !is_first; ++i) {
         const Vector2 way = s.displacement[i] - list.displacement_at_search[i];
@@ -377,14 +386,14 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
     gone = std::sqrt(gone);
     const Speeds speeds = find_speeds(s.velocity);
     const double travel_fastest = speeds.fastest * parameters.time_step;
-    const double travel_p95 = speeds.brisk * parameters.time_step;
-    // Soon again where nodes are so fast that they would have to be watched from far off.
+    const double travel_p95 = speeds.p95 * parameters.time_step;
+    // The faster the nodes, the shorter the interval; else pairs would have to be watched from afar.
     const double calm = a.surface.mean_length * std::min(max_travel_p95 / std::max(travel_p95, 1e-300),
                                                          max_travel_fastest / std::max(travel_fastest, 1e-300));
     const std::int64_t longest =
         std::max(std::clamp(static_cast<std::int64_t>(std::min(calm, 1e6)), min_steps, max_steps), shortest);
     const double allowed = 0.5 * buffer * a.surface.mean_length;  // two nodes may go towards each other
-    // What came loose may wait for a search as long as nothing has gone far since.
+    // What has debonded may wait for a search as long as nothing has moved far since.
     list.wants_rebuild = list.wants_rebuild || debonded_now || !released_now.empty();
     list.travel_since_rebuild += list.wants_rebuild ? static_cast<double>(longest) * travel_p95 : 0.0;
     if (is_first || gone + static_cast<double>(longest) * travel_fastest > allowed ||
@@ -398,7 +407,7 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
         gone = 0;
     }
     list.detection_interval = std::max<std::int64_t>(longest / detections_between_updates, 1);
-    wake(a, static_cast<double>(longest) * parameters.time_step, speeds.brisk, s);
+    watch_pairs(a, static_cast<double>(longest) * parameters.time_step, speeds.p95, s);
     find_occupied_area(a, list);
     if (scaled) {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {

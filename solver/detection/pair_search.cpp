@@ -11,8 +11,8 @@ namespace {
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
 
-/// Nodes that are tied to each other by contact points that are not loose, at a vertex of the specimen: the smallest node of the
-/// group each belongs to.
+/// Nodes that are linked by contact points that have not debonded, at a vertex of the specimen: the smallest node of the group
+/// that each belongs to.
 std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairList& list) {
     std::vector<std::int32_t> root(a.position.size());
     std::iota(root.begin(), root.end(), 0);

@@ -9,7 +9,7 @@
 
 namespace graincrack {
 
-/// All pairs of an exposed node and an exposed edge of another grain it is not tied to, nearer than `margin` (m); ascending.
+/// All pairs of an exposed node and an exposed edge of another grain it is not linked to, nearer than `margin` (m); ascending.
 std::vector<CandidatePair> find_pairs(const Assemblage& assemblage, double margin, const State& state);
 
 }  // namespace graincrack

@@ -1,10 +1,11 @@
-// Which nodes may touch which edges: a list kept between searches, and what each pair of it remembers.
+// The contact pair list: which nodes may come into contact with which edges, kept between searches, and what each pair remembers.
 //
-// Where grains are still bonded nothing is searched. A contact point is loose when it has lost its cohesion, or failed and moved;
-// an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain is loose:
-// another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion goes on as a
-// contact with its original partner (compression and friction) until it has moved by `release_travel` of its length; then it is
-// released: its tractions pass to touches, and from there on its nodes and edges are met like all others.
+// Where grains are still bonded nothing is searched. A contact point has debonded when it has lost its cohesion, or failed and
+// moved; an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain has
+// debonded: another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion
+// goes on as a contact with its original partner (compression and friction) until it has moved by `release_travel` of its length;
+// then it is released: its tractions pass to node–edge contacts, and from there on its nodes and edges are detected like all
+// others.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 
 namespace graincrack {
 
-/// What a touch remembers.
+/// What a node–edge contact remembers.
 struct NodeEdgeContact {
     bool active = false;
     bool near_first = true;         ///< nearer to the first end of the edge than to the second
@@ -30,18 +31,18 @@ struct NodeEdgeContact {
 /// A node and an edge of another grain that are near each other.
 struct CandidatePair {
     std::int32_t node;
-    std::int32_t edge;  ///< of the outline
+    std::int32_t edge;  ///< of the surface
     // NOLINTNEXTLINE(modernize-use-nullptr): it is none
     friend auto operator<=>(const CandidatePair&, const CandidatePair&) = default;
 };
 
-/// Forces on a node that come from moving touches, found by node.
+/// Forces on a node that come from active contacts.
 struct NodeForces {
     std::int32_t node;
     Range slots;  ///< into `ContactPairList::node_force_slots`
 };
 
-/// Touches side by side: all that most steps work on. What becomes of them is decided at reviews only.
+/// Active contacts side by side: all that most steps work on. Which of them continue is decided by detection, at intervals.
 struct ActiveContacts {
     std::vector<std::int32_t> pair;                  ///< in the list
     std::vector<std::array<std::int32_t, 3>> nodes;  ///< the node, first and second of the edge
@@ -49,37 +50,37 @@ struct ActiveContacts {
     std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction,
         place;                          ///< of `NodeEdgeContact`, `PairGeometry`
     std::vector<Vector2> forces;        ///< [3] on the nodes, N
-    std::vector<std::int32_t> count;    ///< by block; those of a block lie from its first awake pair on
-    std::vector<std::uint8_t> changed;  ///< by block: the last review found others than were there before
+    std::vector<std::int32_t> count;    ///< by block; those of a block lie from its first watched pair on
+    std::vector<std::uint8_t> changed;  ///< by block: the last detection found others than were there before
 };
 
 struct ContactPairList {
-    std::vector<std::uint8_t> debonded;  ///< [2 c] 1 once the point does not hold its nodes side by side any more
+    std::vector<std::uint8_t> debonded;  ///< [2 c] 1 once the point no longer holds its nodes side by side
     std::vector<std::uint8_t> released;  ///< [c] 1 once it is no contact any more
     std::vector<CandidatePair> pairs;    ///< ascending
     std::vector<NodeEdgeContact>
-        contacts;                 ///< [pairs] with their forces as of the last review or batch: `active` is what steps change
-    std::vector<Vector2> forces;  ///< [3 pairs] on node, first and second node of the edge, N
-    std::vector<Range> groups;    ///< pairs of one node
-    std::vector<std::int32_t> watched;    ///< pairs that matter before the next look, ascending; the others have no forces
+        contacts;  ///< [pairs] with their forces as of the last detection or interval of steps: `active` is what steps change
+    std::vector<Vector2> forces;          ///< [3 pairs] on node, first and second node of the edge, N
+    std::vector<Range> groups;            ///< pairs of one node
+    std::vector<std::int32_t> watched;    ///< pairs that matter before the next update, ascending; the others have no forces
     std::vector<Range> watched_groups;    ///< of them, of one node each
     std::vector<Range> blocks;            ///< of `watched_groups`, that one thread works on at a time
-    std::int64_t detection_interval = 1;  ///< steps, or parts of them, from one review to the next
+    std::int64_t detection_interval = 1;  ///< steps, or substeps, from one detection to the next
     ActiveContacts active;
-    std::vector<double> friction;                  ///< [blocks] dissipated since the last look, J
+    std::vector<double> friction;                  ///< [blocks] dissipated since the last update, J
     double friction_before = 0;                    ///< and before it, J
     std::vector<NodeForces> node_forces;           ///< ascending by node
     std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
     std::vector<Range> node_forces_of_block;       ///< by block of grains
     std::vector<std::int32_t> node_force_scratch;  ///< [n]
     std::vector<Vector2> displacement_at_search;   ///< [n] m
-    bool wants_rebuild = false;                    ///< something came loose or moved far since the last search
-    double travel_since_rebuild = 0;               ///< that the fastest node has gone since then at most, m
-    std::vector<double> occupied_area;             ///< [n] area of a node that touches take, at the last look, m²
+    bool wants_rebuild = false;                    ///< something debonded or moved far since the last search
+    double travel_since_rebuild = 0;               ///< of the fastest node since then at most, m
+    std::vector<double> occupied_area;             ///< [n] area of a node that contacts occupy, at the last update, m²
     std::int64_t next_check = 0;                   ///< step
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t block) const { return watched_groups[blocks[block].begin].begin; }
-    /// Calls `visit` with the place of each moving touch.
+    /// Calls `visit` with the place of each active contact.
     template <class Visit>
     void for_active(Visit&& visit) const {
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(blocks.size()); ++block) {

@@ -9,7 +9,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.force.resize(a.position.size());
     s.last_force.resize(a.position.size());
     s.damping_load.mean_displacement.resize(a.position.size());
-    s.damping_force_of_nodes.resize(a.position.size());
+    s.damping_force.resize(a.position.size());
     s.touching.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
     s.points = PointMemories(2 * a.contacts.size());

@@ -70,14 +70,14 @@ private:
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t integrations = 0;                ///< steps, or parts of them where they are made of parts
-    std::int64_t origin_step = 0;                 ///< from which on the time step is what it is
-    double origin_time = 0;                       ///< of that step, s
-    std::vector<Vector2> displacement;            ///< [n] m, at `time`
-    std::vector<Vector2> velocity;                ///< [n] m/s, half a step before `time`
-    std::vector<Vector2> force;                   ///< [n] N, scratch of the node stage
-    std::vector<Vector2> last_force;              ///< [n] N, of the step before, for the rate of `force`
-    std::vector<Vector2> damping_force_of_nodes;  ///< [n] N, scratch of integration with mass scaling and of measurements
+    std::int64_t integrations = 0;       ///< steps, or parts of them where they are made of parts
+    std::int64_t origin_step = 0;        ///< from which on the time step is what it is
+    double origin_time = 0;              ///< of that step, s
+    std::vector<Vector2> displacement;   ///< [n] m, at `time`
+    std::vector<Vector2> velocity;       ///< [n] m/s, half a step before `time`
+    std::vector<Vector2> force;          ///< [n] N, scratch of the node stage
+    std::vector<Vector2> last_force;     ///< [n] N, of the step before, for the rate of `force`
+    std::vector<Vector2> damping_force;  ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t>
         touching;  ///< [n] 1 + the platen it is on or close to (`group_reach`), else 0; scratch of the node stage
     std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`

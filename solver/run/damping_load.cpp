@@ -12,7 +12,7 @@ void follow_damping_load(const State& s, double platen_power, double time_consta
     for (std::size_t i = 0; i < s.displacement.size(); ++i) {
         const Vector2 lag = s.displacement[i] - load.mean_displacement[i];
         load.mean_displacement[i] += share * lag;
-        power -= dot(s.damping_force_of_nodes[i], lag);
+        power -= dot(s.damping_force[i], lag);
     }
     load.damping_power += share * (power / time_constant - load.damping_power);
     load.platen_power += share * (platen_power - load.platen_power);

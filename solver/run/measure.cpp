@@ -58,15 +58,15 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
     return nodes;
 }
 
-/// Damping at this instant, into `damping_force_of_nodes`.
+/// Damping at this instant, into `damping_force`.
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
         update_groups(a, parameters, s.loading, block, s);
         damp_groups(a, parameters, s.loading, block, s);
     }
-    for (std::size_t i = 0; i < s.damping_force_of_nodes.size() && !scaling.is_on(); ++i) {
-        s.damping_force_of_nodes[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
+    for (std::size_t i = 0; i < s.damping_force.size() && !scaling.is_on(); ++i) {
+        s.damping_force[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
     }
 }
 
@@ -75,8 +75,7 @@ double kinetic_energy(const Assemblage& a, const StepParameters& parameters, con
     for (const GrainBlock& block : a.grain_blocks) {
         double sum = 0;
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            const Vector2 next =
-                s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.damping_force_of_nodes[i]);
+            const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.damping_force[i]);
             sum += a.mass[i] * dot(s.velocity[i], next);
             unbalanced += length(s.force[i]);
         }
@@ -89,7 +88,7 @@ double damping_half_work(const Assemblage& a, const StepParameters& parameters, 
     double absorbed = 0;
     for (const GrainBlock& block : a.grain_blocks) {
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            absorbed -= dot(s.damping_force_of_nodes[i], s.velocity[i]);
+            absorbed -= dot(s.damping_force[i], s.velocity[i]);
         }
     }
     return 0.5 * parameters.time_step * absorbed;

@@ -18,8 +18,8 @@ struct Batch {
     alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
     alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
     alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
-    alignas(64) double mean_drag[size];                               ///< drag of the mean less the mean of drags, per mass
-    alignas(64) double damping_force_of_nodes[size];
+    alignas(64) double mean_damping_force[size];                      ///< drag of the mean less the mean of drags, per mass
+    alignas(64) double damping_force[size];
 };
 
 Vector2 pair_at(const double* values, std::ptrdiff_t i) { return {values[2 * i], values[2 * i + 1]}; }
@@ -102,45 +102,45 @@ void find_means(const MassScaling& scaling, std::int32_t block, const GroupState
 GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
-        b.damping_force_of_nodes[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
-                                                    b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
+        b.damping_force[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
+                                           b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
     }
 }
 
 /// Mean of these drags, to be taken off.
-void find_mean_drags(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+void find_mean_damping_forces(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
     const std::int32_t origin = scaling.members_of(block).begin;
     for_each_group(
         scaling, block, g,
         [&](Range members) {
-            Vector2 damping_force_of_nodes;
+            Vector2 damping_force;
             for (std::int32_t i = members.begin; i < members.end; ++i) {
-                damping_force_of_nodes += pair_at(b.damping_force_of_nodes, i);
+                damping_force += pair_at(b.damping_force, i);
             }
-            const Vector2 mean = g.inverse_mass[origin + members.begin] * damping_force_of_nodes;
+            const Vector2 mean = g.inverse_mass[origin + members.begin] * damping_force;
             for (std::int32_t i = members.begin; i < members.end; ++i) {
-                set_pair(b.mean_drag, i, mean);
+                set_pair(b.mean_damping_force, i, mean);
             }
         },
         [&](Range members) {
             for (std::int32_t i = members.begin; i < members.end; ++i) {
-                set_pair(b.mean_drag, i, {});
+                set_pair(b.mean_damping_force, i, {});
                 const std::int32_t first = g.component[origin + i] - origin;
-                set_pair(b.mean_drag, first,
-                         pair_at(b.mean_drag, first) + g.inverse_mass[origin + first] * pair_at(b.damping_force_of_nodes, i));
+                set_pair(b.mean_damping_force, first,
+                         pair_at(b.mean_damping_force, first) + g.inverse_mass[origin + first] * pair_at(b.damping_force, i));
             }
             for (std::int32_t i = members.begin; i < members.end; ++i) {
-                set_pair(b.mean_drag, i, pair_at(b.mean_drag, g.component[origin + i] - origin));
+                set_pair(b.mean_damping_force, i, pair_at(b.mean_damping_force, g.component[origin + i] - origin));
             }
         });
 }
 
-/// Drag of both motions into `damping_force_of_nodes`, and the damped acceleration of the mean.
+/// Drag of both motions into `damping_force`, and the damped acceleration of the mean.
 GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = damping_force(damping, b.mean_acceleration[k], b.mean_change[k], b.mean_velocity[k]);
-        b.damping_force_of_nodes[k] += mass[k] * (mean - b.mean_drag[k]);
+        b.damping_force[k] += mass[k] * (mean - b.mean_damping_force[k]);
         b.mean_acceleration[k] += mean;
     }
 }
@@ -158,25 +158,24 @@ void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVel
         set_pair(b.mean_velocity, i, platens[constraining_platen]);
     }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
-    find_mean_drags(scaling, block, s.groups, b);
+    find_mean_damping_forces(scaling, block, s.groups, b);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damps(), count, b); });
 }
 
 /// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
 GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Batch& b) {
     for (std::int32_t k = count; k % lanes != 0; ++k) {
-        b.damping_force_of_nodes[k] = b.velocity[k] = b.mean_velocity[k] = 0;
+        b.damping_force[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
     // The new velocities into `mean_velocity`, which is not needed any more.
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = (1 - own) * b.mean_acceleration[k];
-        b.mean_velocity[k] =
-            b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force_of_nodes[k]));
+        b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force[k]));
     }
     double absorbed[lanes] = {};
     for (std::int32_t k = 0; k < count; k += lanes) {
         for (std::int32_t l = 0; l < lanes; ++l) {
-            absorbed[l] -= b.damping_force_of_nodes[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
+            absorbed[l] -= b.damping_force[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
         }
     }
     return ((absorbed[0] + absorbed[1]) + (absorbed[2] + absorbed[3])) +
@@ -197,7 +196,7 @@ void damp_groups(const Assemblage& a, const StepParameters& parameters, const St
     damp(a, parameters, PlatenVelocities(loading, parameters.time_step), block, s, b);
     const Range members = parameters.mass_scaling.members_of(block);
     for (std::int32_t i = members.begin; i < members.end; ++i) {
-        s.damping_force_of_nodes[parameters.mass_scaling.members[i]] = pair_at(b.damping_force_of_nodes, i - members.begin);
+        s.damping_force[parameters.mass_scaling.members[i]] = pair_at(b.damping_force, i - members.begin);
     }
 }
 

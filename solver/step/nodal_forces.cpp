@@ -138,16 +138,15 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
     double absorbed = 0;
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 old_velocity = velocity[i];
-        const Vector2 damping_force_of_nodes = damping_force(damping, force[i], force[i] - last_force[i], old_velocity);
+        const Vector2 resistance = damping_force(damping, force[i], force[i] - last_force[i], old_velocity);
         last_force[i] = force[i];
         const double rate = time_step * inverse_mass[i];
-        const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + damping_force_of_nodes.x),
-                                   old_velocity.y + rate * (force[i].y + damping_force_of_nodes.y)};
+        const Vector2 new_velocity{old_velocity.x + rate * (force[i].x + resistance.x),
+                                   old_velocity.y + rate * (force[i].y + resistance.y)};
         velocity[i] = new_velocity;
         displacement[i].x += time_step * new_velocity.x;
         displacement[i].y += time_step * new_velocity.y;
-        absorbed -= damping_force_of_nodes.x * (old_velocity.x + new_velocity.x) +
-                    damping_force_of_nodes.y * (old_velocity.y + new_velocity.y);
+        absorbed -= resistance.x * (old_velocity.x + new_velocity.x) + resistance.y * (old_velocity.y + new_velocity.y);
     }
     return 0.5 * time_step * absorbed;
 }

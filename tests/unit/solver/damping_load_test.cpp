@@ -22,7 +22,7 @@ constexpr double time_constant = mean_transits * transit;
 /// A specimen whose nodes all move at v(t) along y and are held back by D(t) each, under platens of unit power; the share after
 /// fifty time constants.
 template <class Velocity, class Drag>
-double share_of(Velocity&& velocity, Drag&& damping_force_of_nodes) {
+double share_of(Velocity&& velocity, Drag&& damping_force) {
     SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
     State& s = run.state;
     const double interval = 0.05 * transit;
@@ -31,11 +31,11 @@ double share_of(Velocity&& velocity, Drag&& damping_force_of_nodes) {
         for (Vector2& u : s.displacement) {
             u.y += interval * velocity(t);
         }
-        std::fill(s.damping_force_of_nodes.begin(), s.damping_force_of_nodes.end(), Vector2{0, -damping_force_of_nodes(t)});
+        std::fill(s.damping_force.begin(), s.damping_force.end(), Vector2{0, -damping_force(t)});
         s.time = t;
         follow_damping_load(s, 1, time_constant, s.damping_load);
     }
-    return s.damping_load.share() / static_cast<double>(s.damping_force_of_nodes.size());
+    return s.damping_load.share() / static_cast<double>(s.damping_force.size());
 }
 
 TEST(DampingLoad, IsThePowerOfDampingOnSteadyMotionOverThatOfThePlatens) {
@@ -57,7 +57,7 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
     SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
     State& s = run.state;
     s.displacement.assign(s.displacement.size(), {1e-6, 0});
-    s.damping_force_of_nodes.assign(s.damping_force_of_nodes.size(), {-1, 0});
+    s.damping_force.assign(s.damping_force.size(), {-1, 0});
     s.time = transit;
     follow_damping_load(s, 1, time_constant, s.damping_load);
     const double once = s.damping_load.share();
