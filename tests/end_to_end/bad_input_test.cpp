@@ -76,6 +76,12 @@ INSTANTIATE_TEST_SUITE_P(Mesher, Refused, testing::ValuesIn(mesher), name_of_cas
 const std::vector<BadInput> solver{
     {"WrongUnit", "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5kg -o out.h5", 2, "--rate"},
     {"RateThatIsNone", "graincrack-solve brazilian disc.h5 --material augig-granite --rate automatic -o out.h5", 2, "--rate"},
+    {"RateShareOfAFixedRate",
+     "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5mm/s --rate-share 0.5 -o out.h5", 2, "--rate-share"},
+    {"RateShareOfNothing", "graincrack-solve brazilian disc.h5 --material augig-granite --rate-share 0 -o out.h5", 2,
+     "--rate-share"},
+    {"DampingFormThatIsNone", "graincrack-solve brazilian disc.h5 --material augig-granite --damping-form viscous -o out.h5", 2,
+     "--damping-form"},
     {"ToleranceOfAFixedRate",
      "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5mm/s --rate-tolerance 0.001 -o out.h5", 2,
      "--rate-tolerance"},
