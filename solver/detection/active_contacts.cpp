@@ -15,7 +15,7 @@ constexpr std::int32_t batch_contacts = 64;
 constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
 
 /// Ways and forces of touches side by side.
-struct Batch {
+struct Lanes {
     alignas(64) double along_x[batch_contacts], along_y[batch_contacts];  // from first to second node of the edge, m
     alignas(64) double from_x[batch_contacts], from_y[batch_contacts];    // from first to the node, m
     alignas(64) double node_x[batch_contacts], node_y[batch_contacts];    // way of the step, m
@@ -28,7 +28,7 @@ struct Batch {
     alignas(64) double friction[batch_contacts];
 };
 
-void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Batch& b) {
+void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Lanes& b) {
     const std::array<std::int32_t, 3>* const nodes = &s.contact_pairs.active.nodes[contacts.begin];
     const Vector2* const position = a.position.data();
     const Vector2* const displacement = s.displacement.data();
@@ -57,7 +57,7 @@ void gather(const Assemblage& a, const State& s, double time_step, Range contact
     std::copy_n(&active.elastic_slip[contacts.begin], contacts.size(), b.elastic_slip);
 }
 
-GRAINCRACK_INLINE void find_geometry(std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         const PairGeometry g = pair_geometry({b.along_x[i], b.along_y[i]}, {b.from_x[i], b.from_y[i]});
         b.tangent_x[i] = g.tangent.x;
@@ -70,7 +70,7 @@ GRAINCRACK_INLINE void find_geometry(std::int32_t count, Batch& b) {
 
 /// A node that is out where nothing presses ends its touch: it gives back what it owes (`NodeEdgeContact::release_correction`),
 /// and then nothing.
-GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 t{b.tangent_x[i], b.tangent_y[i]};
@@ -109,7 +109,7 @@ double sum_of(std::int32_t count, const double* values) {
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-void scatter(Range contacts, const Batch& b, ActiveContacts& active) {
+void scatter(Range contacts, const Lanes& b, ActiveContacts& active) {
     std::copy_n(b.live, contacts.size(), &active.live[contacts.begin]);
     std::copy_n(b.initial_overlap, contacts.size(), &active.initial_overlap[contacts.begin]);
     std::copy_n(b.overlap, contacts.size(), &active.overlap[contacts.begin]);
@@ -130,7 +130,7 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
     ActiveContacts& active = s.contact_pairs.active;
     const std::int32_t begin = s.contact_pairs.first_watched(block);
     const std::int32_t end = begin + active.count[block];
-    Batch batch;
+    Lanes batch;
     for (std::int32_t at = begin; at < end; at += batch_contacts) {
         const Range contacts{at, std::min(at + batch_contacts, end)};
         gather(a, s, parameters.time_step, contacts, batch);

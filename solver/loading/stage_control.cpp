@@ -27,7 +27,7 @@ TimeFunction from_present(TimeFunction function, double present) {
 
 StageController::StageController(const Program& program, const Specimen& specimen, const Rock& rock)
     : program_(program),
-      numbers_(number_channels(program)),
+      numbers_(number_amplitudes(program)),
       height_(specimen.height),
       transit_time_(specimen.height / std::sqrt(rock.young_modulus / rock.density)),
       young_modulus_(rock.young_modulus) {
@@ -36,10 +36,10 @@ StageController::StageController(const Program& program, const Specimen& specime
             if (!control.is_set[i]) {
                 continue;
             }
-            const bool drives = is_velocity(static_cast<Action>(i));
+            const bool prescribed = is_velocity(static_cast<Action>(i));
             TimeFunction free;
-            free.value = drives ? NAN : 0;
-            channels_.push_back({free, 0, drives});
+            free.value = prescribed ? NAN : 0;
+            amplitudes_.push_back({free, 0, prescribed});
         }
     }
 }
@@ -49,8 +49,8 @@ void StageController::resume(const StageControllerState& state) {
         for (std::size_t i = 0; i < n_actions; ++i) {
             const std::string name = program_.controls[c].name + "." + std::string(name_of(static_cast<Action>(i)));
             const auto found = std::find(state.names.begin(), state.names.end(), name);
-            if (numbers_[c][i] != no_channel && found != state.names.end()) {
-                channels_[numbers_[c][i]].function.value = state.values[found - state.names.begin()];
+            if (numbers_[c][i] != no_amplitude && found != state.names.end()) {
+                amplitudes_[numbers_[c][i]].function.value = state.values[found - state.names.begin()];
             }
         }
     }
@@ -63,9 +63,9 @@ StageControllerState StageController::state(double time) const {
     StageControllerState state;
     for (std::size_t c = 0; c < program_.controls.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
-            if (numbers_[c][i] != no_channel) {
+            if (numbers_[c][i] != no_amplitude) {
                 state.names.push_back(program_.controls[c].name + "." + std::string(name_of(static_cast<Action>(i))));
-                state.values.push_back(channels_[numbers_[c][i]].at(time));
+                state.values.push_back(amplitudes_[numbers_[c][i]].at(time));
             }
         }
     }
@@ -76,8 +76,8 @@ StageControllerState StageController::state(double time) const {
 
 std::vector<double> StageController::values(double time) const {
     std::vector<double> values;
-    std::transform(channels_.begin(), channels_.end(), std::back_inserter(values),
-                   [time](const Channel& c) { return c.at(time); });
+    std::transform(amplitudes_.begin(), amplitudes_.end(), std::back_inserter(values),
+                   [time](const Amplitude& c) { return c.at(time); });
     return values;
 }
 
@@ -86,8 +86,8 @@ void StageController::begin(const StageFeedback& f) {
         for (std::size_t i = 0; i < n_actions; ++i) {
             const auto& function = program_.controls[c].start[i];
             if (function) {
-                Channel& channel = channels_[numbers_[c][i]];
-                channel = {from_present(*function, channel.at(f.time)), f.time, channel.of_velocity};
+                Amplitude& amplitude = amplitudes_[numbers_[c][i]];
+                amplitude = {from_present(*function, amplitude.at(f.time)), f.time, amplitude.of_velocity};
             }
         }
     }
@@ -100,15 +100,15 @@ void StageController::start_stage(const StageFeedback& f) {
     functions_end_ = 0;
     quiet_rows_ = 0;
     highest_ = 0;
-    const auto set = [&](Channel& channel, const TimeFunction& function) {
-        channel = {from_present(function, channel.at(f.time)), f.time, channel.of_velocity};
+    const auto set = [&](Amplitude& amplitude, const TimeFunction& function) {
+        amplitude = {from_present(function, amplitude.at(f.time)), f.time, amplitude.of_velocity};
         functions_end_ = std::max(functions_end_, f.time + function.end());
     };
     for (std::size_t c = 0; c < program_.controls.size(); ++c) {
         const auto settings = stage.settings.find(program_.controls[c].name);
         for (std::size_t i = 0; i < n_actions && settings != stage.settings.end(); ++i) {
             if (settings->second[i]) {
-                set(channels_[numbers_[c][i]], *settings->second[i]);
+                set(amplitudes_[numbers_[c][i]], *settings->second[i]);
             }
         }
     }
@@ -183,9 +183,9 @@ double StageController::servo_speed(double time, double duration) const {
     return 0.5 * height_ / young_modulus_ * (rate + lag / servo_time);
 }
 
-BatchLoading StageController::next(const StageFeedback& f, double duration) {
-    BatchLoading batch;
-    batch.channels = &channels_;
+IntervalLoading StageController::next(const StageFeedback& f, double duration) {
+    IntervalLoading batch;
+    batch.amplitudes = &amplitudes_;
     if (!program_.platens) {
         return batch;
     }

@@ -48,7 +48,7 @@ public:
     /// Ends the stage that is on, if there is one, for a reason of the run.
     void close(double time, const std::string& reason);
     /// Loading of the next `duration` seconds. Its channels are those of this conductor.
-    BatchLoading next(const StageFeedback& feedback, double duration);
+    IntervalLoading next(const StageFeedback& feedback, double duration);
 
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
@@ -63,8 +63,8 @@ private:
     [[nodiscard]] double servo_speed(double time, double duration) const;
 
     const Program& program_;
-    ChannelNumbers numbers_;
-    std::vector<Channel> channels_;
+    AmplitudeNumbers numbers_;
+    std::vector<Amplitude> amplitudes_;
     std::size_t at_ = 0;
     double stage_begin_ = 0;       ///< s
     double functions_end_ = 0;     ///< of those the stage set, s
@@ -75,7 +75,7 @@ private:
     double height_;
     double transit_time_;  ///< of a bar wave through the specimen, s
     double young_modulus_;
-    Channel platen_;  ///< speed, or pressure with a servo
+    Amplitude platen_;  ///< speed, or pressure with a servo
     bool servo_ = false;
     double mean_compression_ = 0;  ///< over about a transit, Pa
     double speed_ = 0;

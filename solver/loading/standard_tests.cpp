@@ -92,7 +92,7 @@ double Loading::axial_speed(const LoadingFeedback& feedback, double duration) {
     return 0;
 }
 
-std::int64_t Loading::batch_steps(double time_step) const {
+std::int64_t Loading::interval_steps(double time_step) const {
     const double travel = request_.max_strain * height_ / 2 / history_rows;
     if (request_.rate == RateKind::fixed) {
         return std::max<std::int64_t>(10, static_cast<std::int64_t>(travel / request_.platen_speed / time_step));
@@ -127,11 +127,11 @@ LoadingLength Loading::longest(double time_step) const {
     }
     const double steps = time / time_step;
     const double rows = request_.rate == RateKind::automatic ? history_rows + time / (max_transits * transit_time_)
-                                                             : steps / static_cast<double>(batch_steps(time_step));
+                                                             : steps / static_cast<double>(interval_steps(time_step));
     return {static_cast<std::int64_t>(steps), static_cast<std::size_t>(rows)};
 }
 
-BatchLoading Loading::next(const LoadingFeedback& feedback, double duration) {
+IntervalLoading Loading::next(const LoadingFeedback& feedback, double duration) {
     // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
     mean_compression_ += std::min(1.0, duration / transit_time_) * (feedback.axial_compression - mean_compression_);
     if (isotropic_ && feedback.time > ramp_time_ + settle_transits * transit_time_) {
@@ -150,7 +150,7 @@ BatchLoading Loading::next(const LoadingFeedback& feedback, double duration) {
     const double old_speed = speed_;
     const double end = feedback.time + duration;
     speed_ = isotropic_ ? isotropic_speed(feedback, duration) : axial_speed(feedback, duration);
-    BatchLoading batch;
+    IntervalLoading batch;
     batch.velocity_begin = {old_speed, -old_speed};
     batch.velocity_end = {speed_, -speed_};
     batch.pressure_begin = target_pressure(feedback.time);

@@ -32,12 +32,12 @@ public:
     Loading(const LoadingRequest& request, const Specimen& specimen, const Rock& rock, PlaneCondition plane);
     /// Steps of the next batch, of which each is a row of the history: as many as move the platens by the 8000th part of the way
     /// to the strain cap, enough to resolve a brittle peak; of a block a part.
-    [[nodiscard]] std::int64_t batch_steps(double time_step) const;
+    [[nodiscard]] std::int64_t interval_steps(double time_step) const;
     /// The longest way to the strain cap, without an isotropic stage and without rest between blocks.
     [[nodiscard]] LoadingLength longest(double time_step) const;
     /// Loading of the next `duration` seconds.
     /// \throws NumericalError if the isotropic stage does not settle, or a block does not come to rest
-    BatchLoading next(const LoadingFeedback& feedback, double duration);
+    IntervalLoading next(const LoadingFeedback& feedback, double duration);
     [[nodiscard]] bool is_isotropic() const { return isotropic_; }
     [[nodiscard]] double isotropic_end_time() const { return isotropic_end_time_; }
     /// Mean speed of each platen since the axial loading began, m/s.

@@ -30,7 +30,7 @@ struct TimeFunction {
 };
 
 /// A function that runs since `start`.
-struct Channel {
+struct Amplitude {
     TimeFunction function;
     double start = 0;          ///< s
     bool of_velocity = false;  ///< wanted half a step after a step's time; loads are wanted at it

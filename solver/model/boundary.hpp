@@ -83,7 +83,7 @@ struct Boundary {
     std::vector<Range> platen_points_of_block;
     std::vector<std::array<std::int32_t, 2>> membrane_edges;  ///< solid on the left
     std::vector<Range> membrane_edges_of_block;
-    Drives drives;
+    PrescribedConditions prescribed;
 };
 
 /// Motion of the platens and pressure of the membrane over one step.
@@ -92,16 +92,16 @@ struct StepLoading {
     std::array<double, 2> increment_before{};     ///< of the step that led here, m
     std::array<double, 2> increment_after{};      ///< of the step that leads on, m
     double pressure = 0;                          ///< now, Pa
-    std::vector<double> channels;                 ///< of the drives: velocities of the step that leads on, loads now
+    std::vector<double> amplitudes;               ///< of the drives: velocities of the step that leads on, loads now
 };
 
 /// Loading over a batch of steps: speeds and pressure change linearly from its first step to its last.
-struct BatchLoading {
+struct IntervalLoading {
     std::array<double, 2> velocity_begin{};  ///< of the platens along y, m/s
     std::array<double, 2> velocity_end{};
     double pressure_begin = 0;
     double pressure_end = 0;
-    const std::vector<Channel>* channels = nullptr;  ///< of the drives, if there are any
+    const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the drives, if there are any
 };
 
 /// Finds the nodes that may meet a platen (within `reach` of its face) and the membrane's edges (`membrane_parts`).

@@ -4,12 +4,13 @@
 
 namespace graincrack {
 
-void arrange_drives(const Assemblage& a, Drives& drives) {
-    std::sort(drives.nodes.begin(), drives.nodes.end(), [](const DrivenNode& l, const DrivenNode& r) { return l.node < r.node; });
-    std::stable_sort(drives.edges.begin(), drives.edges.end(),
+void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
+    std::sort(prescribed.nodes.begin(), prescribed.nodes.end(),
+              [](const PrescribedNode& l, const PrescribedNode& r) { return l.node < r.node; });
+    std::stable_sort(prescribed.edges.begin(), prescribed.edges.end(),
                      [](const LoadedEdge& l, const LoadedEdge& r) { return l.nodes < r.nodes; });
-    drives.nodes_of_block = ranges_by_block(a, drives.nodes, [](const DrivenNode& n) { return n.node; });
-    drives.edges_of_block = ranges_by_block(a, drives.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
+    prescribed.nodes_of_block = ranges_by_block(a, prescribed.nodes, [](const PrescribedNode& n) { return n.node; });
+    prescribed.edges_of_block = ranges_by_block(a, prescribed.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
 }
 
 }  // namespace graincrack

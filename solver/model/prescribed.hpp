@@ -17,39 +17,39 @@
 namespace graincrack {
 
 /// No channel, nor control.
-inline constexpr std::int32_t no_channel = -1;
+inline constexpr std::int32_t no_amplitude = -1;
 
 /// A node of which a component moves as prescribed while its channel has a number; NaN leaves it free.
-struct DrivenNode {
+struct PrescribedNode {
     std::int32_t node = 0;
-    std::array<std::int32_t, 2> channel{no_channel, no_channel};  ///< of its velocity along x and y, m/s
-    std::array<std::int32_t, 2> control{no_channel, no_channel};  ///< by which it is driven
+    std::array<std::int32_t, 2> amplitude{no_amplitude, no_amplitude};  ///< of its velocity along x and y, m/s
+    std::array<std::int32_t, 2> control{no_amplitude, no_amplitude};    ///< by which it is driven
 };
 
 /// A boundary edge that carries a load.
 struct LoadedEdge {
     std::array<std::int32_t, 2> nodes{};  ///< solid on the left
-    std::array<std::int32_t, 2> traction{no_channel,
-                                         no_channel};  ///< channels of a dead traction along x and y, per reference length, Pa
-    std::int32_t pressure = no_channel;                ///< channel of a pressure that follows the edge, Pa
-    std::int32_t control = no_channel;
+    std::array<std::int32_t, 2> traction{no_amplitude,
+                                         no_amplitude};  ///< channels of a dead traction along x and y, per reference length, Pa
+    std::int32_t pressure = no_amplitude;                ///< channel of a pressure that follows the edge, Pa
+    std::int32_t control = no_amplitude;
     double length = 0;  ///< reference, m
 };
 
 /// Sorted by node; ranges by block of grains.
-struct Drives {
+struct PrescribedConditions {
     Vector2 gravity;  ///< m/s²
-    std::vector<DrivenNode> nodes;
+    std::vector<PrescribedNode> nodes;
     std::vector<Range> nodes_of_block;
     std::vector<LoadedEdge> edges;
     std::vector<Range> edges_of_block;
     [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && gravity.x == 0 && gravity.y == 0; }
 };
 /// Sorts nodes and edges and finds their ranges.
-void arrange_drives(const Assemblage& assemblage, Drives& drives);
+void arrange_prescribed(const Assemblage& assemblage, PrescribedConditions& prescribed);
 
 /// What a step leaves of the drives: scratch, except that probes read it.
-struct DriveState {
+struct PrescribedState {
     struct Node {
         Vector2 reaction;      ///< against the other forces, without inertia, N; 0 where free
         Vector2 velocity;      ///< prescribed for the step, m/s; NaN where free

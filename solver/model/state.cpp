@@ -30,9 +30,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.contact_pairs = make_contact_pair_list(a);
     s.platen_points = boundary.platen_points;
     s.membrane_force.resize(boundary.membrane_edges.size());
-    s.drives.nodes.resize(boundary.drives.nodes.size());
-    s.drives.load.resize(boundary.drives.edges.size());
-    s.drives.pressing.resize(boundary.drives.edges.size());
+    s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
+    s.prescribed.load.resize(boundary.prescribed.edges.size());
+    s.prescribed.pressing.resize(boundary.prescribed.edges.size());
     s.grain_sums.resize(a.grain_blocks.size());
     s.contact_sums.resize(a.contact_blocks.size());
     s.events.resize(a.contact_blocks.size());

@@ -95,7 +95,7 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
     for (std::int32_t point = 0; point < 2 * a.n_contacts(); ++point) {
         const auto& nodes = a.contacts[point / 2].nodes;
         m.links.push_back({member_of_node[nodes[point % 2]], member_of_node[nodes[2 + point % 2]], point,
-                           group_reach * 2 * a.contacts[point / 2].point_area});
+                           cluster_reach * 2 * a.contacts[point / 2].point_area});
     }
     const auto group_of_link = [&](const MassScaling::Link& tie) { return group_of_node[m.members[tie.first]]; };
     std::stable_sort(m.links.begin(), m.links.end(),

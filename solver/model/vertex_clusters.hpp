@@ -10,7 +10,7 @@
 // of the relative motion does not.
 //
 // A contact point holds its two nodes together while it carries something or soon may: until it has separated and opened by
-// `group_reach`, and again when it comes as close. Groups are what is connected by such points, so fragments fly free of each
+// `cluster_reach`, and again when it comes as close. Groups are what is connected by such points, so fragments fly free of each
 // other. Where they are to meet others than their first partners (`StepParameters::parts`) mass scaling is over. A group that
 // touches a platen, or comes as close to one, is held by it as by a mass without limit: ā is the platen's. What that mass takes
 // to be moved along with the platen is the platen's work.
@@ -33,7 +33,7 @@ namespace graincrack {
 /// Opening of a separated contact at which its nodes part, over its length. What moves freely has its own mass, and would run
 /// deep into a contact that is stiff for that mass; it must be slowed before. At the speed to which a grain springs back from
 /// 100 MPa, σ/√(ρ E) = 12 m/s, a step with mass scaling (5e-7 s) takes it 1.2e-3 of a 5 mm edge.
-inline constexpr double group_reach = 4e-3;
+inline constexpr double cluster_reach = 4e-3;
 
 /// Most members in a block of groups.
 inline constexpr std::int32_t members_per_block = 256;
@@ -66,7 +66,7 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i);
 MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 
 /// Energies summed over a block of groups since the start, J.
-struct GroupSums {
+struct ClusterSums {
     double damping = 0;
     double regrouping_loss = 0;  ///< kinetic energy that changes of groups took away
     double platen_work = 0;      ///< done on the added mass that platens hold
@@ -75,11 +75,11 @@ struct GroupSums {
 /// A member that a platen holds.
 struct ConstrainedMember {
     std::int32_t place;                ///< within the block
-    std::uint8_t constraining_platen;  ///< see `GroupState::constraining_platen`
+    std::uint8_t constraining_platen;  ///< see `ClusterState::constraining_platen`
 };
 
 /// Who is held together now.
-struct GroupState {
+struct ClusterState {
     std::vector<std::uint8_t> linked;     ///< [tie] 1 while the point holds its nodes together
     std::vector<std::uint8_t> supported;  ///< [member] `State::touching` of the node
     std::vector<std::uint8_t>
@@ -87,9 +87,9 @@ struct GroupState {
     std::vector<std::int32_t> component;  ///< [member] first member of those it is held together with
     std::vector<double> inverse_mass;     ///< [member] of the component it is the first of; 0 if a platen holds that, 1/kg
     std::vector<std::uint8_t> whole;      ///< [group] 1 while all of its members are held together
-    std::vector<GroupSums> sums;          ///< by block
+    std::vector<ClusterSums> sums;        ///< by block
 
-    // Found by `complete_group_state`: who is held, and where groups may change.
+    // Found by `complete_cluster_state`: who is held, and where groups may change.
     std::vector<std::vector<ConstrainedMember>> constrained;  ///< by block
     std::vector<std::int32_t> block_of_point;                 ///< [2 c]
     std::vector<std::uint8_t> cracked;                        ///< by block: 1 once a point of it has failed
@@ -101,7 +101,7 @@ struct GroupState {
         }
     }
 };
-/// Velocities of the platens, by `GroupState::constraining_platen`.
+/// Velocities of the platens, by `ClusterState::constraining_platen`.
 class PlatenVelocities {
 public:
     /// As node velocities: half a step before now.

@@ -62,8 +62,8 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        update_groups(a, parameters, s.loading, block, s);
-        damp_groups(a, parameters, s.loading, block, s);
+        update_clusters(a, parameters, s.loading, block, s);
+        damp_clusters(a, parameters, s.loading, block, s);
     }
     for (std::size_t i = 0; i < s.damping_force.size() && !scaling.is_on(); ++i) {
         s.damping_force[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
@@ -139,15 +139,16 @@ void add_platen_energies(const Boundary& boundary, double time_step, const State
     }
 }
 
-void add_drive_energies(const Assemblage& a, const Drives& drives, double time_step, const State& s, Measurement& m) {
-    if (drives.empty()) {
+void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
+                             Measurement& m) {
+    if (prescribed.empty()) {
         return;
     }
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
-        m.energies.external += load_half_work(a, drives, block, time_step, s);
+        m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
-    m.energies.external += reaction_half_work(drives, time_step, s);
-    for (const double pressing : s.drives.pressing) {
+    m.energies.external += reaction_half_work(prescribed, time_step, s);
+    for (const double pressing : s.prescribed.pressing) {
         m.membrane_force += std::abs(pressing);
     }
 }
@@ -197,7 +198,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
         m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
-    for (const GroupSums& sums : s.groups.sums) {
+    for (const ClusterSums& sums : s.clusters.sums) {
         m.energies.damping += sums.damping + sums.regrouping_loss;
         m.energies.external += sums.platen_work;
     }
@@ -209,7 +210,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.external += 0.5 * parameters.time_step * dot(s.membrane_force[e], s.velocity[first] + s.velocity[second]);
         m.membrane_force += std::abs(s.membrane_force[e].x);  // two ends an edge, two sides: the mean of the sides
     }
-    add_drive_energies(a, boundary.drives, parameters.time_step, s, m);
+    add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
     for (const GrainSums& sums : s.grain_sums) {
         m.energies.damping += sums.damping;
         m.energies.external += sums.platen_work + sums.membrane_work + sums.load_work + sums.reaction_work;

@@ -12,7 +12,7 @@ LoadingLength longest_way(const Specimen& specimen, const SimulationRequest& req
         return Loading(request.loading, specimen, request.material.rock, request.plane).longest(time_step);
     }
     const auto steps = static_cast<std::int64_t>(request.program->longest_time() / time_step);
-    return {steps, static_cast<std::size_t>(steps / program_batch_steps(*request.program, time_step) + 1)};
+    return {steps, static_cast<std::size_t>(steps / program_interval_steps(*request.program, time_step) + 1)};
 }
 
 }  // namespace

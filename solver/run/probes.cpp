@@ -37,15 +37,15 @@ Vector2 mean_displacement(const std::vector<std::int32_t>& nodes, const State& s
     return (1 / static_cast<double>(nodes.size())) * sum;
 }
 
-Vector2 force_of_control(std::int32_t control, const Drives& drives, const State& s) {
+Vector2 force_of_control(std::int32_t control, const PrescribedConditions& prescribed, const State& s) {
     Vector2 force;
-    for (std::size_t i = 0; i < drives.nodes.size(); ++i) {
-        const DriveState::Node& node = s.drives.nodes[i];
-        force += {drives.nodes[i].control[0] == control ? node.reaction.x : 0,
-                  drives.nodes[i].control[1] == control ? node.reaction.y : 0};
+    for (std::size_t i = 0; i < prescribed.nodes.size(); ++i) {
+        const PrescribedState::Node& node = s.prescribed.nodes[i];
+        force += {prescribed.nodes[i].control[0] == control ? node.reaction.x : 0,
+                  prescribed.nodes[i].control[1] == control ? node.reaction.y : 0};
     }
-    for (std::size_t i = 0; i < drives.edges.size(); ++i) {
-        force += drives.edges[i].control == control ? 2.0 * s.drives.load[i] : Vector2{};
+    for (std::size_t i = 0; i < prescribed.edges.size(); ++i) {
+        force += prescribed.edges[i].control == control ? 2.0 * s.prescribed.load[i] : Vector2{};
     }
     return force;
 }
@@ -126,7 +126,7 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
     std::size_t probe = 0;
     for (std::size_t c = 0; c < nodes_of_control_.size(); ++c) {
         const Vector2 u = mean_displacement(nodes_of_control_[c], s);
-        const Vector2 force = force_of_control(static_cast<std::int32_t>(c), boundary.drives, s);
+        const Vector2 force = force_of_control(static_cast<std::int32_t>(c), boundary.prescribed, s);
         push(probe++, {u.x, u.y, force.x, force.y});
     }
     for (const auto& [is_circle, at] : request_at_) {

@@ -49,7 +49,7 @@ std::optional<StageControllerState> read_start(const H5Input& file) {
 
 }  // namespace
 
-std::int64_t program_batch_steps(const Program& program, double time_step) {
+std::int64_t program_interval_steps(const Program& program, double time_step) {
     const double interval = program.row_interval.value_or(program.longest_time() / history_rows);
     return std::max<std::int64_t>(program.row_interval ? 1 : min_steps, std::llround(interval / time_step));
 }
@@ -65,10 +65,10 @@ void ProgramDriver::with_feedback(const RunView& view, Act&& act) {
     act(StageFeedback{view.state.time, view.history, probe});
 }
 
-std::int64_t ProgramDriver::batch_steps(double time_step) const { return program_batch_steps(program_, time_step); }
+std::int64_t ProgramDriver::interval_steps(double time_step) const { return program_interval_steps(program_, time_step); }
 
-BatchLoading ProgramDriver::next(const RunView& view, double duration) {
-    BatchLoading batch;
+IntervalLoading ProgramDriver::next(const RunView& view, double duration) {
+    IntervalLoading batch;
     with_feedback(view, [&](const StageFeedback& feedback) { batch = stage_controller_.next(feedback, duration); });
     return batch;
 }
@@ -98,7 +98,7 @@ void ProgramDriver::go_on(const StageControllerState& /*state*/, const RunReader
     }
     probes_.restore(file);
     const History rows = checkpoint.history();
-    const double duration = static_cast<double>(batch_steps(time_step)) * time_step;
+    const double duration = static_cast<double>(interval_steps(time_step)) * time_step;
     History so_far;
     std::size_t row = 0;
     const std::function<double(const std::string&, std::size_t)> probe = [&](const std::string& name, std::size_t column) {

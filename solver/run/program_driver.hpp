@@ -12,8 +12,8 @@ class ProgramDriver : public RunDriver {
 public:
     ProgramDriver(const Program& program, const Assemblage& assemblage, const Specimen& specimen, const Rock& rock);
 
-    [[nodiscard]] std::int64_t batch_steps(double time_step) const override;
-    BatchLoading next(const RunView& view, double duration) override;
+    [[nodiscard]] std::int64_t interval_steps(double time_step) const override;
+    IntervalLoading next(const RunView& view, double duration) override;
     void note(const RunView& view) override;
     [[nodiscard]] std::string stop_reason(const RunView& view) const override;
     [[nodiscard]] bool counts() const override { return true; }
@@ -40,6 +40,6 @@ private:
 };
 
 /// Steps between two rows of a program's history: its own `row_every`, or the 8000th part of its longest time.
-std::int64_t program_batch_steps(const Program& program, double time_step);
+std::int64_t program_interval_steps(const Program& program, double time_step);
 
 }  // namespace graincrack

@@ -17,8 +17,8 @@ public:
     TestDriver(const SimulationRequest& request, const Specimen& specimen)
         : request_(request), loading_(request.loading, specimen, request.material.rock, request.plane) {}
 
-    [[nodiscard]] std::int64_t batch_steps(double time_step) const override { return loading_.batch_steps(time_step); }
-    BatchLoading next(const RunView& view, double duration) override { return loading_.next(view.feedback, duration); }
+    [[nodiscard]] std::int64_t interval_steps(double time_step) const override { return loading_.interval_steps(time_step); }
+    IntervalLoading next(const RunView& view, double duration) override { return loading_.next(view.feedback, duration); }
     void note(const RunView& /*view*/) override {}
     [[nodiscard]] std::string stop_reason(const RunView& view) const override {
         if (loading_.is_isotropic()) {

@@ -29,9 +29,9 @@ class RunDriver {
 public:
     virtual ~RunDriver() = default;
     /// Steps of the next batch, of which each is a row of the history.
-    [[nodiscard]] virtual std::int64_t batch_steps(double time_step) const = 0;
+    [[nodiscard]] virtual std::int64_t interval_steps(double time_step) const = 0;
     /// Loading of the next `duration` seconds.
-    virtual BatchLoading next(const RunView& view, double duration) = 0;
+    virtual IntervalLoading next(const RunView& view, double duration) = 0;
     /// Takes note of a new row. The first is that of the start.
     virtual void note(const RunView& view) = 0;
     /// Why the run ends here, "" if it goes on.

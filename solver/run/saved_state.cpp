@@ -62,7 +62,7 @@ template <Is<ContactSums> T, class Act>
 void visit_members(T& s, Act&& act) {
     visit_all(act, s.fracture_tension, s.fracture_shear, s.friction, s.mismatch);
 }
-template <Is<GroupSums> T, class Act>
+template <Is<ClusterSums> T, class Act>
 void visit_members(T& s, Act&& act) {
     visit_all(act, s.damping, s.regrouping_loss, s.platen_work);
 }
@@ -97,11 +97,11 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("touch_friction", s.contact_pairs.friction);
     visit("touch_displacement_at_search", s.contact_pairs.displacement_at_search);
     visit("touch_area_taken", s.contact_pairs.occupied_area);
-    visit("group_tied", s.groups.linked);
-    visit("group_supported", s.groups.supported);
-    visit("group_component", s.groups.component);
-    visit("group_inverse_mass", s.groups.inverse_mass);
-    visit("group_energies", s.groups.sums);
+    visit("group_tied", s.clusters.linked);
+    visit("group_supported", s.clusters.supported);
+    visit("group_component", s.clusters.component);
+    visit("group_inverse_mass", s.clusters.inverse_mass);
+    visit("group_energies", s.clusters.sums);
 }
 
 /// And every single number.
@@ -265,7 +265,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
             s.points.of(point) = histories[point];
         }
     }
-    complete_group_state(setup.parameters.mass_scaling, s);
+    complete_cluster_state(setup.parameters.mass_scaling, s);
     load_active(setup.assemblage, s.contact_pairs);
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;

@@ -114,8 +114,8 @@ public:
         }
         while (header_.stop_reason.empty()) {
             throw_if_interrupted();
-            const std::int64_t steps = driver_->batch_steps(parameters_.time_step);
-            const BatchLoading batch = driver_->next(view(), static_cast<double>(steps) * parameters_.time_step);
+            const std::int64_t steps = driver_->interval_steps(parameters_.time_step);
+            const IntervalLoading batch = driver_->next(view(), static_cast<double>(steps) * parameters_.time_step);
             advance(assemblage_, boundary_, parameters_, batch, steps, team_, state_);
             record();
             show_progress();
@@ -377,7 +377,7 @@ private:
     RunHeader header_;
     Progress progress_;
     History history_;
-    Team team_;
+    ThreadTeam team_;
     LoadingFeedback feedback_;
     std::size_t rows_written_ = 0;
     double largest_imbalance_ = 0;  ///< of the energy ledger, J

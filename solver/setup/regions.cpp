@@ -27,69 +27,69 @@ std::vector<std::uint8_t> numbers_of(const std::vector<std::string>& parts, cons
 }
 
 /// Later controls take over the components of a node that earlier ones had.
-void drive_nodes(const RegionMembers& members, const std::array<std::int32_t, n_actions>& channels, std::int32_t control,
-                 std::vector<DrivenNode>& by_node) {
+void drive_nodes(const RegionMembers& members, const std::array<std::int32_t, n_actions>& amplitudes, std::int32_t control,
+                 std::vector<PrescribedNode>& by_node) {
     for (const std::int32_t i : members.nodes) {
         by_node[i].node = i;
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            if (channels[axis] != no_channel) {
-                by_node[i].channel[axis] = channels[axis];
+            if (amplitudes[axis] != no_amplitude) {
+                by_node[i].amplitude[axis] = amplitudes[axis];
                 by_node[i].control[axis] = control;
             }
         }
     }
 }
 
-void load_edges(const RegionMembers& members, const std::array<std::int32_t, n_actions>& channels, std::int32_t control,
-                const Assemblage& a, const Specimen& s, Drives& drives) {
+void load_edges(const RegionMembers& members, const std::array<std::int32_t, n_actions>& amplitudes, std::int32_t control,
+                const Assemblage& a, const Specimen& s, PrescribedConditions& prescribed) {
     for (const std::size_t e : members.edges) {
         LoadedEdge edge;
         edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
-        edge.traction = {channels[static_cast<std::size_t>(Action::traction_x)],
-                         channels[static_cast<std::size_t>(Action::traction_y)]};
-        edge.pressure = channels[static_cast<std::size_t>(Action::pressure)];
+        edge.traction = {amplitudes[static_cast<std::size_t>(Action::traction_x)],
+                         amplitudes[static_cast<std::size_t>(Action::traction_y)]};
+        edge.pressure = amplitudes[static_cast<std::size_t>(Action::pressure)];
         edge.control = control;
         edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
-        drives.edges.push_back(edge);
+        prescribed.edges.push_back(edge);
     }
 }
 
-Drives make_drives(const Assemblage& a, const Specimen& s, const Program& program) {
-    const ChannelNumbers channels = number_channels(program);
-    Drives drives;
-    drives.gravity = program.gravity;
-    std::vector<DrivenNode> by_node(a.position.size());
+PrescribedConditions make_drives(const Assemblage& a, const Specimen& s, const Program& program) {
+    const AmplitudeNumbers amplitudes = number_amplitudes(program);
+    PrescribedConditions prescribed;
+    prescribed.gravity = program.gravity;
+    std::vector<PrescribedNode> by_node(a.position.size());
     for (std::size_t c = 0; c < program.controls.size(); ++c) {
         const Control& control = program.controls[c];
         const std::string where = fmt::format("{}: boundary.{}", program.file, control.name);
         const RegionMembers members = members_of(control.region, a, s, where);
         const auto is_set = [&](Action action) { return control.is_set[static_cast<std::size_t>(action)]; };
         if (is_set(Action::velocity_x) || is_set(Action::velocity_y)) {
-            drive_nodes(members, channels[c], static_cast<std::int32_t>(c), by_node);
+            drive_nodes(members, amplitudes[c], static_cast<std::int32_t>(c), by_node);
         }
         if (is_set(Action::traction_x) || is_set(Action::traction_y) || is_set(Action::pressure)) {
             if (members.edges.empty()) {
                 throw InputError(where +
                                  ": there is no boundary edge to load; a part of the boundary, or a box that holds some, fits");
             }
-            load_edges(members, channels[c], static_cast<std::int32_t>(c), a, s, drives);
+            load_edges(members, amplitudes[c], static_cast<std::int32_t>(c), a, s, prescribed);
         }
     }
-    std::copy_if(by_node.begin(), by_node.end(), std::back_inserter(drives.nodes),
-                 [](const DrivenNode& n) { return n.channel[0] != no_channel || n.channel[1] != no_channel; });
-    arrange_drives(a, drives);
-    return drives;
+    std::copy_if(by_node.begin(), by_node.end(), std::back_inserter(prescribed.nodes),
+                 [](const PrescribedNode& n) { return n.amplitude[0] != no_amplitude || n.amplitude[1] != no_amplitude; });
+    arrange_prescribed(a, prescribed);
+    return prescribed;
 }
 
 }  // namespace
 
-ChannelNumbers number_channels(const Program& program) {
-    ChannelNumbers numbers;
+AmplitudeNumbers number_amplitudes(const Program& program) {
+    AmplitudeNumbers numbers;
     std::int32_t next = 0;
     for (const Control& control : program.controls) {
         numbers.emplace_back();
         for (std::size_t i = 0; i < n_actions; ++i) {
-            numbers.back()[i] = control.is_set[i] ? next++ : no_channel;
+            numbers.back()[i] = control.is_set[i] ? next++ : no_amplitude;
         }
     }
     return numbers;
@@ -149,7 +149,7 @@ Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Pro
         }
     }
     Boundary boundary = make_boundary(a, s, platens, reach, {});
-    boundary.drives = make_drives(a, s, program);
+    boundary.prescribed = make_drives(a, s, program);
     return boundary;
 }
 

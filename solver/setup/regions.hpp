@@ -12,9 +12,9 @@
 
 namespace graincrack {
 
-/// Channel of each action of each control, `no_channel` where it is never set; numbered control by control.
-using ChannelNumbers = std::vector<std::array<std::int32_t, n_actions>>;
-ChannelNumbers number_channels(const Program& program);
+/// Channel of each action of each control, `no_amplitude` where it is never set; numbered control by control.
+using AmplitudeNumbers = std::vector<std::array<std::int32_t, n_actions>>;
+AmplitudeNumbers number_amplitudes(const Program& program);
 
 /// Nodes and boundary edges of a region, ascending, in internal indices of nodes and rows of /boundary. Corners within 1e-9 of
 /// the specimen's size of a box belong to it.

@@ -13,7 +13,7 @@ constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed numbe
 static_assert(n % lanes == 0);
 
 /// A block's contacts side by side, and their points: 2 i + p.
-struct Batch {
+struct Lanes {
     alignas(64) double edge_x[n], edge_y[n], area[n];
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
     alignas(64) double jump_x[2 * n], jump_y[2 * n];
@@ -28,7 +28,7 @@ struct Batch {
     bool any_spent;                                              ///< or gone; else those two are not set
 };
 
-void gather(const Assemblage& a, const State& s, Range range, Batch& b) {
+void gather(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const ContactGeometry* contacts = &a.contacts[range.begin];
     const Vector2* displacement = s.displacement.data();
     for (std::int32_t i = 0; i < range.size(); ++i) {
@@ -88,7 +88,7 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
 }
 
 /// What is known of the points of a block before they move.
-void sort_points(const Assemblage& a, const State& s, Range range, Batch& b) {
+void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
     const std::uint8_t* const residual = &s.residual[2 * static_cast<std::size_t>(range.begin)];
@@ -112,7 +112,7 @@ void sort_points(const Assemblage& a, const State& s, Range range, Batch& b) {
     });
 }
 
-GRAINCRACK_INLINE void find_motions(std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void find_motions(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         const double squared = b.edge_x[i] * b.edge_x[i] + b.edge_y[i] * b.edge_y[i];
         const double inv = squared < 4 * lost_frame * b.area[i] * b.area[i] ? 0.0 : 1 / std::sqrt(squared);
@@ -142,7 +142,7 @@ struct Points {
 
 /// The law of intact points.
 template <class Law>
-GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Points& points, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;  // a copy that no store can change
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -161,7 +161,7 @@ GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Point
 }
 
 /// Points of which friction is left, and those that are no contacts any more.
-GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points& points, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -194,7 +194,7 @@ GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
 }
 
 /// Friction of spent points.
-GRAINCRACK_INLINE double sum_friction(std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.area[i] * b.friction[2 * i];
         b.friction[2 * i + 1] = b.area[i] * b.friction[2 * i + 1];
@@ -203,7 +203,7 @@ GRAINCRACK_INLINE double sum_friction(std::int32_t count, Batch& b) {
 }
 
 /// \return number of points that need the full law
-GRAINCRACK_INLINE std::int32_t count_left_over(std::int32_t count, const Batch& b) {
+GRAINCRACK_INLINE std::int32_t count_left_over(std::int32_t count, const Lanes& b) {
     std::int32_t left_over = 0;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         left_over += b.ordinary[k] == 0 ? 1 : 0;
@@ -212,7 +212,7 @@ GRAINCRACK_INLINE std::int32_t count_left_over(std::int32_t count, const Batch& 
 }
 
 /// Damage before the peak: the energy it takes, of each point and on the branch it happens on.
-GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t count, Batch& b, ContactSums& sums) {
+GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t count, Lanes& b, ContactSums& sums) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
         b.fracture[2 * i] = b.area[i] * b.fracture[2 * i];
@@ -258,7 +258,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
         event.peak_traction = update_contact(law, history.motion, history).traction;
         if (fails) {
             s.events[block].push_back(event);
-            s.groups.note_failure(point);
+            s.clusters.note_failure(point);
         }
         if (separates) {
             event.is_separation = true;
@@ -273,7 +273,7 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     return r.traction;
 }
 
-void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s, Batch& b) {
+void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s, Lanes& b) {
     const Range range = a.contact_blocks[block];
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.ordinary[k] == 0) {
@@ -289,7 +289,7 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t blo
 /// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's
 /// length from each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy
 /// exact. \param force [8][n] x, y on a1, a2, b1, b2
-GRAINCRACK_INLINE void find_forces(std::int32_t count, const Batch& b, double* __restrict force) {
+GRAINCRACK_INLINE void find_forces(std::int32_t count, const Lanes& b, double* __restrict force) {
     for (std::int32_t i = 0; i < count; ++i) {
         const double tx = b.tangent_x[i];
         const double ty = b.tangent_y[i];
@@ -317,7 +317,7 @@ GRAINCRACK_INLINE void find_forces(std::int32_t count, const Batch& b, double* _
     }
 }
 
-GRAINCRACK_INLINE void keep_motions(std::int32_t count, const Batch& b, double* __restrict opening, double* __restrict sliding) {
+GRAINCRACK_INLINE void keep_motions(std::int32_t count, const Lanes& b, double* __restrict opening, double* __restrict sliding) {
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         opening[k] = b.opening[k];
         sliding[k] = b.sliding[k];
@@ -332,7 +332,7 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
     ContactSums& sums = s.contact_sums[block];
-    Batch batch;
+    Lanes batch;
     gather(a, s, range, batch);
     prefetch_ahead(a, s, block);
     sort_points(a, s, range, batch);

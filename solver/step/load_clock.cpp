@@ -4,14 +4,14 @@
 
 namespace graincrack {
 
-LoadingClock::LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& s)
+LoadingClock::LoadingClock(const IntervalLoading& batch, std::int64_t n_steps, double time_step, const State& s)
     : batch_(batch),
       n_steps_(n_steps),
       time_step_(time_step),
       origin_time_(s.origin_time),
       steps_since_origin_(s.step - s.origin_step),
       now_(s.loading) {
-    now_.channels.resize(batch.channels == nullptr ? 0 : batch.channels->size());
+    now_.amplitudes.resize(batch.amplitudes == nullptr ? 0 : batch.amplitudes->size());
     prepare();
 }
 
@@ -41,9 +41,9 @@ void LoadingClock::prepare() {
     const double done = static_cast<double>(k_) / static_cast<double>(n_steps_);
     now_.pressure = batch_.pressure_begin + done * (batch_.pressure_end - batch_.pressure_begin);
     const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
-    for (std::size_t i = 0; i < now_.channels.size(); ++i) {
-        const Channel& channel = (*batch_.channels)[i];
-        now_.channels[i] = channel.at(channel.of_velocity ? time + 0.5 * time_step_ : time);
+    for (std::size_t i = 0; i < now_.amplitudes.size(); ++i) {
+        const Amplitude& amplitude = (*batch_.amplitudes)[i];
+        now_.amplitudes[i] = amplitude.at(amplitude.of_velocity ? time + 0.5 * time_step_ : time);
     }
 }
 

@@ -11,7 +11,7 @@ namespace graincrack {
 /// The same arithmetic in every thread.
 class LoadingClock {
 public:
-    LoadingClock(const BatchLoading& batch, std::int64_t n_steps, double time_step, const State& state);
+    LoadingClock(const IntervalLoading& batch, std::int64_t n_steps, double time_step, const State& state);
     [[nodiscard]] const StepLoading& now() const { return now_; }
     /// From here on every step is `parts` steps.
     void part(std::int64_t parts);
@@ -19,7 +19,7 @@ public:
 
 private:
     void prepare();
-    BatchLoading batch_;
+    IntervalLoading batch_;
     std::int64_t n_steps_;
     double time_step_;
     double origin_time_;

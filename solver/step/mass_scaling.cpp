@@ -12,7 +12,7 @@ bool holds(const MassScaling::Link& tie, const State& s) {
 }
 
 /// Lists the members of a block that platens hold.
-void find_constrained(const MassScaling& scaling, std::int32_t block, GroupState& g) {
+void find_constrained(const MassScaling& scaling, std::int32_t block, ClusterState& g) {
     const Range members = scaling.members_of(block);
     g.constrained[block].clear();
     for (std::int32_t i = members.begin; i < members.end; ++i) {
@@ -23,7 +23,7 @@ void find_constrained(const MassScaling& scaling, std::int32_t block, GroupState
 }
 
 /// Finds the components of a group by its ties, and whether a platen holds them.
-void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, GroupState& g) {
+void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, ClusterState& g) {
     const Range members = scaling.groups[group];
     const Range links = scaling.links_of_group[group];
     for (std::int32_t i = members.begin; i < members.end; ++i) {
@@ -79,7 +79,7 @@ Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range mem
 double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group,
                       const State& s, double own) {
     const Range members = scaling.groups[group];
-    const GroupState& g = s.groups;
+    const ClusterState& g = s.clusters;
     double sum = 0;
     for (std::int32_t i = members.begin; i < members.end; ++i) {
         const std::int32_t node = scaling.members[i];
@@ -105,8 +105,9 @@ double half_impulse_work(const StepParameters& parameters, Range members, const 
 
 /// Gives those that part their velocities and those that meet their momentum: neither makes energy, seen from the platen where
 /// one holds them.
-void regroup(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group, State& s) {
-    GroupState& g = s.groups;
+void change_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group,
+                    State& s) {
+    ClusterState& g = s.clusters;
     const Range members = scaling.groups[group];
     const Range links = scaling.links_of_group[group];
     const auto of_group = [&members](const auto& all) {
@@ -150,8 +151,8 @@ void regroup(const Assemblage& a, const MassScaling& scaling, const PlatenVeloci
 
 }  // namespace
 
-GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, const State& s) {
-    GroupState g;
+ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling, const State& s) {
+    ClusterState g;
     g.component.resize(scaling.members.size());
     g.inverse_mass.resize(scaling.members.size());
     g.constraining_platen.resize(scaling.members.size());
@@ -167,8 +168,8 @@ GroupState make_group_state(const Assemblage& a, const MassScaling& scaling, con
     return g;
 }
 
-void complete_group_state(const MassScaling& scaling, State& s) {
-    GroupState& g = s.groups;
+void complete_cluster_state(const MassScaling& scaling, State& s) {
+    ClusterState& g = s.clusters;
     std::vector<bool> may_touch(s.touching.size(), false);
     for (const PlatenPoint& point : s.platen_points) {
         may_touch[point.node] = true;
@@ -210,17 +211,17 @@ namespace {
 
 /// Whether a group of a block may have changed: a point of it has failed, or a platen has come or gone.
 bool may_change(const MassScaling& scaling, std::int32_t block, const State& s) {
-    const GroupState& g = s.groups;
+    const ClusterState& g = s.clusters;
     return g.cracked[block] != 0 || std::any_of(g.platen_members[block].begin(), g.platen_members[block].end(),
                                                 [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.members[i]]; });
 }
 
 }  // namespace
 
-void update_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                   State& s) {
+void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                     State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    GroupState& g = s.groups;
+    ClusterState& g = s.clusters;
     if (!may_change(scaling, block, s)) {
         return;
     }
@@ -242,7 +243,7 @@ void update_groups(const Assemblage& a, const StepParameters& parameters, const 
             return kinetic_energy(a, scaling, platens, group, s, 1) + half_impulse_work(parameters, members, s);
         };
         const double before = energy();
-        regroup(a, scaling, platens, group, s);
+        change_cluster(a, scaling, platens, group, s);
         g.sums[block].regrouping_loss += before - energy();
         find_constrained(scaling, block, g);
     }
@@ -253,8 +254,8 @@ void drop_added_mass(const Assemblage& a, const StepParameters& parameters, cons
     const MassScaling& scaling = parameters.mass_scaling;
     const double shorter = 1 - time_step / parameters.time_step;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        s.groups.sums[block].regrouping_loss += added_kinetic_energy(a, parameters, loading, block, s) +
-                                                shorter * half_impulse_work(parameters, scaling.members_of(block), s);
+        s.clusters.sums[block].regrouping_loss += added_kinetic_energy(a, parameters, loading, block, s) +
+                                                  shorter * half_impulse_work(parameters, scaling.members_of(block), s);
     }
 }
 

@@ -10,15 +10,15 @@
 namespace graincrack {
 
 /// The groups of the state as it is, away from platens.
-GroupState make_group_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
+ClusterState make_cluster_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
 
 /// Finds what follows from the rest of the state: `whole`, `constrained` and where groups may change.
-void complete_group_state(const MassScaling& scaling, State& state);
+void complete_cluster_state(const MassScaling& scaling, State& state);
 
 /// Finds who is held together after the present contact motions and `state.touching`; changes velocities where groups change, and
 /// books what they shed.
-void update_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                   State& state);
+void update_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
+                     std::int32_t block, State& state);
 
 /// Takes the added mass away for good, at the present velocities and `state.force`, and books what it sheds.
 /// \param time_step of the steps to come, s

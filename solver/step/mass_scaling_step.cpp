@@ -13,7 +13,7 @@ constexpr std::int32_t lanes = 8;  // of the widest vector unit
 static_assert(2 * members_per_block % lanes == 0);
 
 /// Members of a block.
-struct Batch {
+struct Lanes {
     static constexpr std::int32_t size = 2 * members_per_block;
     alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
     alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
@@ -28,7 +28,7 @@ void set_pair(double* values, std::ptrdiff_t i, const Vector2& pair) {
     values[2 * i + 1] = pair.y;
 }
 
-void gather(const MassScaling& scaling, Range members, const State& s, Batch& b) {
+void gather(const MassScaling& scaling, Range members, const State& s, Lanes& b) {
     const Vector2* const force = s.force.data();
     const Vector2* const last_force = s.last_force.data();
     const Vector2* const velocity = s.velocity.data();
@@ -43,7 +43,7 @@ void gather(const MassScaling& scaling, Range members, const State& s, Batch& b)
 /// Calls `whole(first, last)` for every group that is one component, `split(first, last)` for all others; places within the
 /// block.
 template <class Whole, class Torn>
-void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupState& g, Whole&& whole, Torn&& split) {
+void for_each_group(const MassScaling& scaling, std::int32_t block, const ClusterState& g, Whole&& whole, Torn&& split) {
     const Range groups = scaling.blocks[block];
     const std::int32_t origin = scaling.groups[groups.begin].begin;
     for (std::int32_t group = groups.begin; group < groups.end; ++group) {
@@ -53,7 +53,7 @@ void for_each_group(const MassScaling& scaling, std::int32_t block, const GroupS
 }
 
 /// Mean acceleration, its change and mean velocity of those held together.
-void find_means(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+void find_means(const MassScaling& scaling, std::int32_t block, const ClusterState& g, Lanes& b) {
     const std::int32_t origin = scaling.members_of(block).begin;
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
     for_each_group(
@@ -99,7 +99,7 @@ void find_means(const MassScaling& scaling, std::int32_t block, const GroupState
 }
 
 /// Drag of the relative motion of each.
-GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
         b.damping_force[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
@@ -108,7 +108,7 @@ GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& s
 }
 
 /// Mean of these drags, to be taken off.
-void find_mean_damping_forces(const MassScaling& scaling, std::int32_t block, const GroupState& g, Batch& b) {
+void find_mean_damping_forces(const MassScaling& scaling, std::int32_t block, const ClusterState& g, Lanes& b) {
     const std::int32_t origin = scaling.members_of(block).begin;
     for_each_group(
         scaling, block, g,
@@ -136,7 +136,7 @@ void find_mean_damping_forces(const MassScaling& scaling, std::int32_t block, co
 }
 
 /// Drag of both motions into `damping_force`, and the damped acceleration of the mean.
-GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = damping_force(damping, b.mean_acceleration[k], b.mean_change[k], b.mean_velocity[k]);
@@ -147,23 +147,23 @@ GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& share
 
 /// Everything up to the drags of a block. The mean motion of those that a platen holds is the platen's, and is not damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t block,
-          const State& s, Batch& b) {
+          const State& s, Lanes& b) {
     const MassScaling& scaling = parameters.mass_scaling;
     const Range members = scaling.members_of(block);
     const std::int32_t count = 2 * members.size();
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
     gather(scaling, members, s, b);
-    find_means(scaling, block, s.groups, b);
-    for (const auto& [i, constraining_platen] : s.groups.constrained[block]) {
+    find_means(scaling, block, s.clusters, b);
+    for (const auto& [i, constraining_platen] : s.clusters.constrained[block]) {
         set_pair(b.mean_velocity, i, platens[constraining_platen]);
     }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
-    find_mean_damping_forces(scaling, block, s.groups, b);
+    find_mean_damping_forces(scaling, block, s.clusters, b);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damps(), count, b); });
 }
 
 /// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
-GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Batch& b) {
+GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Lanes& b) {
     for (std::int32_t k = count; k % lanes != 0; ++k) {
         b.damping_force[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
@@ -190,9 +190,9 @@ Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::u
 
 }  // namespace
 
-void damp_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                 State& s) {
-    Batch b;
+void damp_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                   State& s) {
+    Lanes b;
     damp(a, parameters, PlatenVelocities(loading, parameters.time_step), block, s, b);
     const Range members = parameters.mass_scaling.members_of(block);
     for (std::int32_t i = members.begin; i < members.end; ++i) {
@@ -200,13 +200,13 @@ void damp_groups(const Assemblage& a, const StepParameters& parameters, const St
     }
 }
 
-void integrate_groups(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                      State& s) {
+void integrate_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                        State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     const double dt = parameters.time_step;
-    Batch b;
+    Lanes b;
     damp(a, parameters, PlatenVelocities(loading, dt), block, s, b);
-    for (const auto& [i, constraining_platen] : s.groups.constrained[block]) {
+    for (const auto& [i, constraining_platen] : s.clusters.constrained[block]) {
         set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, constraining_platen));
     }
     const Range members = scaling.members_of(block);
@@ -214,12 +214,12 @@ void integrate_groups(const Assemblage& a, const StepParameters& parameters, con
     double absorbed = 0;
     run_on(a.vector_target,
            [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
-    s.groups.sums[block].damping += 0.5 * dt * absorbed;
-    for (const auto& [i, constraining_platen] : s.groups.constrained[block]) {
+    s.clusters.sums[block].damping += 0.5 * dt * absorbed;
+    for (const auto& [i, constraining_platen] : s.clusters.constrained[block]) {
         const Vector2 against_platen = (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) -
                                        platen_acceleration(loading, dt, constraining_platen);
         const double force = -scaling.factor * scaling.mass[2 * (members.begin + i)] * against_platen.y;  // of the added mass
-        s.groups.sums[block].platen_work +=
+        s.clusters.sums[block].platen_work +=
             0.5 * force *
             (loading.increment_before[constraining_platen - 1U] + loading.increment_after[constraining_platen - 1U]);
     }

@@ -12,11 +12,11 @@ namespace graincrack {
 /// Damping of a block of groups, into `state.damping_force`: of the mean motion of those held together against the force
 /// on all of them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it:
 /// the forces in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
-void damp_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
-                 State& state);
+void damp_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+                   State& state);
 
 /// Damps and integrates the nodes of a block of groups: v += Δt M'⁻¹ (F + Fd), u += Δt v.
-void integrate_groups(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
-                      std::int32_t block, State& state);
+void integrate_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
+                        std::int32_t block, State& state);
 
 }  // namespace graincrack

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t batch_elements = 64;
 
 /// Elements side by side: edge displacements in, nodal forces out.
-struct Batch {
+struct Lanes {
     alignas(64) double a_x[batch_elements], a_y[batch_elements], b_x[batch_elements], b_y[batch_elements];
     alignas(64) double f1_x[batch_elements], f1_y[batch_elements], f2_x[batch_elements], f2_y[batch_elements];
 };
@@ -27,7 +27,7 @@ Triangles triangles_from(const TriangleTable& t, std::int32_t e) {
 }
 
 GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, const PlaneElasticity& elasticity, std::int32_t count,
-                                           Batch& b) {
+                                           Lanes& b) {
     const PlaneElasticity c = elasticity;
     const Triangles t = triangles;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, const Pla
 }
 
 void add_elements(const Assemblage& a, Range range, State& s) {
-    Batch batch;
+    Lanes batch;
     for (std::int32_t begin = range.begin; begin < range.end; begin += batch_elements) {
         const std::int32_t count = std::min(batch_elements, range.end - begin);
         const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[begin];
@@ -106,7 +106,7 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
-        if (platen.bonded || penetration > -group_reach * point.tributary) {
+        if (platen.bonded || penetration > -cluster_reach * point.tributary) {
             s.touching[point.node] = static_cast<std::uint8_t>(1 + point.platen);
         }
         if (commit) {
@@ -162,8 +162,8 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
     add_active_contacts(block, s);
     add_platens(boundary, loading, block, commit, s);
     add_membrane(a, boundary, loading.pressure, block, s);
-    if (!boundary.drives.empty()) {
-        add_drives(a, boundary.drives, loading, block, s);
+    if (!boundary.prescribed.empty()) {
+        add_prescribed(a, boundary.prescribed, loading, block, s);
     }
 }
 
@@ -175,8 +175,8 @@ void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t 
         work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
     }
     s.grain_sums[block].membrane_work += work;
-    if (!boundary.drives.empty()) {
-        s.grain_sums[block].load_work += load_half_work(a, boundary.drives, block, time_step, s);
+    if (!boundary.prescribed.empty()) {
+        s.grain_sums[block].load_work += load_half_work(a, boundary.prescribed, block, time_step, s);
     }
 }
 
@@ -186,7 +186,7 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     GrainSums& sums = s.grain_sums[block];
     const double dt = parameters.time_step;
     book_half_work(a, boundary, block, dt, s);
-    hold_driven(boundary.drives, block, s);
+    hold_prescribed(boundary.prescribed, block, s);
     const std::int32_t n = nodes.size();
     double absorbed = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
@@ -194,7 +194,7 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
                               &s.last_force[nodes.begin], &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
     });
     sums.damping += absorbed;
-    sums.reaction_work += lead_driven(a, boundary.drives, block, dt, s);
+    sums.reaction_work += move_prescribed(a, boundary.prescribed, block, dt, s);
     book_half_work(a, boundary, block, dt, s);
 }
 

@@ -19,7 +19,7 @@ void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, co
 
 /// Damps and integrates the nodes of a block by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of
 /// damping, platens and membrane, each force over the mean of the displacements before and after it. With mass scaling
-/// `integrate_groups` does it, and the membrane's work is booked beside it.
+/// `integrate_clusters` does it, and the membrane's work is booked beside it.
 void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
                      State& state);
 

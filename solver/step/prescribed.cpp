@@ -5,8 +5,8 @@
 namespace graincrack {
 namespace {
 
-double value_of(const StepLoading& loading, std::int32_t channel, double otherwise) {
-    return channel == no_channel || loading.channels.empty() ? otherwise : loading.channels[channel];
+double value_of(const StepLoading& loading, std::int32_t amplitude, double otherwise) {
+    return amplitude == no_amplitude || loading.amplitudes.empty() ? otherwise : loading.amplitudes[amplitude];
 }
 
 void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoading& loading, std::int32_t index, State& s) {
@@ -16,8 +16,8 @@ void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadin
     const double half_length = 0.5 * edge.length;
     const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
                        half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
-    s.drives.load[index] = load;
-    s.drives.pressing[index] = -half_pressure * along.y;
+    s.prescribed.load[index] = load;
+    s.prescribed.pressing[index] = -half_pressure * along.y;
     s.force[first] += load;
     s.force[second] += load;
 }
@@ -43,69 +43,72 @@ double lead(double prescribed, double old_velocity, double reaction, double iner
 
 }  // namespace
 
-void add_drives(const Assemblage& a, const Drives& drives, const StepLoading& loading, std::int32_t block, State& s) {
+void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t block,
+                    State& s) {
     const Range nodes = a.grain_blocks[block].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        s.force[i] += a.rock_mass[i] * drives.gravity;
+        s.force[i] += a.rock_mass[i] * prescribed.gravity;
     }
-    const Range edges = drives.edges_of_block[block];
+    const Range edges = prescribed.edges_of_block[block];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        add_edge_load(a, drives.edges[i], loading, i, s);
+        add_edge_load(a, prescribed.edges[i], loading, i, s);
     }
-    const Range driven = drives.nodes_of_block[block];
+    const Range driven = prescribed.nodes_of_block[block];
     for (std::int32_t i = driven.begin; i < driven.end; ++i) {
-        const DrivenNode& node = drives.nodes[i];
-        DriveState::Node& state = s.drives.nodes[i];
+        const PrescribedNode& node = prescribed.nodes[i];
+        PrescribedState::Node& state = s.prescribed.nodes[i];
         Vector2& force = s.force[node.node];
-        state.velocity = {value_of(loading, node.channel[0], NAN), value_of(loading, node.channel[1], NAN)};
+        state.velocity = {value_of(loading, node.amplitude[0], NAN), value_of(loading, node.amplitude[1], NAN)};
         take_reaction(state.velocity.x, force.x, state.reaction.x);
         take_reaction(state.velocity.y, force.y, state.reaction.y);
     }
 }
 
-double load_half_work(const Assemblage& a, const Drives& drives, std::int32_t block, double time_step, const State& s) {
+double load_half_work(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+                      const State& s) {
     double work = 0;
-    const Range edges = drives.edges_of_block[block];
+    const Range edges = prescribed.edges_of_block[block];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        const auto [first, second] = drives.edges[i].nodes;
-        work += dot(s.drives.load[i], s.velocity[first] + s.velocity[second]);
+        const auto [first, second] = prescribed.edges[i].nodes;
+        work += dot(s.prescribed.load[i], s.velocity[first] + s.velocity[second]);
     }
     Vector2 momentum;
     const Range nodes = a.grain_blocks[block].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         momentum += a.rock_mass[i] * s.velocity[i];
     }
-    return 0.5 * time_step * (work + dot(drives.gravity, momentum));
+    return 0.5 * time_step * (work + dot(prescribed.gravity, momentum));
 }
 
-double reaction_half_work(const Drives& drives, double time_step, const State& s) {
+double reaction_half_work(const PrescribedConditions& prescribed, double time_step, const State& s) {
     double work = 0;
-    for (std::size_t i = 0; i < drives.nodes.size(); ++i) {
-        work += dot(s.drives.nodes[i].reaction, s.velocity[drives.nodes[i].node]);
+    for (std::size_t i = 0; i < prescribed.nodes.size(); ++i) {
+        work += dot(s.prescribed.nodes[i].reaction, s.velocity[prescribed.nodes[i].node]);
     }
     return 0.5 * time_step * work;
 }
 
-void hold_driven(const Drives& drives, std::int32_t block, State& s) {
-    if (drives.nodes.empty()) {
+void hold_prescribed(const PrescribedConditions& prescribed, std::int32_t block, State& s) {
+    if (prescribed.nodes.empty()) {
         return;
     }
-    const Range driven = drives.nodes_of_block[block];
+    const Range driven = prescribed.nodes_of_block[block];
     for (std::int32_t i = driven.begin; i < driven.end; ++i) {
-        s.drives.nodes[i].displacement = s.displacement[drives.nodes[i].node];
-        s.drives.nodes[i].old_velocity = s.velocity[drives.nodes[i].node];
+        s.prescribed.nodes[i].displacement = s.displacement[prescribed.nodes[i].node];
+        s.prescribed.nodes[i].old_velocity = s.velocity[prescribed.nodes[i].node];
     }
 }
 
-double lead_driven(const Assemblage& a, const Drives& drives, std::int32_t block, double time_step, State& s) {
-    if (drives.nodes.empty()) {
+double move_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+                       State& s) {
+    if (prescribed.nodes.empty()) {
         return 0;
     }
     double work = 0;
-    const Range driven = drives.nodes_of_block[block];
+    const Range driven = prescribed.nodes_of_block[block];
     for (std::int32_t i = driven.begin; i < driven.end; ++i) {
-        const std::int32_t node = drives.nodes[i].node;
-        const DriveState::Node& n = s.drives.nodes[i];
+        const std::int32_t node = prescribed.nodes[i].node;
+        const PrescribedState::Node& n = s.prescribed.nodes[i];
         const double inertia = a.mass[node] / time_step;
         work += lead(n.velocity.x, n.old_velocity.x, n.reaction.x, inertia, time_step, n.displacement.x, s.velocity[node].x,
                      s.displacement[node].x);

@@ -23,7 +23,7 @@ bool have_changed(const ContactPairList& list) {
 
 /// Steps between two looks after the touches, each of so many parts, with a team of threads.
 void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   std::int64_t parts, Team& team, LoadingClock& clock_at_start, State& s) {
+                   std::int64_t parts, ThreadTeam& team, LoadingClock& clock_at_start, State& s) {
     const std::int64_t first_step = s.step;
     const bool scaled = parameters.mass_scaling.is_on();
     LoadingClock clock_at_end = clock_at_start;
@@ -45,8 +45,8 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
             team.wait();
             if (scaled) {
                 for (std::int32_t block = group_blocks.begin; block < group_blocks.end; ++block) {
-                    update_groups(a, parameters, clock.now(), block, s);
-                    integrate_groups(a, parameters, clock.now(), block, s);
+                    update_clusters(a, parameters, clock.now(), block, s);
+                    integrate_clusters(a, parameters, clock.now(), block, s);
                 }
                 team.wait();
                 for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
@@ -97,8 +97,8 @@ void go_on_in_substeps(const Assemblage& a, const Boundary& boundary, const Step
 
 }  // namespace
 
-void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const BatchLoading& loading,
-             std::int64_t n_steps, Team& team, State& s) {
+void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const IntervalLoading& loading,
+             std::int64_t n_steps, ThreadTeam& team, State& s) {
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
     const StepParameters of_substeps = parameters_of_substeps(parameters);
     if (s.subcycled) {
@@ -125,8 +125,8 @@ void start(const Assemblage& a, const StepParameters& parameters, State& s) {
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.contact_blocks.size()); ++block) {
         advance_contacts(a, parameters.law, block, s.step, s);
     }
-    s.groups = make_group_state(a, parameters.mass_scaling, s);
-    complete_group_state(parameters.mass_scaling, s);
+    s.clusters = make_cluster_state(a, parameters.mass_scaling, s);
+    complete_cluster_state(parameters.mass_scaling, s);
 }
 
 }  // namespace graincrack

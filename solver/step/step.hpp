@@ -15,7 +15,7 @@ namespace graincrack {
 /// Advances the state by `n_steps` steps under `loading` with a team of threads. On entry and on return contact forces
 /// and histories belong to the present displacements (see `start`). Results do not depend on its size.
 void advance(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters,
-             const BatchLoading& loading, std::int64_t n_steps, Team& team, State& state);
+             const IntervalLoading& loading, std::int64_t n_steps, ThreadTeam& team, State& state);
 
 /// Evaluates contacts and groups of nodes at the start, so that `advance` and `measure` find forces of the present
 /// displacements.

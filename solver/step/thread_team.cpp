@@ -2,7 +2,7 @@
 
 namespace graincrack {
 
-Team::Team(int n_threads) : barrier_(n_threads) {
+ThreadTeam::ThreadTeam(int n_threads) : barrier_(n_threads) {
     for (int thread = 1; thread < n_threads; ++thread) {
         others_.emplace_back([this, thread] {
             for (barrier_.wait(); work_ != nullptr; barrier_.wait()) {
@@ -13,7 +13,7 @@ Team::Team(int n_threads) : barrier_(n_threads) {
     }
 }
 
-Team::~Team() {
+ThreadTeam::~ThreadTeam() {
     work_ = nullptr;
     barrier_.wait();
     for (std::thread& thread : others_) {
@@ -21,7 +21,7 @@ Team::~Team() {
     }
 }
 
-void Team::run(const std::function<void(int)>& work) {
+void ThreadTeam::run(const std::function<void(int)>& work) {
     work_ = &work;
     barrier_.wait();
     work(0);

@@ -59,12 +59,12 @@ private:
 };
 
 /// Threads that live as long as the team and wait at a barrier between two pieces of work: asleep if that takes long.
-class Team {
+class ThreadTeam {
 public:
-    explicit Team(int n_threads);
-    ~Team();
-    Team(const Team&) = delete;
-    Team& operator=(const Team&) = delete;
+    explicit ThreadTeam(int n_threads);
+    ~ThreadTeam();
+    ThreadTeam(const ThreadTeam&) = delete;
+    ThreadTeam& operator=(const ThreadTeam&) = delete;
     [[nodiscard]] int size() const { return static_cast<int>(others_.size()) + 1; }
     /// Runs `work(thread)` for every thread 0 … size − 1, thread 0 in the caller; returns when all are done.
     void run(const std::function<void(int)>& work);

@@ -43,8 +43,8 @@ void nodes(LoadedSpecimen& l) {
 void groups(LoadedSpecimen& l) {
     const double time_step = std::exchange(l.parameters.time_step, 0.0);
     for_each_block(l.parameters.mass_scaling.blocks.size(), [&](std::int32_t block) {
-        update_groups(l.assemblage, l.parameters, l.state.loading, block, l.state);
-        integrate_groups(l.assemblage, l.parameters, l.state.loading, block, l.state);
+        update_clusters(l.assemblage, l.parameters, l.state.loading, block, l.state);
+        integrate_clusters(l.assemblage, l.parameters, l.state.loading, block, l.state);
     });
     l.parameters.time_step = time_step;
 }
@@ -67,12 +67,12 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
         state.velocity[i] = {0, -2 * speed * assemblage.position[i].y / specimen.height};
     }
     start(assemblage, parameters, state);
-    Team alone(1);
+    ThreadTeam alone(1);
     advance_by(2000, alone);
 }
 
-void LoadedSpecimen::advance_by(std::int64_t steps, Team& team) {
-    const BatchLoading batch{{speed, -speed}, {speed, -speed}, 0, 0};
+void LoadedSpecimen::advance_by(std::int64_t steps, ThreadTeam& team) {
+    const IntervalLoading batch{{speed, -speed}, {speed, -speed}, 0, 0};
     advance(assemblage, boundary, parameters, batch, steps, team, state);
 }
 

@@ -25,7 +25,7 @@ struct LoadedSpecimen {
 
     LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTarget vector_target);
     /// Further steps at the platens' speed.
-    void advance_by(std::int64_t steps, Team& team);
+    void advance_by(std::int64_t steps, ThreadTeam& team);
     [[nodiscard]] double grains() const { return static_cast<double>(specimen.n_grains()); }
 };
 

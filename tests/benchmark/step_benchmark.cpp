@@ -29,7 +29,7 @@ void count(::benchmark::State& timer, const LoadedSpecimen& loaded, double steps
 
 void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scaled, VectorTarget target, int threads) {
     LoadedSpecimen loaded(granite(columns), law, scaled, target);
-    Team team(threads);
+    ThreadTeam team(threads);
     constexpr std::int64_t steps = 20;
     for (auto _ : timer) {
         loaded.advance_by(steps, team);
@@ -47,7 +47,7 @@ LoadedSpecimen loose_grains(VectorTarget target) {
         const double angle = 2.4 * loaded.assemblage.surface.grain_of_node[i];
         loaded.state.velocity[i] += Vector2{push * std::cos(angle), push * std::sin(angle)};
     }
-    Team alone(1);
+    ThreadTeam alone(1);
     loaded.advance_by(2000, alone);
     return loaded;
 }

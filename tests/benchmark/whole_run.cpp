@@ -74,7 +74,7 @@ void print_table(LoadedSpecimen& loaded) {
     const double bytes = byte_rate(target, bytes_of_grain * loaded.grains());
     const double to_ns = 1e9 / loaded.grains();
     const int repeats = static_cast<int>(std::max(1.0, 2e6 / loaded.grains()));
-    Team alone(1);
+    ThreadTeam alone(1);
     constexpr std::int64_t steps = 20;
     const double step = to_ns * shortest_time(7, std::max(1, repeats / 20), [&] { loaded.advance_by(steps, alone); }) / steps;
     fmt::print("{} grains, {}, {:.1f} GFlop/s, {:.1f} GB/s\n", loaded.grains(), name_of(target), operations * 1e-9, bytes * 1e-9);

@@ -226,16 +226,16 @@ TEST(MassScaling, ANodeLeavesItsGroupWhenItsContactsHaveSeparated) {
         run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     }
     run.begin();
-    const auto linked = [&run] { return run.state.groups.linked[0] + run.state.groups.linked[1]; };
+    const auto linked = [&run] { return run.state.clusters.linked[0] + run.state.clusters.linked[1]; };
     EXPECT_EQ(linked(), 2);
-    const double reach = group_reach * 0.02;
+    const double reach = cluster_reach * 0.02;
     std::int64_t steps = 0;
     for (; steps < 5000 && linked() > 0; ++steps) {
         run.steps(1);
         static_cast<void>(run.measured());
         for (std::size_t p = 0; p < 2; ++p) {
             // together until the contact has separated and opened by the reach, no longer
-            EXPECT_EQ(run.state.groups.linked[p] == 0, run.state.points[p].separated && run.state.opening[p] >= reach);
+            EXPECT_EQ(run.state.clusters.linked[p] == 0, run.state.points[p].separated && run.state.opening[p] >= reach);
         }
     }
     EXPECT_EQ(linked(), 0);
@@ -255,7 +255,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
     };
     for (const Fall& fall : {Fall{2e-4, 0.1}, Fall{2e-4, 10}, Fall{1e-6, 1}}) {
         SmallRun run = two_grains(100);
-        const double reach = group_reach * 0.02;
+        const double reach = cluster_reach * 0.02;
         const bool hits = fall.gap < reach;
         // A contact that closes within a step makes or takes energy, in proportion to the step.
         run.parameters.time_step *= hits ? 0.2 : 1;
@@ -268,7 +268,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
         }
         run.begin();
         const double kinetic = run.measured().energies.kinetic;
-        EXPECT_EQ(run.state.groups.linked[0] != 0, hits);
+        EXPECT_EQ(run.state.clusters.linked[0] != 0, hits);
         double closest = 1;
         const auto steps = static_cast<int>(200 * fall.gap / fall.speed / run.parameters.time_step);  // slowed, it takes long
         for (int i = 0; i < steps; i += hits ? 1 : 20) {
@@ -289,7 +289,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
 struct Compression {
     SmallRun run;
     Boundary boundary;
-    BatchLoading batch;
+    IntervalLoading batch;
     Measurement now;
     Compression(const ContactLaw& law, double factor) : run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), law) {
         boundary = platens_of(run);
@@ -325,7 +325,7 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     const int samples = 1000;
     double impulse = 0;
     double worst = 0;
-    BatchLoading batch;
+    IntervalLoading batch;
     for (int i = 0; i < samples; ++i) {
         batch.velocity_begin = batch.velocity_end;
         batch.velocity_end[bottom_platen] = batch.velocity_end[top_platen] = (i + 1) * sample * acceleration;

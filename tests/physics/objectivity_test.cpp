@@ -84,7 +84,7 @@ SmallRun loaded(double angle) {
     EXPECT_NEAR(run.parameters.time_step, 3e-8, 1e-8);
     run.parameters.time_step = 2e-8;
     run.begin();
-    BatchLoading loading;
+    IntervalLoading loading;
     loading.pressure_end = 20e6;
     run.steps(1000, loading);
     loading.pressure_begin = loading.pressure_end;
@@ -126,7 +126,7 @@ double tensile_strength(int seed, double angle) {
     run.parameters.damping = 0.8;
     run.begin();
     const double rate = -25e6 / 40000;  // Pa a step: of 50 transits of a wave to the strength
-    BatchLoading loading;
+    IntervalLoading loading;
     constexpr int batch = 20;
     while (run.state.step < 80000) {
         loading.pressure_end = loading.pressure_begin + batch * rate;

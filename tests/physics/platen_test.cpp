@@ -79,7 +79,7 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
         run.parameters.damping = 0.8;
         run.begin();
         // Press, slowly started, then hold.
-        BatchLoading press;
+        IntervalLoading press;
         const double approach = 0.02;
         press.velocity_end = {approach, -approach};
         run.steps(2000, press);
@@ -90,7 +90,7 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
         const double force = -run.measured().force_top;
         EXPECT_GT(force, 1e4);
         const double pressure = share * 2 * mu * force / run.specimen.height;
-        BatchLoading push;
+        IntervalLoading push;
         push.pressure_end = pressure;
         const double before = run.mean(run.state.displacement).x;
         const Measurement at_rest = run.measured();
@@ -135,7 +135,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     run.parameters.damping = 0.8;
     run.begin();
     const double pressure = 4e6;
-    BatchLoading loading;
+    IntervalLoading loading;
     loading.pressure_end = pressure;
     run.steps(3000, loading);
     loading.pressure_begin = pressure;

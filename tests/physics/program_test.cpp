@@ -178,9 +178,9 @@ double acceleration_down(double slope, double friction) {
     EXPECT_EQ(block.stage_controller.records().at(0).ended_by, "rest");
     block.run.parameters.law = law(friction);
     block.run.parameters.damping = 0;
-    BatchLoading loading;
-    const std::vector<Channel> channels(2, Channel{{}, 0, true});
-    loading.channels = &channels;
+    IntervalLoading loading;
+    const std::vector<Amplitude> amplitudes(2, Amplitude{{}, 0, true});
+    loading.amplitudes = &amplitudes;
     const auto speed_after = [&](double duration) {
         const double end = block.run.state.time + duration;
         while (block.run.state.time < end) {

@@ -199,7 +199,7 @@ TEST(TimeStep, ConstantForceIsExactInTheSchemesOwnArithmetic) {
     run.set_boundary(make_boundary(run.assemblage, run.specimen, far, 0, {static_cast<std::uint8_t>(BoundaryPart::left)}), 0.5);
     const double pressure = 1;  // Pa: the side's length changes by less than 1e-10 of it
     run.state.loading.pressure = pressure;
-    BatchLoading loading;
+    IntervalLoading loading;
     loading.pressure_begin = loading.pressure_end = pressure;
     run.begin();
     const double acceleration = pressure * run.specimen.height / run.mass();

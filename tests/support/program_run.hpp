@@ -34,7 +34,7 @@ public:
         const std::function<double(const std::string&, std::size_t)> reader = last;
         const auto feedback = [&] { return StageFeedback{run.state.time, history, reader}; };
         stage_controller.begin(feedback());
-        run.state.loading.channels = stage_controller.values(0);
+        run.state.loading.amplitudes = stage_controller.values(0);
         while (!stage_controller.finished()) {
             const double duration = static_cast<double>(steps) * run.parameters.time_step;
             run.steps(steps, stage_controller.next(feedback(), duration), threads);

@@ -55,8 +55,8 @@ struct SmallRun {
         }
     }
     void begin() { start(assemblage, parameters, state); }
-    void steps(std::int64_t n, const BatchLoading& loading = {}, int threads = 1) {
-        Team team(threads);
+    void steps(std::int64_t n, const IntervalLoading& loading = {}, int threads = 1) {
+        ThreadTeam team(threads);
         advance(assemblage, boundary, parameters, loading, n, team, state);
     }
     [[nodiscard]] Measurement measured() { return measure(assemblage, boundary, parameters, state); }

@@ -41,7 +41,7 @@ SmallRun compressed_disc() {
     const double transit = diameter / 3120.23;
     const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
     const double speed = approach / (10 * transit);
-    BatchLoading batch;
+    IntervalLoading batch;
     batch.velocity_end = {speed, -speed};
     run.steps(steps, batch);
     std::swap(batch.velocity_begin, batch.velocity_end);

@@ -43,7 +43,7 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
             run.parameters.damping = 0.8;
             run.begin();
             const double speed = 5e-3;
-            BatchLoading pull;
+            IntervalLoading pull;
             pull.velocity_end = {-speed, speed};
             run.steps(2000, pull);
             pull.velocity_begin = pull.velocity_end;
@@ -121,7 +121,7 @@ struct Cantilever {
     /// slowly than the arms swing, towards it.
     double pressure_at_first_separation(double expected, double duration) {
         constexpr int batch = 50;
-        BatchLoading loading;
+        IntervalLoading loading;
         while (separated() == 0 && loading.pressure_end < 1.3 * expected) {
             loading.pressure_begin = loading.pressure_end;
             const double rate = (loading.pressure_end < 0.85 * expected ? 0.85 * 3 : 0.15 * 1.5) * expected / duration;
@@ -132,7 +132,7 @@ struct Cantilever {
     }
     /// How many points separate within `duration` under a pressure that stays.
     std::size_t separated_under(double pressure, double duration) {
-        BatchLoading loading;
+        IntervalLoading loading;
         loading.pressure_begin = loading.pressure_end = pressure;
         const std::size_t before = separated();
         run.steps(static_cast<std::int64_t>(duration / run.parameters.time_step), loading);

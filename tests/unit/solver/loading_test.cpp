@@ -29,7 +29,7 @@ TEST(Loading, StartsSmoothlyAndKeepsItsSpeed) {
     const double dt = 0.25 * transit;
     double speed = 0;
     for (int i = 0; i < 80; ++i) {
-        const BatchLoading b = loading.next({i * dt, 0, 0}, dt);
+        const IntervalLoading b = loading.next({i * dt, 0, 0}, dt);
         EXPECT_EQ(b.velocity_begin[bottom_platen], speed);  // no jump between batches
         EXPECT_EQ(b.velocity_begin[top_platen], -speed);
         EXPECT_GE(b.velocity_end[bottom_platen], speed);
@@ -49,7 +49,7 @@ TEST(Loading, TensionPulls) {
     LoadingRequest request;
     request.test = TestKind::tension;
     Loading loading = loading_of(request);
-    const BatchLoading b = loading.next({}, transit);
+    const IntervalLoading b = loading.next({}, transit);
     EXPECT_LT(b.velocity_end[bottom_platen], 0);
     EXPECT_GT(b.velocity_end[top_platen], 0);
 }
@@ -64,7 +64,7 @@ TEST(Loading, PressureFirstThenPlatens) {
     double time = 0;
     double pressure = 0;
     for (int i = 0; i < 10000 && loading.is_isotropic(); ++i) {
-        const BatchLoading b = loading.next({time, pressure, 0}, dt);  // a specimen that follows at once
+        const IntervalLoading b = loading.next({time, pressure, 0}, dt);  // a specimen that follows at once
         EXPECT_GE(b.pressure_end, pressure);
         EXPECT_LE(b.pressure_end, 4e6);
         EXPECT_GT(b.pressure_end + b.velocity_end[bottom_platen], 0);
@@ -91,11 +91,11 @@ TEST(Loading, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
         double time = 0;
         double travel = 0;
         for (int i = 0; i < 50; ++i) {
-            const std::int64_t steps = loading.batch_steps(time_step);
+            const std::int64_t steps = loading.interval_steps(time_step);
             EXPECT_GE(steps, 20);
             EXPECT_LE(static_cast<double>(steps) * time_step, 0.5 * transit);
             const double duration = static_cast<double>(steps) * time_step;
-            const BatchLoading b = loading.next({time, 0, 0, {.stored_energy = 100}}, duration);
+            const IntervalLoading b = loading.next({time, 0, 0, {.stored_energy = 100}}, duration);
             EXPECT_GT(sense * b.velocity_end[bottom_platen], 0);
             EXPECT_EQ(b.velocity_end[top_platen], -b.velocity_end[bottom_platen]);
             travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * duration;
@@ -111,11 +111,11 @@ TEST(Loading, BlocksRestBetweenThem) {
     request.block_steps = 100;
     request.rate_tolerance = 1e-4;
     Loading loading = loading_of(request);
-    EXPECT_EQ(loading.batch_steps(1e-7), 20);
+    EXPECT_EQ(loading.interval_steps(1e-7), 20);
     for (int block = 0; block < 3; ++block) {
         double travel = 0;
         for (int part = 0; part < 5; ++part) {
-            const BatchLoading b = loading.next({0, 0, part == 0 ? 1e-5 : 1.0}, 2e-6);
+            const IntervalLoading b = loading.next({0, 0, part == 0 ? 1e-5 : 1.0}, 2e-6);
             travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * 2e-6;
         }
         expect_close(travel, 4 * 2e-6 * request.platen_speed, 1e-12, travel);  // one part of five is start and stop

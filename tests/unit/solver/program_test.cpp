@@ -214,7 +214,7 @@ struct Led {
             last = stage_controller.next(feedback, 1e-3);
         }
     }
-    BatchLoading last;
+    IntervalLoading last;
 };
 
 TEST(StageController, EndsStagesAtWhatIsReachedFirst) {

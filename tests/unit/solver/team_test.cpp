@@ -41,9 +41,9 @@ TEST(SpinBarrier, NobodyPassesBeforeAllHaveCome) {
     EXPECT_EQ(violations(16, 200), 0);  // more than most processors: they must let each other run
 }
 
-TEST(Team, EveryThreadWorksOnEveryPieceOnce) {
+TEST(ThreadTeam, EveryThreadWorksOnEveryPieceOnce) {
     for (const int n : {1, 2, 5}) {
-        Team team(n);
+        ThreadTeam team(n);
         ASSERT_EQ(team.size(), n);
         std::vector<int> done(static_cast<std::size_t>(n), 0);
         for (int piece = 1; piece <= 200; ++piece) {
@@ -60,7 +60,7 @@ TEST(Team, EveryThreadWorksOnEveryPieceOnce) {
     }
 }
 
-TEST(Team, SharesCoverAll) {
+TEST(ThreadTeam, SharesCoverAll) {
     for (const std::size_t n : {0U, 1U, 5U, 64U}) {
         std::int32_t next = 0;
         for (int thread = 0; thread < 3; ++thread) {
@@ -71,7 +71,7 @@ TEST(Team, SharesCoverAll) {
     }
 }
 
-TEST(Team, SmallSpecimensGetFewerThreads) {
+TEST(ThreadTeam, SmallSpecimensGetFewerThreads) {
     EXPECT_EQ(worthwhile_threads(8, 60, 250), 1);
     EXPECT_EQ(worthwhile_threads(8, 499, 250), 1);
     EXPECT_EQ(worthwhile_threads(8, 500, 250), 2);
