@@ -71,7 +71,7 @@ inline bool is_residual(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::is_residual(law, history); });
 }
 
-/// What the law gives for an intact point, without a branch. \see contact_stage.cpp
+/// What the law gives for an intact point, without a branch. \see solver/step/contact_forces.cpp
 inline IntactResponse intact_response(const ContactLaw& law, const IntactPoint& point) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::intact(law, point); });
 }

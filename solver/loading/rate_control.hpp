@@ -8,7 +8,7 @@
 //   unbalanced ratio   Σ|unbalanced force| / Σ|element force|
 //   force difference   of the platens over their mean
 //
-// and a fourth below `most_damping_load`: the load that damping carries by holding back what slides.
+// and a fourth below `max_damping_load`: the load that damping carries by holding back what slides.
 //
 // Kinetic energy is that of the masses as they are: what mass scaling adds to nodes that platens hold is no inertia of the
 // load's. Where nothing is near failure and nothing slides, a load that rises fast does no harm, and for the first two up to 0.1
