@@ -12,6 +12,8 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/units.hpp"
+#include "solver/loading/program_text.hpp"
+#include "solver/loading/standard_tests.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/solve_options.hpp"
@@ -29,6 +31,18 @@ void print_plan(const SimulationPlan& plan) {
                static_cast<double>(plan.file_size) * 1e-6);
     fmt::print("estimated_time_at_most_s\t{:.0f}\n",
                static_cast<double>(plan.max_steps) * static_cast<double>(plan.grains) * assumed_ns_per_grain_step * 1e-9);
+}
+
+/// What `graincrack-solve program` runs as this very test.
+void print_program(const SolveOptions& options, const Specimen& specimen) {
+    Program program = program_of(options.request, specimen);
+    program.damping = options.request.damping;
+    fmt::print(
+        "# The {} test that graincrack-solve makes of {}. With the same contact, platen and method options this runs it:\n"
+        "#\n"
+        "#   graincrack-solve program {} --program FILE.toml --material {} --plane {} -o run.h5\n{}",
+        name_of(options.request.loading.test), options.specimen, options.specimen, options.request.material.name,
+        name_of(options.request.plane), program_text(program));
 }
 
 /// The strength a test is made for, from its largest axial stress (brazilian: load over D t).
@@ -94,6 +108,10 @@ int solve(int argc, char** argv) {
     catch_stop_signals();
     const H5Input input(options->specimen, "specimen");
     const Specimen specimen = read_specimen(input);
+    if (options->print_program) {
+        print_program(*options, specimen);
+        return 0;
+    }
     if (options->dry_run) {
         print_plan(plan_simulation(specimen, options->request));
         return 0;

@@ -111,6 +111,12 @@ void add_checkpoint_option(CLI::App& command, SimulationRequest& request) {
                  "wall time after which RUN.checkpoint is written, again and again; it is gone when the run is there");
 }
 
+void add_sensitivity_flag(CLI::App& command, SimulationRequest& request) {
+    command.add_flag("--sensitivity", request.sensitivity,
+                     "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
+                     "elements along an edge; print what moves, and keep it in the run");
+}
+
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
     LoadingRequest& loading = request.loading;
     if (confined) {
@@ -129,9 +135,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
                     "share of the unbalanced force that damps", "0.8");
     add_checkpoint_option(command, request);
     command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
-    command.add_flag("--sensitivity", request.sensitivity,
-                     "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
-                     "elements along an edge; print what moves, and keep it in the run");
+    add_sensitivity_flag(command, request);
     add_method_options(command, request);
 }
 
@@ -142,6 +146,8 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
     add_contact_options(*command, raw.contact);
     add_run_options(*command, options.request, raw, test == TestKind::triaxial);
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
+    command->add_flag("--print-program", options.print_program,
+                      "print the test as a program for `graincrack-solve program`, and run nothing");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
 }
@@ -158,6 +164,7 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
                     "share of the unbalanced force that damps, instead of the program's own; it must have one of the two");
     add_method_options(*command, options.request);
     add_checkpoint_option(*command, options.request);
+    add_sensitivity_flag(*command, options.request);
     command
         ->add_option("--restart", options.request.restart,
                      "run made with --save-state to go on from, before the program's start_from; or checkpoint of this program")
@@ -183,6 +190,10 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
     if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(request.restart)) {
         throw UsageError(raw.program +
                          ": [initial] and a run to start from contradict each other; leave out the one or the other");
+    }
+    if (request.sensitivity && !request.program->platens) {
+        throw UsageError("--sensitivity: tells what an axial strength depends on, and " + raw.program +
+                         " has no [platens]; leave it out");
     }
     const std::string why = request.damping == 0 ? "it has no damping" : request.program->why_dynamic();
     if (request.mass_scaling && !why.empty()) {
@@ -221,7 +232,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         {add(TestKind::uniaxial, "compression between platens"), TestKind::uniaxial},
         {add(TestKind::triaxial, "compression between platens under lateral pressure"), TestKind::triaxial},
         {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
-        {add(TestKind::tension, "direct tension between glued caps"), TestKind::tension},
+        {add(TestKind::tension, "direct tension between bonded platens"), TestKind::tension},
     };
     CLI::App* program = add_program(app, options, raw, common);
     if (!parse_command_line(app, argc, argv)) {
@@ -235,7 +246,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     options.dry_run = common.dry_run;
     options.verbosity = common.verbosity;
     options.configuration = effective_configuration(app);
-    if (options.output.empty() && !options.dry_run) {
+    if (options.output.empty() && !options.dry_run && !options.print_program) {
         throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
     }
     complete_request(options.request, raw);

@@ -16,7 +16,8 @@ struct SolveOptions {
     std::string output;    ///< file or "-"
     Verbosity verbosity = Verbosity::normal;
     bool dry_run = false;
-    std::string configuration;  ///< effective options as TOML
+    bool print_program = false;  ///< print the program that a standard test is, and run nothing
+    std::string configuration;   ///< effective options as TOML
 };
 
 /// Reads options, configuration and material; empty if the call was answered (--help, --version, --print-config).

@@ -12,6 +12,7 @@
 
 #include "share/error.hpp"
 #include "share/units.hpp"
+#include "solver/loading/block_control.hpp"
 #include "solver/loading/toml_table.hpp"
 
 namespace graincrack {
@@ -112,6 +113,64 @@ std::optional<TimeFunction> read_function(TomlTable& table, const std::string& k
     return f;
 }
 
+/// { auto = "together", tolerance = 0.0015, share = 1 }
+AutomaticRate read_automatic_rate(TomlTable table) {
+    AutomaticRate rate;
+    rate.apart = table.is_word("auto", "apart");
+    if (!rate.apart && !table.is_word("auto", "together")) {
+        table.refuse("auto", "is no direction; \"together\" or \"apart\" fits");
+    }
+    rate.tolerance = table.quantity("tolerance", quantity::rate_tolerance).value_or(rate.tolerance);
+    rate.share = table.quantity("share", quantity::rate_share).value_or(rate.share);
+    table.refuse_others();
+    return rate;
+}
+
+/// { blocks = "5 mm/s", steps = 5000, rest = 1e-4 }
+LoadingBlocks read_blocks(TomlTable table) {
+    LoadingBlocks blocks;
+    blocks.speed = *table.quantity("blocks", any("blocks", Dimension::speed));
+    const double steps = table.quantity("steps", {"steps", Dimension::one, parts_of_block, 1e9, "steps"})
+                             .value_or(static_cast<double>(blocks.steps));
+    if (blocks.speed == 0 || steps != std::floor(steps)) {
+        table.refuse("", "needs a speed other than 0 and a whole number of steps");
+    }
+    blocks.steps = static_cast<std::int64_t>(steps);
+    blocks.rest = table.quantity("rest", quantity::rate_tolerance).value_or(blocks.rest);
+    table.refuse_others();
+    return blocks;
+}
+
+/// How a stage moves the platens. \throws InputError also for two ways
+std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
+    const bool has_pressure = table.has("platen_pressure");
+    if (has_pressure && table.has("platen_speed")) {
+        table.refuse("platen_pressure", "the platens have a speed already; give the one or the other");
+    }
+    if (has_pressure) {
+        return PressureServo{*read_function(table, "platen_pressure", any("platen_pressure", Dimension::stress), false)};
+    }
+    auto speed = table.has_value("platen_speed") ? std::nullopt : table.table("platen_speed");
+    if (speed && speed->has("auto")) {
+        return read_automatic_rate(*speed);
+    }
+    if (speed && speed->has("blocks")) {
+        return read_blocks(*speed);
+    }
+    const auto function = read_function(table, "platen_speed", any("platen_speed", Dimension::speed), false);
+    return function ? std::optional<PlatenMotion>(*function) : std::nullopt;
+}
+
+/// Whether the platens come to their strain limit by themselves.
+bool moves_on(const std::optional<PlatenMotion>& motion) {
+    if (!motion || std::holds_alternative<PressureServo>(*motion)) {
+        return false;
+    }
+    const auto* const function = std::get_if<TimeFunction>(&*motion);
+    return function == nullptr || (function->kind == TimeFunction::Kind::constant && function->value != 0) ||
+           (function->kind == TimeFunction::Kind::ramp && function->value != 0);
+}
+
 Settings read_settings(TomlTable& table) {
     Settings settings;
     for (std::size_t i = 0; i < n_actions; ++i) {
@@ -198,8 +257,13 @@ void read_probe_conditions(const Program& program, TomlTable table, Stage& stage
 }
 
 void read_until(const Program& program, TomlTable table, Stage& stage) {
-    stage.longest_time =
-        table.needed_quantity("time", duration, "every stage needs the longest time it may take, such as \"1 ms\"");
+    stage.longest_time = infinite;
+    if (table.has("time") || !moves_on(stage.platens)) {
+        stage.longest_time =
+            table.needed_quantity("time", duration,
+                                  "a stage that does not move the platens to the end of their way needs the longest time it may "
+                                  "take, such as \"1 ms\"");
+    }
     stage.rest = table.quantity("rest", {"rest", Dimension::one, 0, 1, "rest", true});
     stage.peak_drop = table.quantity("peak_drop", quantity::peak_drop);
     for (std::size_t i = 0; i < history_datasets.size(); ++i) {
@@ -220,12 +284,8 @@ void read_until(const Program& program, TomlTable table, Stage& stage) {
 Stage read_stage(Program& program, TomlTable& table) {
     Stage stage;
     stage.name = table.name();
-    stage.platen_speed = read_function(table, "platen_speed", any("platen_speed", Dimension::speed), false);
-    stage.platen_pressure = read_function(table, "platen_pressure", any("platen_pressure", Dimension::stress), false);
-    if (stage.platen_speed && stage.platen_pressure) {
-        table.refuse("platen_pressure", "the platens have a speed already; give the one or the other");
-    }
-    if (!program.platens && (stage.platen_speed || stage.platen_pressure)) {
+    stage.platens = read_platen_motion(table);
+    if (!program.platens && stage.platens) {
         table.refuse("", "there are no platens to move; add a table [platens]");
     }
     for (Control& control : program.controls) {
@@ -237,6 +297,14 @@ Stage read_stage(Program& program, TomlTable& table) {
     }
     read_until(program, table.needed_table("until", "every stage needs until = { time = \"...\" }, and may have other ends"),
                stage);
+    stage.must_end_by = table.text("must_end_by").value_or("");
+    const auto is_end = [&](const Condition& c) { return c.name == stage.must_end_by; };
+    const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == "rest" && stage.rest) ||
+                         (stage.must_end_by == "peak_drop" && stage.peak_drop) ||
+                         std::any_of(stage.until.begin(), stage.until.end(), is_end);
+    if (!has_end) {
+        table.refuse("must_end_by", "is none of the ends in until; one of them other than time fits");
+    }
     table.refuse_others();
     return stage;
 }
@@ -304,7 +372,7 @@ void read_platens(TomlTable& file, Program& program) {
         return;
     }
     ProgramPlatens platens;
-    platens.glued = table->flag("glued").value_or(false);
+    platens.bonded = table->flag("bonded").value_or(table->flag("glued").value_or(false));  // glued: as it was called before
     platens.max_strain = table->quantity("max_strain", quantity::max_strain).value_or(platens.max_strain);
     table->refuse_others();
     program.platens = platens;

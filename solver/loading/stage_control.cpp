@@ -1,13 +1,18 @@
 #include "solver/loading/stage_control.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "share/error.hpp"
 
 namespace graincrack {
 namespace {
 
-constexpr double servo_transits = 4;  // time constant of the servo
-constexpr int rest_rows = 5;          // in succession that must be at rest: one may be so by chance
+constexpr int rest_rows = 5;           // in succession that must be at rest: one may be so by chance
+constexpr double history_rows = 8000;  // of the longest time
+constexpr std::int64_t min_steps = 10;
 
 double last(const StageFeedback& f, HistoryColumn column) { return f.history[column].back(); }
 
@@ -16,61 +21,135 @@ double offset(const Condition& c, const StageFeedback& f) {
     return (c.probe.empty() ? f.history.columns[c.column].back() : f.probe(c.probe, c.column)) - c.value;
 }
 
-/// The function with its start at what is there now.
-TimeFunction from_present(TimeFunction function, double present) {
-    const bool keeps_free = function.kind == TimeFunction::Kind::keep && std::isnan(present);
-    function.from = std::isnan(present) && !keeps_free ? 0 : present;
-    return function;
+double max_strain_of(const Program& program) { return program.platens ? program.platens->max_strain : 0; }
+
+double value_of(const NamedNumbers& numbers, const std::string& name) {
+    const auto at = std::find(numbers.names.begin(), numbers.names.end(), name);
+    if (at == numbers.names.end()) {
+        throw InputError(fmt::format("the saved state of the loading lacks \"{}\"; only a run's own checkpoint has it", name));
+    }
+    return numbers.values[static_cast<std::size_t>(at - numbers.names.begin())];
 }
 
 }  // namespace
 
 StageController::StageController(const Program& program, const Specimen& specimen, const Rock& rock)
-    : program_(program),
-      numbers_(number_amplitudes(program)),
-      height_(specimen.height),
-      transit_time_(specimen.height / std::sqrt(rock.young_modulus / rock.density)),
-      young_modulus_(rock.young_modulus) {
-    for (const Control& control : program.controls) {
+    : program_(program), numbers_(number_amplitudes(program)), platens_(specimen, rock, max_strain_of(program)) {
+    for_each_amplitude([&](std::size_t, std::size_t action, std::size_t) {
+        const bool of_velocity = is_velocity(static_cast<Action>(action));
+        TimeFunction free;
+        free.value = of_velocity ? NAN : 0;
+        amplitudes_.push_back({free, 0, of_velocity});
+        origins_.push_back(nowhere);
+    });
+}
+
+template <class Act>
+void StageController::for_each_amplitude(Act&& act) const {
+    for (std::size_t c = 0; c < program_.controls.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
-            if (!control.is_set[i]) {
-                continue;
+            if (numbers_[c][i] != no_amplitude) {
+                act(c, i, static_cast<std::size_t>(numbers_[c][i]));
             }
-            const bool prescribed = is_velocity(static_cast<Action>(i));
-            TimeFunction free;
-            free.value = prescribed ? NAN : 0;
-            amplitudes_.push_back({free, 0, prescribed});
         }
     }
 }
 
+// --- what a run goes on with -----------------------------------------------------------------------------------------------
+
+template <class Self, class Visit>
+void StageController::visit_state(Self& self, Visit&& visit) {
+    visit("stage", self.at_);
+    visit("stage_begin", self.stage_begin_);
+    visit("functions_end", self.functions_end_);
+    visit("rows_at_rest", self.rows_at_rest_);
+    visit("highest", self.highest_);
+    visit("feedback.time", self.feedback_.time);
+    visit("feedback.axial_compression", self.feedback_.axial_compression);
+    visit("feedback.unbalanced_ratio", self.feedback_.unbalanced_ratio);
+    visit("feedback.kinetic_energy", self.feedback_.rate.kinetic_energy);
+    visit("feedback.stored_energy", self.feedback_.rate.stored_energy);
+    visit("feedback.force_difference", self.feedback_.rate.force_difference);
+    visit("feedback.damping_load", self.feedback_.rate.damping_load);
+    visit("feedback.near_failure", self.feedback_.rate.near_failure);
+    for (std::size_t i = 0; i < self.amplitudes_.size(); ++i) {
+        const std::string name = fmt::format("amplitude{}.", i);
+        visit(name + "origin", self.origins_[i]);
+        visit(name + "from", self.amplitudes_[i].function.from);
+        visit(name + "value", self.amplitudes_[i].function.value);
+        visit(name + "start", self.amplitudes_[i].start);
+    }
+    for (std::size_t i = 0; i < self.offsets_.size(); ++i) {
+        visit(fmt::format("offset{}", i), self.offsets_[i]);
+    }
+    for (std::size_t i = 0; i < self.records_.size(); ++i) {
+        visit(fmt::format("stage{}.begin", i), self.records_[i].begin);
+        visit(fmt::format("stage{}.end", i), self.records_[i].end);
+    }
+    visit("platens.origin", self.platens_origin_);
+    PlatenControl::visit_state(self.platens_, visit);
+}
+
 void StageController::resume(const StageControllerState& state) {
-    for (std::size_t c = 0; c < program_.controls.size(); ++c) {
-        for (std::size_t i = 0; i < n_actions; ++i) {
-            const std::string name = program_.controls[c].name + "." + std::string(name_of(static_cast<Action>(i)));
-            const auto found = std::find(state.names.begin(), state.names.end(), name);
-            if (numbers_[c][i] != no_amplitude && found != state.names.end()) {
-                amplitudes_[numbers_[c][i]].function.value = state.values[found - state.names.begin()];
-            }
+    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t amplitude) {
+        const std::string name = program_.controls[control].name + "." + std::string(name_of(static_cast<Action>(action)));
+        const auto& names = state.controls.names;
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) {
+            amplitudes_[amplitude].function.value = state.controls.values[static_cast<std::size_t>(found - names.begin())];
+        }
+    });
+    platens_.resume(program_.platens ? state.platen_speed : 0, state.mean_compression);
+}
+
+const TimeFunction& StageController::function_of(std::size_t amplitude) const {
+    const TimeFunction* function = nullptr;
+    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t each) {
+        if (each == amplitude) {
+            const Control& c = program_.controls[control];
+            const int origin = origins_[amplitude];
+            function = origin == at_start ? &*c.start[action] : &*program_.stages[origin].settings.at(c.name)[action];
+        }
+    });
+    return *function;
+}
+
+void StageController::go_on(const StageControllerState& state) {
+    for (std::size_t i = 0; i < state.stages_end_by.size(); ++i) {
+        records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
+    }
+    at_ = static_cast<std::size_t>(value_of(state.progress, "stage"));
+    offsets_.resize(finished() ? 0 : now().until.size());
+    for (std::size_t i = 0; i < amplitudes_.size(); ++i) {
+        origins_[i] = static_cast<int>(value_of(state.progress, fmt::format("amplitude{}.origin", i)));
+        if (origins_[i] != nowhere) {
+            amplitudes_[i].function = function_of(i);
         }
     }
-    mean_compression_ = state.mean_compression;
-    speed_ = program_.platens ? state.platen_speed : 0;
-    platen_.function.value = speed_;
+    platens_origin_ = static_cast<int>(value_of(state.progress, "platens.origin"));
+    platens_.resume(state.platen_speed, state.mean_compression);
+    if (platens_origin_ != nowhere) {
+        platens_.set(*program_.stages[platens_origin_].platens, 0);
+    }
+    visit_state(*this, [&](const std::string& name, auto& member) {
+        member = static_cast<std::decay_t<decltype(member)>>(value_of(state.progress, name));
+    });
 }
 
 StageControllerState StageController::state(double time) const {
     StageControllerState state;
-    for (std::size_t c = 0; c < program_.controls.size(); ++c) {
-        for (std::size_t i = 0; i < n_actions; ++i) {
-            if (numbers_[c][i] != no_amplitude) {
-                state.names.push_back(program_.controls[c].name + "." + std::string(name_of(static_cast<Action>(i))));
-                state.values.push_back(amplitudes_[numbers_[c][i]].at(time));
-            }
-        }
-    }
-    state.platen_speed = speed_;
-    state.mean_compression = mean_compression_;
+    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t amplitude) {
+        state.controls.names.push_back(program_.controls[control].name + "." + std::string(name_of(static_cast<Action>(action))));
+        state.controls.values.push_back(amplitudes_[amplitude].at(time));
+    });
+    state.platen_speed = platens_.speed();
+    state.mean_compression = platens_.mean_compression();
+    visit_state(*this, [&](const std::string& name, const auto& member) {
+        state.progress.names.push_back(name);
+        state.progress.values.push_back(static_cast<double>(member));
+    });
+    std::transform(records_.begin(), records_.end(), std::back_inserter(state.stages_end_by),
+                   [](const StageRecord& record) { return record.ended_by; });
     return state;
 }
 
@@ -81,16 +160,20 @@ std::vector<double> StageController::values(double time) const {
     return values;
 }
 
+// --- stages ----------------------------------------------------------------------------------------------------------------
+
+void StageController::note(const StageFeedback& f) {
+    feedback_ = {f.time, -last(f, HistoryColumn::axial_stress), last(f, HistoryColumn::unbalanced_ratio), f.rate};
+}
+
 void StageController::begin(const StageFeedback& f) {
-    for (std::size_t c = 0; c < program_.controls.size(); ++c) {
-        for (std::size_t i = 0; i < n_actions; ++i) {
-            const auto& function = program_.controls[c].start[i];
-            if (function) {
-                Amplitude& amplitude = amplitudes_[numbers_[c][i]];
-                amplitude = {from_present(*function, amplitude.at(f.time)), f.time, amplitude.of_velocity};
-            }
+    note(f);
+    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t i) {
+        if (const auto& function = program_.controls[control].start[action]) {
+            amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(f.time)), f.time, amplitudes_[i].of_velocity};
+            origins_[i] = at_start;
         }
-    }
+    });
     start_stage(f);
 }
 
@@ -98,37 +181,33 @@ void StageController::start_stage(const StageFeedback& f) {
     const Stage& stage = now();
     stage_begin_ = f.time;
     functions_end_ = 0;
-    quiet_rows_ = 0;
+    rows_at_rest_ = 0;
     highest_ = 0;
-    const auto set = [&](Amplitude& amplitude, const TimeFunction& function) {
-        amplitude = {from_present(function, amplitude.at(f.time)), f.time, amplitude.of_velocity};
-        functions_end_ = std::max(functions_end_, f.time + function.end());
-    };
-    for (std::size_t c = 0; c < program_.controls.size(); ++c) {
-        const auto settings = stage.settings.find(program_.controls[c].name);
-        for (std::size_t i = 0; i < n_actions && settings != stage.settings.end(); ++i) {
-            if (settings->second[i]) {
-                set(amplitudes_[numbers_[c][i]], *settings->second[i]);
-            }
+    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t i) {
+        const auto settings = stage.settings.find(program_.controls[control].name);
+        if (settings != stage.settings.end() && settings->second[action]) {
+            const TimeFunction& function = *settings->second[action];
+            amplitudes_[i] = {starting_from(function, amplitudes_[i].at(f.time)), f.time, amplitudes_[i].of_velocity};
+            origins_[i] = number_of(stage);
+            functions_end_ = std::max(functions_end_, f.time + function.end());
         }
-    }
-    if (stage.platen_speed) {
-        platen_.function = {};
-        platen_.function.value = speed_;  // a ramp starts from the speed of the servo
-        servo_ = false;
-        set(platen_, *stage.platen_speed);
-    } else if (stage.platen_pressure) {
-        if (!servo_) {
-            platen_.function = {};
-            platen_.function.value = mean_compression_;
-        }
-        servo_ = true;
-        set(platen_, *stage.platen_pressure);
+    });
+    if (stage.platens) {
+        platens_.set(*stage.platens, f.time);
+        platens_origin_ = number_of(stage);
+        functions_end_ = std::max(functions_end_, platens_.function_end());
     }
     offsets_.clear();
     for (const Condition& condition : stage.until) {
         offsets_.push_back(offset(condition, f));
     }
+}
+
+bool StageController::is_at_rest(const StageFeedback& f, double tolerance) {
+    const bool rests = f.time >= functions_end_ && last(f, HistoryColumn::unbalanced_ratio) < tolerance &&
+                       std::abs(platens_.pressure_error(f.time)) < tolerance;
+    rows_at_rest_ = rests ? rows_at_rest_ + 1 : 0;
+    return rows_at_rest_ >= rest_rows;
 }
 
 std::string StageController::end_reason(const StageFeedback& f) {
@@ -140,28 +219,39 @@ std::string StageController::end_reason(const StageFeedback& f) {
         }
     }
     const double stress = std::abs(last(f, HistoryColumn::axial_stress));
-    highest_ = std::max(highest_, stress);
+    if (last(f, HistoryColumn::tensile_cracks) + last(f, HistoryColumn::shear_cracks) > 0) {
+        highest_ = std::max(highest_, stress);
+    }
     if (stage.peak_drop && stress < (1 - *stage.peak_drop) * highest_) {
         return "peak_drop";
     }
-    if (stage.rest && f.time >= functions_end_) {
-        quiet_rows_ = last(f, HistoryColumn::unbalanced_ratio) < *stage.rest ? quiet_rows_ + 1 : 0;
-        if (quiet_rows_ >= rest_rows) {
-            return "rest";
-        }
+    if (stage.rest && is_at_rest(f, *stage.rest)) {
+        return "rest";
     }
-    // Half a step of round-off must not cost a batch.
+    // Half a step of round-off must not cost an interval.
     constexpr double round_off = 1e-9;
     return f.time - stage_begin_ >= (1 - round_off) * stage.longest_time ? "time" : "";
 }
 
+void StageController::refuse_end(const StageFeedback& f, const std::string& reason) const {
+    throw NumericalError(fmt::format(
+        "{}: stage {}: ended by {}, not by {}: the unbalanced ratio is {:.2e}, the axial pressure {:.2f} % off what the platens "
+        "hold; use more --damping, a slower rate or a longer time",
+        program_.file, now().name, reason, now().must_end_by, last(f, HistoryColumn::unbalanced_ratio),
+        100 * platens_.pressure_error(f.time)));
+}
+
 void StageController::check_stage_end(const StageFeedback& f) {
+    note(f);
     if (finished()) {
         return;
     }
     const std::string reason = end_reason(f);
     if (reason.empty()) {
         return;
+    }
+    if (!now().must_end_by.empty() && reason != now().must_end_by) {
+        refuse_end(f, reason);
     }
     records_.push_back({now().name, stage_begin_, f.time, reason});
     ++at_;
@@ -176,26 +266,53 @@ void StageController::close(double time, const std::string& reason) {
     }
 }
 
-double StageController::servo_speed(double time, double duration) const {
-    const double rate = (platen_.at(time + duration) - platen_.at(time)) / duration;
-    const double lag = platen_.at(time) - mean_compression_;
-    const double servo_time = std::max(servo_transits * transit_time_, 4 * duration);
-    return 0.5 * height_ / young_modulus_ * (rate + lag / servo_time);
+// --- intervals -------------------------------------------------------------------------------------------------------------
+
+IntervalLoading StageController::next(double duration) {
+    IntervalLoading interval;
+    interval.amplitudes = &amplitudes_;
+    if (program_.platens) {
+        const PlatenSpeeds speeds = platens_.next(feedback_, duration);
+        interval.velocity_begin = {speeds.begin, -speeds.begin};
+        interval.velocity_end = {speeds.end, -speeds.end};
+    }
+    return interval;
 }
 
-IntervalLoading StageController::next(const StageFeedback& f, double duration) {
-    IntervalLoading batch;
-    batch.amplitudes = &amplitudes_;
-    if (!program_.platens) {
-        return batch;
+std::int64_t StageController::interval_steps(double time_step) const {
+    const double longest_time = program_.longest_time();
+    const bool by_platens = !program_.row_interval && !std::isfinite(longest_time);
+    if (by_platens || platens_.paces_rows()) {
+        return platens_.interval_steps(time_step);
     }
-    // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
-    mean_compression_ += std::min(1.0, duration / transit_time_) * (-last(f, HistoryColumn::axial_stress) - mean_compression_);
-    const double begin = servo_ ? speed_ : platen_.at(f.time);
-    speed_ = servo_ ? servo_speed(f.time, duration) : platen_.at(f.time + duration);
-    batch.velocity_begin = {begin, -begin};
-    batch.velocity_end = {speed_, -speed_};
-    return batch;
+    const double interval = program_.row_interval.value_or(longest_time / history_rows);
+    return std::max<std::int64_t>(program_.row_interval ? 1 : min_steps, std::llround(interval / time_step));
+}
+
+LoadingLength StageController::longest(double time_step) const {
+    StageController ahead(*this);
+    LoadingLength length;
+    for (const std::string& name : program_.order) {
+        const Stage& stage = program_.stage(name);
+        if (stage.platens) {
+            ahead.platens_.set(*stage.platens, 0);
+        }
+        const bool has_end = std::isfinite(stage.longest_time);
+        const double time = has_end ? stage.longest_time : ahead.platens_.longest_time();
+        const double interval = static_cast<double>(ahead.interval_steps(time_step)) * time_step;
+        length.time += time;
+        length.rows += static_cast<std::size_t>(time / interval + (has_end ? 1 : history_rows));
+    }
+    return length;
+}
+
+double StageController::progress(double time, double axial_strain) const {
+    const double longest_time = program_.longest_time();
+    if (std::isfinite(longest_time)) {
+        const double begin = records_.empty() ? stage_begin_ : records_.front().begin;
+        return (time - begin) / longest_time;
+    }
+    return std::abs(axial_strain) / program_.platens->max_strain;
 }
 
 }  // namespace graincrack

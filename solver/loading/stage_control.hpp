@@ -1,4 +1,4 @@
-// Leads a program through its stages: which function each control and the platens follow now, and when a stage ends.
+// Leads a program through its stages: which function each boundary condition and the platens follow now, and when a stage ends.
 #pragma once
 
 #include <functional>
@@ -6,17 +6,19 @@
 #include <vector>
 
 #include "share/run_file.hpp"
+#include "solver/loading/platen_control.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/setup/program.hpp"
 #include "solver/setup/regions.hpp"
 
 namespace graincrack {
 
-/// What the stages are judged by: the last row of the history and of the probes.
+/// What the loading follows: the last row of the history and of the probes, and the measures of the rate.
 struct StageFeedback {
     double time = 0;
     const History& history;
     const std::function<double(const std::string& probe, std::size_t column)>& probe;
+    RateMeasures rate = {};
 };
 
 /// A stage that has been.
@@ -26,12 +28,25 @@ struct StageRecord {
     std::string ended_by;       ///< "time", "rest", "peak_drop" or the name of a condition
 };
 
-/// What goes on from one program to the next (a saved state).
+/// Numbers with their names, as files keep them.
+struct NamedNumbers {
+    std::vector<std::string> names;
+    std::vector<double> values;
+};
+
+/// Where a program is: what another program takes over, and what the same program goes on with.
 struct StageControllerState {
-    std::vector<std::string> names;  ///< of values: "control.action"
-    std::vector<double> values;      ///< NaN for a free velocity
-    double platen_speed = 0;         ///< m/s
-    double mean_compression = 0;     ///< as the servo sees it, Pa
+    NamedNumbers controls;                   ///< "control.action"; NaN for a free velocity
+    double platen_speed = 0;                 ///< m/s
+    double mean_compression = 0;             ///< as the servo sees it, Pa
+    NamedNumbers progress;                   ///< everything that changes
+    std::vector<std::string> stages_end_by;  ///< of the stages that have been
+};
+
+/// The longest that a program takes.
+struct LoadingLength {
+    double time = 0;       ///< s
+    std::size_t rows = 0;  ///< of the history
 };
 
 class StageController {
@@ -39,46 +54,63 @@ public:
     StageController(const Program& program, const Specimen& specimen, const Rock& rock);
     /// Takes over what another program left, before `begin`: its controls, those of the same name, start from its values.
     void resume(const StageControllerState& state);
+    /// Goes on where the same program was. \throws InputError if the state is not of the same program
+    void go_on(const StageControllerState& state);
     [[nodiscard]] StageControllerState state(double time) const;
 
     /// Starts the first stage.
     void begin(const StageFeedback& feedback);
-    /// Ends the stage if it has reached an end, and starts the next one.
+    /// Takes note of a new row: ends the stage if it has reached an end, and starts the next one.
+    /// \throws NumericalError if it is not the end that the stage must have
     void check_stage_end(const StageFeedback& feedback);
     /// Ends the stage that is on, if there is one, for a reason of the run.
     void close(double time, const std::string& reason);
-    /// Loading of the next `duration` seconds. Its channels are those of this conductor.
-    IntervalLoading next(const StageFeedback& feedback, double duration);
+    /// Loading of the next `duration` seconds after the last row.
+    /// \throws NumericalError if a loading block does not come to rest
+    IntervalLoading next(double duration);
+    /// Steps to the next row of the history.
+    [[nodiscard]] std::int64_t interval_steps(double time_step) const;
+    [[nodiscard]] LoadingLength longest(double time_step) const;
 
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
-    [[nodiscard]] double platen_speed() const { return speed_; }  ///< at the end of the last batch, approach positive, m/s
-    /// Values of the channels at a time, for a state that has not moved yet.
+    [[nodiscard]] const PlatenControl& platens() const { return platens_; }
+    /// Share of the longest way that is done: of the time or, where that has no limit, of the strain of the platens.
+    [[nodiscard]] double progress(double time, double axial_strain) const;
+    /// Values of the amplitudes at a time, for a state that has not moved yet.
     [[nodiscard]] std::vector<double> values(double time) const;
 
 private:
+    /// Where the present function of an amplitude is written: in a stage, at the start of the program, or nowhere.
+    static constexpr int nowhere = -2, at_start = -1;
+    /// Calls `act(control, action, amplitude)` with the places of each.
+    template <class Act>
+    void for_each_amplitude(Act&& act) const;
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit&& visit);
     [[nodiscard]] const Stage& now() const { return program_.stage(program_.order[at_]); }
+    [[nodiscard]] int number_of(const Stage& stage) const { return static_cast<int>(&stage - program_.stages.data()); }
+    void note(const StageFeedback& feedback);
     void start_stage(const StageFeedback& feedback);
     [[nodiscard]] std::string end_reason(const StageFeedback& feedback);
-    [[nodiscard]] double servo_speed(double time, double duration) const;
+    [[nodiscard]] bool is_at_rest(const StageFeedback& feedback, double tolerance);
+    [[noreturn]] void refuse_end(const StageFeedback& feedback, const std::string& reason) const;
+    [[nodiscard]] const TimeFunction& function_of(std::size_t amplitude) const;
 
     const Program& program_;
     AmplitudeNumbers numbers_;
     std::vector<Amplitude> amplitudes_;
+    std::vector<int> origins_;  ///< of the amplitudes' functions: a stage, `at_start` or `nowhere`
+    PlatenControl platens_;
+    int platens_origin_ = nowhere;
     std::size_t at_ = 0;
     double stage_begin_ = 0;       ///< s
     double functions_end_ = 0;     ///< of those the stage set, s
-    int quiet_rows_ = 0;           ///< at rest, in succession
-    double highest_ = 0;           ///< axial stress of the stage, absolute, Pa
+    int rows_at_rest_ = 0;         ///< in succession
+    double highest_ = 0;           ///< axial stress of the stage since contacts have failed, absolute, Pa
     std::vector<double> offsets_;  ///< of its conditions at its begin
     std::vector<StageRecord> records_;
-    double height_;
-    double transit_time_;  ///< of a bar wave through the specimen, s
-    double young_modulus_;
-    Amplitude platen_;  ///< speed, or pressure with a servo
-    bool servo_ = false;
-    double mean_compression_ = 0;  ///< over about a transit, Pa
-    double speed_ = 0;
+    PlatenFeedback feedback_;  ///< of the last row
 };
 
 }  // namespace graincrack

@@ -63,4 +63,10 @@ double TimeFunction::end() const {
     return 0;
 }
 
+TimeFunction starting_from(TimeFunction function, double present) {
+    const bool keeps_free = function.kind == TimeFunction::Kind::keep && std::isnan(present);
+    function.from = std::isnan(present) && !keeps_free ? 0 : present;
+    return function;
+}
+
 }  // namespace graincrack

@@ -29,6 +29,9 @@ struct TimeFunction {
     [[nodiscard]] bool is_wave() const { return kind == Kind::sine || kind == Kind::ricker || kind == Kind::pulse; }
 };
 
+/// The function as it runs where `present` is what is there when it starts; NaN, a free velocity, counts as 0 unless it is kept.
+TimeFunction starting_from(TimeFunction function, double present);
+
 /// A function that runs since `start`.
 struct Amplitude {
     TimeFunction function;

@@ -27,8 +27,7 @@ SpecimenFaces specimen_faces(const Assemblage& a, const Specimen& s) {
 
 }  // namespace
 
-Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<Platen, 2>& platens, double reach,
-                       const std::vector<std::uint8_t>& membrane_parts) {
+Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<Platen, 2>& platens, double reach) {
     Boundary b;
     b.platens = platens;
     const SpecimenFaces boundary = specimen_faces(a, s);
@@ -40,7 +39,7 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
             const bool outer = boundary.has_node[i];
             const double facing = boundary.facing_length[i];
             const double tributary = facing > 1e-9 * s.width ? facing : corner_tributary;
-            // A glued cap holds the face it is glued to; a platen may be met by anything near.
+            // A bonded platen holds the face it is bonded to; a platen may be met by anything near.
             const bool touches = gap > -1e-9 * s.height;
             const bool candidate = platens[p].bonded ? outer && touches : gap > -reach;
             if (candidate) {
@@ -49,13 +48,6 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
         }
     }
     b.platen_points_of_block = ranges_by_block(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
-    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
-        if (std::find(membrane_parts.begin(), membrane_parts.end(), s.boundary_part[e]) != membrane_parts.end()) {
-            b.membrane_edges.push_back({a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]});
-        }
-    }
-    std::sort(b.membrane_edges.begin(), b.membrane_edges.end());
-    b.membrane_edges_of_block = ranges_by_block(a, b.membrane_edges, [](const auto& edge) { return edge[0]; });
     return b;
 }
 

@@ -1,5 +1,5 @@
-// Boundary conditions of a step as data: rigid platens with Coulomb friction and a membrane that carries pressure.
-// Nothing here knows which test is running.
+// Boundary conditions of a step as data: rigid platens with Coulomb friction, and what else is prescribed. Nothing here knows
+// which test is running.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Platen {
     double normal_stiffness = 0;  ///< penalty, Pa/m
     double shear_stiffness = 0;   ///< Pa/m; 0 for a smooth platen
     double tan_friction = 0;
-    bool bonded = false;  ///< pulls as well as pushes (glued cap)
+    bool bonded = false;  ///< pulls as well as pushes
 };
 inline constexpr std::size_t bottom_platen = 0;
 inline constexpr std::size_t top_platen = 1;
@@ -81,31 +81,26 @@ struct Boundary {
     std::array<Platen, 2> platens;
     std::vector<PlatenPoint> platen_points;
     std::vector<Range> platen_points_of_block;
-    std::vector<std::array<std::int32_t, 2>> membrane_edges;  ///< solid on the left
-    std::vector<Range> membrane_edges_of_block;
     PrescribedConditions prescribed;
 };
 
-/// Motion of the platens and pressure of the membrane over one step.
+/// Motion of the platens and values of the amplitudes over one step.
 struct StepLoading {
     std::array<double, 2> platen_displacement{};  ///< now, m
     std::array<double, 2> increment_before{};     ///< of the step that led here, m
     std::array<double, 2> increment_after{};      ///< of the step that leads on, m
-    double pressure = 0;                          ///< now, Pa
-    std::vector<double> amplitudes;               ///< of the drives: velocities of the step that leads on, loads now
+    std::vector<double> amplitudes;               ///< velocities of the step that leads on, loads now
 };
 
-/// Loading over a batch of steps: speeds and pressure change linearly from its first step to its last.
+/// Loading over an interval of steps: the speeds change linearly from its first step to its last.
 struct IntervalLoading {
     std::array<double, 2> velocity_begin{};  ///< of the platens along y, m/s
     std::array<double, 2> velocity_end{};
-    double pressure_begin = 0;
-    double pressure_end = 0;
-    const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the drives, if there are any
+    const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the prescribed conditions, if there are any
 };
 
-/// Finds the nodes that may meet a platen (within `reach` of its face) and the membrane's edges (`membrane_parts`).
-Boundary make_boundary(const Assemblage& assemblage, const Specimen& specimen, const std::array<Platen, 2>& platens, double reach,
-                       const std::vector<std::uint8_t>& membrane_parts);
+/// Platens with the nodes that may meet them (within `reach` of the face); nothing else is prescribed.
+Boundary make_boundary(const Assemblage& assemblage, const Specimen& specimen, const std::array<Platen, 2>& platens,
+                       double reach);
 
 }  // namespace graincrack

@@ -1,5 +1,5 @@
-// What a program does to the specimen besides platens and membrane: prescribed velocities of nodes, tractions and pressures on
-// boundary edges, gravity. Constant data of a run; the values come from channels, functions of time.
+// What is prescribed to the specimen besides platens: velocities of nodes, tractions and pressures on
+// boundary edges, gravity. Constant data of a run; the values come from amplitudes, functions of time.
 //
 // A driven component of a node moves as prescribed; it has no inertia of its own to damp, and its reaction is the force that
 // makes it so, R = m Δv/Δt − F. Each force does its work, as every force of the scheme, over the mean of the displacements before
@@ -43,7 +43,8 @@ struct PrescribedConditions {
     std::vector<Range> nodes_of_block;
     std::vector<LoadedEdge> edges;
     std::vector<Range> edges_of_block;
-    [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && gravity.x == 0 && gravity.y == 0; }
+    [[nodiscard]] bool has_gravity() const { return gravity.x != 0 || gravity.y != 0; }
+    [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && !has_gravity(); }
 };
 /// Sorts nodes and edges and finds their ranges.
 void arrange_prescribed(const Assemblage& assemblage, PrescribedConditions& prescribed);

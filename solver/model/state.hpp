@@ -37,7 +37,6 @@ struct ContactSums {
 struct GrainSums {
     double damping = 0;
     double platen_work = 0;
-    double membrane_work = 0;
     double load_work = 0;      ///< of gravity and loaded edges, and kinetic energy given at the start
     double reaction_work = 0;  ///< of driven nodes
     double platen_friction = 0;
@@ -91,7 +90,6 @@ struct State {
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
-    std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
     std::vector<GrainSums> grain_sums;              ///< by block of grains
     std::vector<ContactSums> contact_sums;          ///< by block of contacts
     std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected

@@ -149,7 +149,7 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
     for (const double pressing : s.prescribed.pressing) {
-        m.membrane_force += std::abs(pressing);
+        m.membrane_force += std::abs(pressing);  // two ends an edge, two sides: the mean of the sides
     }
 }
 
@@ -205,15 +205,10 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
     add_contact_energies(a, parameters.law, s, m.energies);
     add_platen_energies(boundary, parameters.time_step, s, m);
-    for (std::size_t e = 0; e < boundary.membrane_edges.size(); ++e) {
-        const auto [first, second] = boundary.membrane_edges[e];
-        m.energies.external += 0.5 * parameters.time_step * dot(s.membrane_force[e], s.velocity[first] + s.velocity[second]);
-        m.membrane_force += std::abs(s.membrane_force[e].x);  // two ends an edge, two sides: the mean of the sides
-    }
     add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
     for (const GrainSums& sums : s.grain_sums) {
         m.energies.damping += sums.damping;
-        m.energies.external += sums.platen_work + sums.membrane_work + sums.load_work + sums.reaction_work;
+        m.energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
         m.energies.platen += sums.platen_friction;
     }
     return m;

@@ -49,13 +49,13 @@ struct Measurement {
     double force_bottom = 0;  ///< axial force on the specimen, tension positive, N
     double force_top = 0;
     double platen_power = 0;      ///< of both platens on the specimen, W
-    double membrane_force = 0;    ///< lateral force of the membrane, mean of both sides, N
+    double membrane_force = 0;    ///< lateral force of pressures on edges, mean of both sides, N
     double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
     double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
 };
 
 /// Measures the state at its time: potential energies of the present displacements, kinetic energy ½ m v(n−½)·v(n+½)
-/// (conserved by the scheme together with a quadratic potential), and the work of dampers, platens and membrane up to now.
+/// (conserved by the scheme together with a quadratic potential), and the work of dampers, platens and loads up to now.
 /// `state.force` is used as scratch.
 Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
 

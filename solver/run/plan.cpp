@@ -1,24 +1,14 @@
 #include "solver/run/plan.hpp"
 
-#include "solver/run/program_driver.hpp"
+#include "solver/loading/stage_control.hpp"
+#include "solver/loading/standard_tests.hpp"
 #include "solver/setup/setup.hpp"
 
 namespace graincrack {
 
-namespace {
-
-LoadingLength longest_way(const Specimen& specimen, const SimulationRequest& request, double time_step) {
-    if (!request.program) {
-        return Loading(request.loading, specimen, request.material.rock, request.plane).longest(time_step);
-    }
-    const auto steps = static_cast<std::int64_t>(request.program->longest_time() / time_step);
-    return {steps, static_cast<std::size_t>(steps / program_interval_steps(*request.program, time_step) + 1)};
-}
-
-}  // namespace
-
 SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request) {
-    const Setup setup = make_setup(specimen, request);
+    const Program program = program_of(request, specimen);
+    const Setup setup = make_setup(specimen, request, program);
     SimulationPlan plan;
     plan.grains = specimen.n_grains();
     plan.elements = specimen.n_elements();
@@ -26,8 +16,8 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.contacts = specimen.n_contacts();
     plan.stable_time_step = setup.stable_time_step;
     plan.time_step = setup.parameters.time_step;
-    const LoadingLength length = longest_way(specimen, request, plan.time_step);
-    plan.max_steps = length.steps;
+    const LoadingLength length = StageController(program, specimen, request.material.rock).longest(plan.time_step);
+    plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     plan.memory = plan.nodes * (5 * sizeof(Vector2) + 2 * sizeof(double)) + plan.elements * (sizeof(TriangleGeometry) + 16) +
                   plan.contacts * (sizeof(ContactGeometry) + 4 * sizeof(Vector2) + 2 * sizeof(ContactHistory) +
                                    4 * sizeof(std::int32_t) + 16);

@@ -1,45 +1,66 @@
-// A program as the leader of a run: its conductor, its probes, and what the run file keeps of both.
+// A program at work in a run: its stages, its probes, and what the run file keeps of both.
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "solver/loading/stage_control.hpp"
 #include "solver/run/probes.hpp"
-#include "solver/run/run_driver.hpp"
+#include "solver/setup/request.hpp"
 
 namespace graincrack {
 
-class ProgramDriver : public RunDriver {
-public:
-    ProgramDriver(const Program& program, const Assemblage& assemblage, const Specimen& specimen, const Rock& rock);
+class H5Output;
 
-    [[nodiscard]] std::int64_t interval_steps(double time_step) const override;
-    IntervalLoading next(const RunView& view, double duration) override;
-    void note(const RunView& view) override;
-    [[nodiscard]] std::string stop_reason(const RunView& view) const override;
-    [[nodiscard]] bool counts() const override { return true; }
-    [[nodiscard]] double platen_speed() const override { return stage_controller_.platen_speed(); }
-    [[nodiscard]] double progress(const RunView& view) const override;
-    void complete(RunHeader& header, double time) override;
-    [[nodiscard]] StageControllerState saved(double time) const override { return stage_controller_.state(time); }
-    void resume(const StageControllerState& state) override;
-    /// Leads the conductor through the checkpoint's rows again: what it decides follows from them alone.
-    void go_on(const StageControllerState& state, const RunReader& checkpoint, double time_step) override;
-    void append(H5Output& file, std::size_t first) const override;
-    void write(H5Output& file) const override;
+/// What a program sees of a run after each row of the history.
+struct RunView {
+    const Assemblage& assemblage;
+    const Boundary& boundary;
+    const State& state;
+    const History& history;
+    RateMeasures rate;
+    double axial_strain = 0;
+};
+
+class ProgramDriver {
+public:
+    /// \param test that the program is, or `TestKind::program`
+    /// \throws InputError where a program does not fit the specimen
+    ProgramDriver(const Program& program, TestKind test, const Assemblage& assemblage, const Specimen& specimen,
+                  const Rock& rock);
+
+    /// Steps of the next interval; its end is a row of the history.
+    [[nodiscard]] std::int64_t interval_steps(double time_step) const { return stages_.interval_steps(time_step); }
+    /// Loading of the next `duration` seconds.
+    IntervalLoading next(double duration) { return stages_.next(duration); }
+    /// Takes note of a new row. The first is that of the start.
+    void note(const RunView& view);
+    /// Why the run ends here, "" if it goes on.
+    [[nodiscard]] std::string stop_reason(double axial_strain) const;
+    [[nodiscard]] double platen_speed() const { return stages_.platens().speed(); }  ///< approach of each, m/s
+    /// Share of the longest way that is done.
+    [[nodiscard]] double progress(const RunView& view) const { return stages_.progress(view.state.time, view.axial_strain); }
+    /// Fills in what it knows of a run that ended for `header.stop_reason`.
+    void complete(RunHeader& header, double time);
+    /// Where it is, going on from where another program was, before the first row, and from a checkpoint of this very one.
+    /// \throws InputError for a checkpoint of another program
+    [[nodiscard]] StageControllerState saved(double time) const { return stages_.state(time); }
+    void resume(const StageControllerState& state);
+    void go_on(const StageControllerState& state, const RunReader& checkpoint);
+    /// What the run file gets of its rows from `first` on, besides the history; of a standard test nothing.
+    void append(H5Output& file, std::size_t first) const;
+    /// And at the end.
+    void write(H5Output& file) const;
 
 private:
-    template <class Act>
-    void with_feedback(const RunView& view, Act&& act);
+    [[nodiscard]] bool is_standard() const { return test_ != TestKind::program; }
 
     const Program& program_;
-    StageController stage_controller_;
+    TestKind test_;
+    StageController stages_;
     Probes probes_;
     std::optional<StageControllerState> started_from_;
     bool begun_ = false;
-    double begin_ = 0;  ///< s
 };
-
-/// Steps between two rows of a program's history: its own `row_every`, or the 8000th part of its longest time.
-std::int64_t program_interval_steps(const Program& program, double time_step);
 
 }  // namespace graincrack

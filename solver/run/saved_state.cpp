@@ -56,7 +56,7 @@ void visit_members(T& p, Act&& act) {
 }
 template <Is<GrainSums> T, class Act>
 void visit_members(T& s, Act&& act) {
-    visit_all(act, s.damping, s.platen_work, s.membrane_work, s.load_work, s.reaction_work, s.platen_friction);
+    visit_all(act, s.damping, s.platen_work, s.load_work, s.reaction_work, s.platen_friction);
 }
 template <Is<ContactSums> T, class Act>
 void visit_members(T& s, Act&& act) {
@@ -122,7 +122,6 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("platen_displacement_top", s.loading.platen_displacement[top_platen]);
     visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
     visit("platen_increment_top", s.loading.increment_before[top_platen]);
-    visit("membrane_pressure", s.loading.pressure);
     visit("mean_damping_power", s.damping_load.damping_power);
     visit("mean_platen_power", s.damping_load.platen_power);
     visit("mean_time", s.damping_load.time);
@@ -225,9 +224,22 @@ void book_change(const RunHeader& old, const Setup& setup, State& s) {
         stored_in_contacts(setup.assemblage, setup.parameters, s) - stored_in_contacts(setup.assemblage, before, s);
 }
 
+StageControllerState read_loading(const H5Input& file) {
+    const std::string group = schema::state_group;
+    const auto texts = [&](const char* name) { return file.attribute<std::vector<std::string>>(group, name); };
+    const auto numbers = [&](const char* name) { return file.attribute<std::vector<double>>(group, name); };
+    StageControllerState loading;
+    loading.controls = {texts("controls"), numbers("control_values")};
+    loading.platen_speed = file.attribute<double>(group, "platen_speed");
+    loading.mean_compression = file.attribute<double>(group, "mean_compression");
+    loading.progress = {texts("stages"), numbers("stage_values")};
+    loading.stages_end_by = texts("stages_ended_by");
+    return loading;
+}
+
 }  // namespace
 
-void write_saved_state(H5Output& file, const State& state, const StageControllerState& leader, double energy_imbalance) {
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_imbalance) {
     const std::string group = schema::state_group;
     file.create_group(group);
     visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
@@ -237,10 +249,13 @@ void write_saved_state(H5Output& file, const State& state, const StageController
         histories.push_back(state.points[point]);
     }
     write_array(file, "history", histories);
-    file.attribute(group, "controls", leader.names);
-    file.attribute(group, "control_values", leader.values);
-    file.attribute(group, "platen_speed", leader.platen_speed);
-    file.attribute(group, "mean_compression", leader.mean_compression);
+    file.attribute(group, "controls", loading.controls.names);
+    file.attribute(group, "control_values", loading.controls.values);
+    file.attribute(group, "platen_speed", loading.platen_speed);
+    file.attribute(group, "mean_compression", loading.mean_compression);
+    file.attribute(group, "stages", loading.progress.names);
+    file.attribute(group, "stage_values", loading.progress.values);
+    file.attribute(group, "stages_ended_by", loading.stages_end_by);
     file.attribute(group, "energy_imbalance", energy_imbalance);
 }
 
@@ -275,10 +290,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         s.origin_time = s.time;
     }
     book_change(old, setup, s);
-    saved.leader.names = file.attribute<std::vector<std::string>>(group, "controls");
-    saved.leader.values = file.attribute<std::vector<double>>(group, "control_values");
-    saved.leader.platen_speed = file.attribute<double>(group, "platen_speed");
-    saved.leader.mean_compression = file.attribute<double>(group, "mean_compression");
+    saved.loading = read_loading(file);
     saved.cracks = run.cracks();
     saved.energy_scale = old.energy_scale;
     saved.energy_imbalance = file.attribute<double>(group, "energy_imbalance");

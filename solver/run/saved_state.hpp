@@ -14,13 +14,13 @@ namespace graincrack {
 
 class H5Output;
 
-/// Writes /state: everything of a state that is not found anew from the rest, and where its leader was.
-void write_saved_state(H5Output& file, const State& state, const StageControllerState& leader, double energy_imbalance);
+/// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_imbalance);
 
 /// What a run starts with that goes on from another.
 struct SavedState {
     State state;
-    StageControllerState leader;
+    StageControllerState loading;
     std::vector<Crack> cracks;
     double energy_scale = 0;      ///< largest stored energy so far, J
     double energy_imbalance = 0;  ///< largest so far, J

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "share/error.hpp"
+#include "solver/loading/standard_tests.hpp"
 #include "solver/run/refinement.hpp"
 
 namespace graincrack {
@@ -10,23 +11,16 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-SimulationRequest at_half_the_rate(SimulationRequest request) {
-    LoadingRequest& loading = request.loading;
-    switch (loading.rate) {
-        case RateKind::fixed: loading.platen_speed /= 2; break;
-        case RateKind::automatic: loading.rate_share /= 2; break;
-        case RateKind::blocks:
-            loading.platen_speed /= 2;
-            loading.rate_tolerance /= 2;
-            break;
-    }
-    return request;
-}
-
 }  // namespace
 
-std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, double mass_scaling_factor) {
-    std::vector<SensitivityCase> cases{{"half the rate", at_half_the_rate(request)}, {"half the step", request}};
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, const Program& program,
+                                               double mass_scaling_factor) {
+    std::vector<SensitivityCase> cases;
+    if (program.why_dynamic().empty()) {
+        cases.push_back({"half the rate", request});
+        cases.back().request.program = at_half_the_rate(program);
+    }
+    cases.push_back({"half the step", request});
     cases.back().request.time_step_fraction /= 2;
     if (request.damping > 0) {
         cases.push_back({"half the damping", request});
@@ -41,10 +35,10 @@ std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request,
 }
 
 SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history) {
-    const double sign = header.test == name_of(TestKind::tension) ? 1 : -1;
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     const std::size_t peak = peak_row(header, history);
+    const double sign = sign_of_strength(header, history);
     SensitivityRow row{changed,
                        header.peak_axial_stress,
                        sign * strain[peak],
@@ -60,7 +54,8 @@ SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& head
 std::vector<SensitivityRow> find_sensitivity(const Specimen& specimen, const SimulationRequest& request,
                                              const TestOutcome& as_it_is, Verbosity verbosity) {
     std::vector<SensitivityRow> rows{sensitivity_row("as it is", as_it_is.header, as_it_is.history)};
-    for (const SensitivityCase& each : sensitivity_cases(request, as_it_is.header.mass_scaling_factor)) {
+    for (const SensitivityCase& each :
+         sensitivity_cases(request, program_of(request, specimen), as_it_is.header.mass_scaling_factor)) {
         try {
             const TestOutcome outcome =
                 run_test(each.refine ? refined(specimen) : specimen, each.request, each.changed, verbosity);

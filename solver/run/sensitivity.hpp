@@ -14,10 +14,11 @@ struct SensitivityCase {
     SimulationRequest request;
     bool refine = false;  ///< twice the elements along an edge
 };
-/// Half the speed of the platens everywhere (automatic: limits and floors included), half the step, half the damping (0.4 for
-/// 0.8), a quarter of the mass scaling where there is some, twice the elements along an edge.
+/// The program at half its speed (of the automatic rate limits and floors included) unless it is dynamic, half the step, half the
+/// damping (0.4 for 0.8), a quarter of the mass scaling where there is some, twice the elements along an edge.
 /// \param mass_scaling_factor that the test has, 0 for none
-std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, double mass_scaling_factor);
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, const Program& program,
+                                               double mass_scaling_factor);
 
 /// What a row tells of a test.
 SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history);

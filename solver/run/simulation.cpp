@@ -11,16 +11,18 @@
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
+#include "solver/loading/standard_tests.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/crack_log.hpp"
 #include "solver/run/damping_load.hpp"
 #include "solver/run/frame_output.hpp"
 #include "solver/run/measure.hpp"
-#include "solver/run/run_driver.hpp"
+#include "solver/run/program_driver.hpp"
 #include "solver/run/saved_state.hpp"
 #include "solver/run/sensitivity.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/setup.hpp"
+#include "solver/setup/transit_time.hpp"
 #include "solver/step/step.hpp"
 
 namespace graincrack {
@@ -47,7 +49,7 @@ RunHeader make_header(const SimulationRequest& r) {
     h.contact = r.contact;
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
-    h.rate = r.program ? "program" : name_of(r.loading.rate);
+    h.rate = r.loading.test == TestKind::program ? "program" : name_of(r.loading.rate);
     h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
     h.rate_share = r.loading.rate_share;
     h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
@@ -55,7 +57,6 @@ RunHeader make_header(const SimulationRequest& r) {
     h.damping_form = name_of(r.damping_form);
     h.mass_scaling = r.mass_scaling ? "selective" : "none";
     h.peak_drop = r.peak_drop;
-    h.max_strain = r.loading.max_strain;
     return h;
 }
 
@@ -65,10 +66,12 @@ public:
     Simulation(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity)
         : specimen_(specimen),
           request_(request),
-          setup_(make_setup(specimen, request)),
+          program_(program_of(request, specimen)),
+          is_dynamic_(request.damping == 0 || !program_.why_dynamic().empty()),
+          setup_(make_setup(specimen, request, program_)),
           gauges_(make_gauges(assemblage_, specimen)),
-          transit_time_(specimen.height / std::sqrt(request.material.rock.young_modulus / request.material.rock.density)),
-          driver_(make_run_driver(request, assemblage_, specimen)),
+          transit_time_(bar_transit_time(specimen, request.material.rock)),
+          driver_(program_, request.loading.test, assemblage_, specimen, request.material.rock),
           state_(make_state(assemblage_, boundary_, specimen)),
           crack_log_(state_.failed.size()),
           header_(make_header(request)),
@@ -79,19 +82,18 @@ public:
         header_.added_mass = setup_.added_mass;
         header_.stable_time_step = setup_.stable_time_step;
         header_.time_step = parameters_.time_step;
+        header_.max_strain = program_.platens ? program_.platens->max_strain : 0;
         if (request.checkpoint_interval) {
             checkpoint_clock_.emplace(*request.checkpoint_interval);
         }
-        if (request.program) {
-            set_initial_velocities(*request.program, assemblage_, specimen, state_);
-        }
+        set_initial_velocities(program_, assemblage_, specimen, state_);
         if (!request.restart.empty()) {
             const SavedState saved = read_saved_state(request.restart, specimen, request, setup_);
             release_contacts(saved);
-            if (request.program && !is_checkpoint(request.restart)) {
-                driver_->resume(saved.leader);
+            if (request.loading.test == TestKind::program && !is_checkpoint(request.restart)) {
+                driver_.resume(saved.loading);
             } else {
-                go_on(request.restart, saved.leader);
+                go_on(request.restart, saved.loading);
             }
         }
     }
@@ -109,17 +111,17 @@ public:
         if (request_.restart.empty()) {
             start(assemblage_, parameters_, state_);
         }
-        if (!last_row_stands_) {
+        if (history_.size() == 0) {
             record();
         }
         while (header_.stop_reason.empty()) {
             throw_if_interrupted();
-            const std::int64_t steps = driver_->interval_steps(parameters_.time_step);
-            const IntervalLoading batch = driver_->next(view(), static_cast<double>(steps) * parameters_.time_step);
-            advance(assemblage_, boundary_, parameters_, batch, steps, team_, state_);
+            const std::int64_t steps = driver_.interval_steps(parameters_.time_step);
+            const IntervalLoading loading = driver_.next(static_cast<double>(steps) * parameters_.time_step);
+            advance(assemblage_, boundary_, parameters_, loading, steps, team_, state_);
             record();
             show_progress();
-            header_.stop_reason = driver_->stop_reason(view());
+            header_.stop_reason = driver_.stop_reason(axial_strain());
             if (header_.stop_reason.empty() && checkpoint_clock_ && checkpoint_clock_->is_due()) {
                 write_checkpoint();
             }
@@ -133,9 +135,9 @@ public:
     void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
         frames_->last(assemblage_, parameters_.law, state_);
         append_rows();
-        driver_->write(writer_->file());
+        driver_.write(writer_->file());
         if (request_.save_state) {
-            write_saved_state(writer_->file(), state_, driver_->saved(state_.time), largest_imbalance_);
+            write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_imbalance_);
         }
         writer_->finish(header_, crack_log_.rows(state_), provenance, sensitivity);
         if (checkpoint_clock_) {
@@ -151,10 +153,10 @@ private:
     void write_checkpoint() const {
         RunWriter writer(H5Output(checkpoint_, "run"), specimen_, header_);
         writer.append_history(history_);
-        driver_->append(writer.file(), 0);
-        driver_->write(writer.file());
+        driver_.append(writer.file(), 0);
+        driver_.write(writer.file());
         writer.add_frame(make_frame(assemblage_, parameters_.law, state_), true);
-        write_saved_state(writer.file(), state_, driver_->saved(state_.time), largest_imbalance_);
+        write_saved_state(writer.file(), state_, driver_.saved(state_.time), largest_imbalance_);
         RunHeader header = header_;
         header.stop_reason = "checkpoint";
         header.steps = state_.step;
@@ -166,19 +168,13 @@ private:
         writer.finish(header, crack_log_.rows(state_), provenance);
     }
 
-    /// Goes on where this very run was. The last row of a test comes again, from the same state, and with it what the rate
-    /// follows; that of a program stands, with the loads of its time, which the state has not.
-    void go_on(const std::string& checkpoint, const StageControllerState& leader) {
+    /// Goes on where this very run was, after its last row.
+    void go_on(const std::string& checkpoint, const StageControllerState& loading) {
         const RunReader run(checkpoint);
         require_same_test(run.name(), run.header(), header_);
-        driver_->go_on(leader, run, parameters_.time_step);
+        driver_.go_on(loading, run);
         history_ = run.history();
-        for (std::vector<double>& column : history_.columns) {
-            if (!request_.program) {
-                column.pop_back();
-            }
-        }
-        last_row_stands_ = request_.program.has_value();
+        last_axial_stress_ = history_[HistoryColumn::axial_stress].back();
         peak_ = run.header().peak_axial_stress;
     }
 
@@ -190,10 +186,7 @@ private:
     }
 
     void push(HistoryColumn column, double value) { history_[column].push_back(value); }
-    /// The stress that the test drives up, positive.
-    [[nodiscard]] double driven_stress() const {
-        return request_.loading.test == TestKind::tension ? last_axial_stress_ : -last_axial_stress_;
-    }
+    [[nodiscard]] double absolute_stress() const { return std::abs(last_axial_stress_); }
     [[nodiscard]] double axial_strain() const {
         return (state_.loading.platen_displacement[top_platen] - state_.loading.platen_displacement[bottom_platen]) /
                specimen_.height;
@@ -206,15 +199,15 @@ private:
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
         follow_damping_load(state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
         push_row(m);
-        feedback_ = feedback(m);
-        driver_->note(view());
-        const bool counts = driver_->counts() && !crack_log_.empty();
-        const bool is_highest = counts && driven_stress() > peak_;
-        peak_ = is_highest ? driven_stress() : peak_;
+        rate_ = rate_measures(m);
+        driver_.note(view());
+        const bool counts = !crack_log_.empty();
+        const bool is_highest = counts && absolute_stress() > peak_;
+        peak_ = is_highest ? absolute_stress() : peak_;
         if (writer_) {
-            frames_->peak(is_highest, counts && driven_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
+            frames_->peak(is_highest, counts && absolute_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
                           state_);
-            frames_->regular(driver_->progress(view()), assemblage_, parameters_.law, state_);
+            frames_->regular(driver_.progress(view()), assemblage_, parameters_.law, state_);
             if (history_.size() % 500 == 0) {
                 append_rows();
             }
@@ -222,16 +215,14 @@ private:
     }
 
     void append_rows() {
-        driver_->append(writer_->file(), rows_written_);
+        driver_.append(writer_->file(), rows_written_);
         rows_written_ = history_.size();
         writer_->append_history(history_);
     }
 
-    [[nodiscard]] RunView view() const {
-        return {assemblage_, boundary_, state_, history_, feedback_, axial_strain(), driven_stress(), peak_, !crack_log_.empty()};
-    }
+    [[nodiscard]] RunView view() const { return {assemblage_, boundary_, state_, history_, rate_, axial_strain()}; }
 
-    [[nodiscard]] LoadingFeedback feedback(const Measurement& m) const {
+    [[nodiscard]] RateMeasures rate_measures(const Measurement& m) const {
         const double load = std::abs(m.force_top - m.force_bottom) / 2;
         RateMeasures rate;
         rate.kinetic_energy = m.own_kinetic;
@@ -240,7 +231,7 @@ private:
         rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
         rate.damping_load = state_.damping_load.share();
         rate.near_failure = near_failure(assemblage_, parameters_.law, state_);
-        return {state_.time, -last_axial_stress_, m.unbalanced_ratio, rate};
+        return rate;
     }
 
     [[nodiscard]] double judged_energy() const {
@@ -250,8 +241,8 @@ private:
     }
 
     void check_stability(const Energies& energies) {
-        // A program may be all motion, and store next to nothing.
-        const double scale = energies.stored() + (request_.program ? energies.kinetic : 0);
+        // What is dynamic may be all motion, and store next to nothing.
+        const double scale = energies.stored() + (is_dynamic_ ? energies.kinetic : 0);
         header_.energy_scale = std::max(header_.energy_scale, scale);
         const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
@@ -295,13 +286,13 @@ private:
         push(unbalanced_ratio, m.unbalanced_ratio);
         push(tensile_cracks, 0.5 * static_cast<double>(crack_log_.tensile_points()));
         push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));
-        push(platen_speed, driver_->platen_speed());
+        push(platen_speed, driver_.platen_speed());
         push(damping_load, state_.damping_load.share());
     }
 
     void show_progress() {
-        progress_.update(driver_->progress(view()),
-                         fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", driven_stress() * 1e-6,
+        progress_.update(driver_.progress(view()),
+                         fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", absolute_stress() * 1e-6,
                                      crack_log_.tensile_points() / 2, crack_log_.shear_points() / 2));
     }
 
@@ -335,8 +326,8 @@ private:
     void finish_header() {
         header_.steps = state_.step;
         header_.integrations = state_.integrations;
-        driver_->complete(header_, state_.time);
-        const double sign = request_.loading.test == TestKind::tension ? 1 : -1;
+        driver_.complete(header_, state_.time);
+        const double sign = sign_of_strength(header_, history_);
         const std::size_t peak = peak_row(header_, history_);
         header_.peak_axial_stress = sign * history_[HistoryColumn::axial_stress][peak];
         header_.platen_force_difference = platen_force_difference(peak, sign);
@@ -365,35 +356,45 @@ private:
 
     const Specimen& specimen_;
     const SimulationRequest& request_;
+    Program program_;
+    bool is_dynamic_;
     Setup setup_;
     const Assemblage& assemblage_ = setup_.assemblage;
     const Boundary& boundary_ = setup_.boundary;
     const StepParameters& parameters_ = setup_.parameters;
     Gauges gauges_;
     double transit_time_;  ///< of a bar wave over the height, s
-    std::unique_ptr<RunDriver> driver_;
+    ProgramDriver driver_;
     State state_;
     CrackLog crack_log_;
     RunHeader header_;
     Progress progress_;
     History history_;
     ThreadTeam team_;
-    LoadingFeedback feedback_;
+    RateMeasures rate_;  ///< of the last row
     std::size_t rows_written_ = 0;
     double largest_imbalance_ = 0;  ///< of the energy ledger, J
     double last_axial_stress_ = 0;  ///< tension positive, Pa
-    double peak_ = 0;               ///< of the driven stress, Pa
+    double peak_ = 0;               ///< of it since contacts have failed, absolute, Pa
     std::optional<RunWriter> writer_;
     std::optional<FrameOutput> frames_;
-    bool last_row_stands_ = false;  ///< of what it goes on from
-    std::string checkpoint_;        ///< its file
+    std::string checkpoint_;  ///< its file
     std::optional<CheckpointClock> checkpoint_clock_;
 };
 
 }  // namespace
 
+double sign_of_strength(const RunHeader& header, const History& history) {
+    if (header.test != name_of(TestKind::program)) {
+        return header.test == name_of(TestKind::tension) ? 1 : -1;
+    }
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
+    return *highest > -*lowest ? 1 : -1;
+}
+
 std::size_t peak_row(const RunHeader& header, const History& history) {
-    const double sign = header.test == name_of(TestKind::tension) ? 1 : -1;
+    const double sign = sign_of_strength(header, history);
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
     return static_cast<std::size_t>(peak - stress.begin());

@@ -27,7 +27,9 @@ struct TestOutcome {
     RunHeader header;
     History history;
 };
-/// Row of the largest axial stress in the sense of the test: tension pulls, all others press. \pre the history has rows
+/// 1 where a test pulls, −1 where it presses; a program does what it does more.
+double sign_of_strength(const RunHeader& header, const History& history);
+/// Row of the largest axial stress in the sense of the test. \pre the history has rows
 std::size_t peak_row(const RunHeader& header, const History& history);
 
 /// Runs the test and writes nothing. \param label what the progress says

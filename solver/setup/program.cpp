@@ -9,6 +9,40 @@ bool waves(const Settings& settings) {
     return std::any_of(settings.begin(), settings.end(), [](const auto& f) { return f && f->is_wave(); });
 }
 
+/// Twice as slow; `of_velocity`: its values are velocities.
+void slow_down(TimeFunction& f, bool of_velocity) {
+    f.duration *= 2;
+    f.frequency /= 2;
+    f.peak_time *= 2;
+    for (double& time : f.times) {
+        time *= 2;
+    }
+    if (of_velocity) {
+        f.value /= 2;
+        for (double& value : f.values) {
+            value /= 2;
+        }
+    }
+}
+
+void slow_down(Settings& settings) {
+    for (std::size_t i = 0; i < n_actions; ++i) {
+        if (settings[i]) {
+            slow_down(*settings[i], is_velocity(static_cast<Action>(i)));
+        }
+    }
+}
+
+struct SlowDown {
+    void operator()(TimeFunction& speed) const { slow_down(speed, true); }
+    void operator()(PressureServo& servo) const { slow_down(servo.pressure, false); }
+    void operator()(AutomaticRate& rate) const { rate.share /= 2; }
+    void operator()(LoadingBlocks& blocks) const {
+        blocks.speed /= 2;
+        blocks.rest /= 2;
+    }
+};
+
 }  // namespace
 
 const Stage& Program::stage(const std::string& stage_name) const {
@@ -42,6 +76,25 @@ std::string Program::why_dynamic() const {
         }
     }
     return "";
+}
+
+Program at_half_the_rate(Program program) {
+    for (Control& control : program.controls) {
+        slow_down(control.start);
+    }
+    for (Stage& stage : program.stages) {
+        stage.longest_time *= 2;
+        for (auto& [control, settings] : stage.settings) {
+            slow_down(settings);
+        }
+        if (stage.platens) {
+            std::visit(SlowDown{}, *stage.platens);
+        }
+    }
+    if (program.row_interval) {
+        *program.row_interval *= 2;
+    }
+    return program;
 }
 
 const std::vector<ProbeColumn>& control_columns() {

@@ -1,4 +1,5 @@
-// A loading program as its file tells it: what is held, driven and loaded, stage after stage, and what is watched.
+// A loading program: what is held, driven and loaded, stage after stage, and what is watched. The one way to load a specimen:
+// read from a file, or made in code for a standard test.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "share/probe_file.hpp"
@@ -47,9 +49,34 @@ struct Control {
 
 /// [platens]: rigid platens below and above.
 struct ProgramPlatens {
-    bool glued = false;
+    bool bonded = false;       ///< they pull as well as push, and do not rub
     double max_strain = 0.05;  ///< approach over height that they may reach
 };
+
+/// Rise of the load over itself in a wave transit up to which it is quasi-static while there is damage.
+/// \see share/doc/equilibrium.md
+inline constexpr double default_rate_tolerance = 1.5e-3;
+/// Unbalanced ratio that counts as rest. Between blocks of 1.5e-4 of strain it falls below within some wave transits.
+inline constexpr double default_rest_tolerance = 1e-4;
+
+/// Platens that hold a mean axial pressure by a servo, Pa.
+struct PressureServo {
+    TimeFunction pressure;
+};
+/// Platens as fast as the measures of the run allow. \see RateControl
+struct AutomaticRate {
+    bool apart = false;  ///< they pull
+    double tolerance = default_rate_tolerance;
+    double share = 1;  ///< of all speeds
+};
+/// Platens that move for a number of steps and stand until the specimen is at rest, by turns. \see BlockControl
+struct LoadingBlocks {
+    double speed = 5e-3;  ///< approach of each platen within a block, m/s; below 0: apart
+    std::int64_t steps = 5000;
+    double rest = default_rest_tolerance;  ///< unbalanced ratio
+};
+/// How the platens move: a speed of each, approach positive, as a function of time (m/s), or one of the above.
+using PlatenMotion = std::variant<TimeFunction, PressureServo, AutomaticRate, LoadingBlocks>;
 
 /// [initial.NAME]: velocity at the start.
 struct InitialVelocity {
@@ -76,13 +103,13 @@ struct Condition {
 /// [stage.NAME]
 struct Stage {
     std::string name;
-    std::optional<TimeFunction> platen_speed;     ///< approach of each platen, m/s
-    std::optional<TimeFunction> platen_pressure;  ///< mean axial pressure a servo aims at, Pa
-    std::map<std::string, Settings> settings;     ///< by control
-    double longest_time = 0;                      ///< s
-    std::optional<double> rest;                   ///< unbalanced ratio below which the specimen is at rest
-    std::optional<double> peak_drop;              ///< fall below the stage's highest axial stress, share of it
+    std::optional<PlatenMotion> platens;       ///< missing: they go on as they did
+    std::map<std::string, Settings> settings;  ///< by control
+    double longest_time = 0;                   ///< s; infinite where only the strain limit of the platens ends it
+    std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest
+    std::optional<double> peak_drop;  ///< fall below the stage's highest axial stress since contacts have failed, share of it
     std::vector<Condition> until;
+    std::string must_end_by;  ///< the only end that is none too early, "" for any
 };
 
 struct Program {
@@ -101,11 +128,14 @@ struct Program {
     std::string start_from;              ///< run file with a saved state, or ""
 
     [[nodiscard]] const Stage& stage(const std::string& stage_name) const;
-    /// The longest it can take, s.
+    /// The longest it can take, s; infinite where the strain limit of the platens ends a stage.
     [[nodiscard]] double longest_time() const;
     /// Why its masses must be as they are: it drives nodes, makes waves or starts in motion; "" where it may be slow.
     [[nodiscard]] std::string why_dynamic() const;
 };
+
+/// The same program at half the speed: all times are twice as long, all frequencies and prescribed velocities half as high.
+Program at_half_the_rate(Program program);
 
 /// Columns of a probe: of every control, of a point, of a circle.
 const std::vector<ProbeColumn>& control_columns();

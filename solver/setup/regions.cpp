@@ -140,15 +140,16 @@ Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Pro
     }
     double reach = 0;
     if (program.platens) {
+        // A platen can be met by whatever its own approach and a loose grain's turn can bring to it.
         reach = 2 * s.statistics.mean_edge + program.platens->max_strain * s.height;
         for (Platen& platen : platens) {
             platen.normal_stiffness = contact.normal_stiffness;
-            platen.shear_stiffness = program.platens->glued ? 0 : contact.shear_stiffness;
+            platen.shear_stiffness = program.platens->bonded ? 0 : contact.shear_stiffness;
             platen.tan_friction = std::tan(platen_friction);
-            platen.bonded = program.platens->glued;
+            platen.bonded = program.platens->bonded;
         }
     }
-    Boundary boundary = make_boundary(a, s, platens, reach, {});
+    Boundary boundary = make_boundary(a, s, platens, reach);
     boundary.prescribed = make_drives(a, s, program);
     return boundary;
 }

@@ -26,8 +26,8 @@ struct RegionMembers {
 /// \throws InputError if the specimen has no part of a wanted name, or nothing there
 RegionMembers members_of(const Region& region, const Assemblage& assemblage, const Specimen& specimen, const std::string& where);
 
-/// Platens (with the contacts' stiffness per area) and drives of a program. Where two controls drive the same component of a node
-/// the later one in the file does.
+/// Platens and prescribed conditions of a program. Platens have the contacts' stiffness per area; bonded ones are smooth, so that
+/// they do not hinder the lateral strain. Where two controls drive the same component of a node the later one does.
 /// \param platen_friction rad \throws InputError
 Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& specimen, const Program& program,
                                const ContactParameters& contact, double platen_friction);

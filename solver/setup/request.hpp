@@ -15,13 +15,6 @@
 
 namespace graincrack {
 
-/// Rise of the load over itself in a wave transit up to which it is quasi-static while there is damage.
-/// \see share/doc/equilibrium.md
-inline constexpr double default_rate_tolerance = 1.5e-3;
-
-/// Unbalanced ratio that counts as rest. Between blocks of 1.5e-4 of strain it falls below within some wave transits.
-inline constexpr double default_rest_tolerance = 1e-4;
-
 enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
 constexpr std::string_view name_of(TestKind test) {
     switch (test) {
@@ -45,7 +38,7 @@ constexpr std::string_view name_of(RateKind rate) {
     return "?";
 }
 
-/// What a test asks of its loading.
+/// What a standard test asks of its loading.
 struct LoadingRequest {
     TestKind test = TestKind::uniaxial;
     RateKind rate = RateKind::fixed;
@@ -60,8 +53,8 @@ struct LoadingRequest {
 
 /// Everything a run is made of, besides the specimen.
 struct SimulationRequest {
-    LoadingRequest loading;          ///< of a test; of a program only what platens are like
-    std::optional<Program> program;  ///< instead of one of the four tests
+    LoadingRequest loading;          ///< of a standard test; of a program only what platens are like
+    std::optional<Program> program;  ///< to run; that of the standard test if missing (`program_of`)
     Material material;               ///< with the contact parameters to use
     ContactParameters contact;       ///< derived from it, validated
     std::string fracture_energy_choice = "mode-i";

@@ -3,19 +3,17 @@
 #include "solver/setup/element_mass.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
-#include "solver/setup/test_boundary.hpp"
 
 namespace graincrack {
 
-Setup make_setup(const Specimen& specimen, const SimulationRequest& r) {
+Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Program& program) {
     Setup s{make_assemblage(specimen, r.material.rock, r.plane),
             {},
             {make_contact_law(r.contact, r.law, r.coupling), 0, r.damping, r.damping_form},
             0,
             0};
     s.assemblage.vector_target = r.vector_target.value_or(widest_vector_target());
-    s.boundary = r.program ? make_program_boundary(s.assemblage, specimen, *r.program, r.contact, r.loading.platen_friction)
-                           : make_test_boundary(s.assemblage, specimen, r.loading, r.contact);
+    s.boundary = make_program_boundary(s.assemblage, specimen, program, r.contact, r.loading.platen_friction);
     const ContactLaw& law = s.parameters.law;
     if (r.mass_scaling) {
         s.added_mass = scale_mass_of_stiffest_elements(s.assemblage, s.boundary, law, r.material.rock.density, max_added_mass);

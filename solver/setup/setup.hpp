@@ -16,6 +16,7 @@ struct Setup {
     double added_mass = 0;           ///< to the stiffest elements, of the mass of the specimen
     double stable_time_step = 0;     ///< s
 };
-Setup make_setup(const Specimen& specimen, const SimulationRequest& request);
+/// \param program that is run
+Setup make_setup(const Specimen& specimen, const SimulationRequest& request, const Program& program);
 
 }  // namespace graincrack

@@ -38,8 +38,6 @@ void LoadingClock::prepare() {
         const double velocity = batch_.velocity_begin[p] + share * (batch_.velocity_end[p] - batch_.velocity_begin[p]);
         now_.increment_after[p] = time_step_ * velocity;
     }
-    const double done = static_cast<double>(k_) / static_cast<double>(n_steps_);
-    now_.pressure = batch_.pressure_begin + done * (batch_.pressure_end - batch_.pressure_begin);
     const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
     for (std::size_t i = 0; i < now_.amplitudes.size(); ++i) {
         const Amplitude& amplitude = (*batch_.amplitudes)[i];

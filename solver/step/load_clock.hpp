@@ -1,4 +1,4 @@
-// Platens, pressure and amplitudes at each step of an interval of loading.
+// Platens and amplitudes at each step of an interval of loading.
 #pragma once
 
 #include <cstdint>

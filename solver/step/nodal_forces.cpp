@@ -119,18 +119,6 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
     }
 }
 
-void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure, std::int32_t block, State& s) {
-    const double half_pressure = 0.5 * pressure;
-    const Range edges = boundary.membrane_edges_of_block[block];
-    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        const auto [first, second] = boundary.membrane_edges[i];
-        const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
-        s.membrane_force[i] = {-half_pressure * along.y, half_pressure * along.x};
-        s.force[first] += s.membrane_force[i];
-        s.force[second] += s.membrane_force[i];
-    }
-}
-
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
 GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const Damping& shares, const double* inverse_mass,
                                     const Vector2* force, Vector2* last_force, Vector2* velocity, Vector2* displacement) {
@@ -161,20 +149,12 @@ void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepL
     add_elements(a, range.elements, s);
     add_active_contacts(block, s);
     add_platens(boundary, loading, block, commit, s);
-    add_membrane(a, boundary, loading.pressure, block, s);
     if (!boundary.prescribed.empty()) {
         add_prescribed(a, boundary.prescribed, loading, block, s);
     }
 }
 
 void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t block, double time_step, State& s) {
-    double work = 0;
-    const Range edges = boundary.membrane_edges_of_block[block];
-    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        const auto [first, second] = boundary.membrane_edges[i];
-        work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
-    }
-    s.grain_sums[block].membrane_work += work;
     if (!boundary.prescribed.empty()) {
         s.grain_sums[block].load_work += load_half_work(a, boundary.prescribed, block, time_step, s);
     }

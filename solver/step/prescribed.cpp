@@ -46,7 +46,7 @@ double lead(double prescribed, double old_velocity, double reaction, double iner
 void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t block,
                     State& s) {
     const Range nodes = a.grain_blocks[block].nodes;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+    for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
         s.force[i] += a.rock_mass[i] * prescribed.gravity;
     }
     const Range edges = prescribed.edges_of_block[block];
@@ -74,7 +74,7 @@ double load_half_work(const Assemblage& a, const PrescribedConditions& prescribe
     }
     Vector2 momentum;
     const Range nodes = a.grain_blocks[block].nodes;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+    for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
         momentum += a.rock_mass[i] * s.velocity[i];
     }
     return 0.5 * time_step * (work + dot(prescribed.gravity, momentum));

@@ -1,4 +1,4 @@
-// The explicit step: contact law, node–edge contacts → nodal forces (elements, contacts, platens, membrane) → damping →
+// The explicit step: contact law, node–edge contacts → nodal forces (elements, contacts, platens, loads) → damping →
 // integration.
 #pragma once
 

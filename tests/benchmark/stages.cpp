@@ -1,5 +1,4 @@
 #include "tests/benchmark/stages.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "solver/step/contact_forces.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
@@ -55,7 +54,7 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
     : specimen(std::move(s)),
       assemblage(make_assemblage(specimen, test::augig_granite().rock, PlaneCondition::strain)),
       parameters{make_contact_law(test::augig_contact(), law, Coupling::full), 0, 0.8},
-      boundary(make_test_boundary(assemblage, specimen, compression(), test::augig_contact())) {
+      boundary(test::boundary_of_test(assemblage, specimen, compression(), test::augig_contact())) {
     assemblage.vector_target = vector_target;
     const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
     const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, factor);

@@ -1,6 +1,7 @@
 // Loading programs by the command line.
 #include <cmath>
 
+#include "tests/end_to_end/same_arrays.hpp"
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -47,6 +48,71 @@ TEST(Programs, RunFromFileToProbe) {
     EXPECT_NE(shell.must(solve + "--program pulse.toml --damping 0.1 --dry-run").find("max_steps"), std::string::npos);
 }
 
+// A standard test is a program: run as such it is the same run, past its peak, with the frame of the peak.
+TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
+    const Shell shell;
+    shell.must(
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n"
+        "graincrack-mesh disc --diameter 30mm --edge 5mm --quiet -o disc.h5");
+    const std::string options = " --material augig-granite --quiet ";
+    const auto compare = [&](const std::string& test, const std::string& specimen, const std::string& own,
+                             const std::string& common) {
+        SCOPED_TRACE(test + own);
+        const std::string command = "graincrack-solve " + test + " " + specimen + options + common + own;
+        shell.must(command + " --print-program >program.toml\n" + command + " -o test.h5\ngraincrack-solve program " + specimen +
+                   options + common + " --program program.toml -o program.h5");
+        EXPECT_EQ(shell.must("graincrack-post history program.h5"), shell.must("graincrack-post history test.h5"));
+        const H5Input program(shell.file("program.h5"));
+        const H5Input as_test(shell.file("test.h5"));
+        expect_same_arrays(program, as_test, "/cracks");
+        ASSERT_EQ(program.children("/frames"), as_test.children("/frames"));
+        EXPECT_GT(program.children("/frames").size(), 2U);
+        for (const std::string& frame : program.children("/frames")) {
+            expect_same_arrays(program, as_test, "/frames/" + frame);
+        }
+    };
+    compare("uniaxial", "rectangle.h5", " --rate-tolerance 0.01", " --frames 4 ");
+    compare("triaxial", "rectangle.h5", " --confining-pressure 3MPa --rate-tolerance 0.02 --max-strain 0.008",
+            " --mass-scaling selective --frames 4 ");
+    compare("tension", "rectangle.h5", " --rate 100mm/s --max-strain 0.002", " --frames 4 ");
+    compare("brazilian", "disc.h5", " --rate blocks --block-speed 100mm/s --block-steps 1000 --max-strain 0.004",
+            " --plane stress --frames 4 ");
+}
+
+TEST(Programs, CanDoWhatTestsCan) {
+    const Shell shell;
+    shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o bar.h5");
+    write_text(shell.file("press.toml"), R"(
+name = "press"
+stages = ["press"]
+damping = 0.8
+platens.max_strain = "1 %"
+[stage.press]
+platen_speed = { auto = "together", tolerance = 0.02 }
+until.peak_drop = 0.3
+)");
+    const std::string table = shell.must(solve + "--program press.toml --sensitivity --frames 0 -o run.h5");
+    EXPECT_EQ(n_lines(table), 6) << table;
+    EXPECT_NE(table.find("half the rate"), std::string::npos) << table;
+    EXPECT_NE(shell.must(solve + "--program press.toml --dry-run").find("max_steps"), std::string::npos);
+    // A stage that must come to rest and does not: one line, no file.
+    write_text(shell.file("hasty.toml"), R"(
+name = "hasty"
+stages = ["hold"]
+damping = 0.1
+platens.max_strain = "1 %"
+[stage.hold]
+platen_pressure = { to = "2 MPa", over = "10 us" }
+until = { rest = 1e-5, time = "30 us" }
+must_end_by = "rest"
+)");
+    const Outcome hasty = shell.run(solve + "--program hasty.toml -o hasty.h5");
+    EXPECT_EQ(hasty.exit_code, 4) << hasty.err;
+    EXPECT_EQ(n_lines(hasty.err), 1) << hasty.err;
+    EXPECT_NE(hasty.err.find("hasty.toml: stage hold: ended by time, not by rest"), std::string::npos) << hasty.err;
+    EXPECT_NE(shell.run("test -e hasty.h5").exit_code, 0);
+}
+
 TEST(Programs, WhatDoesNotFitIsOneLine) {
     const Shell shell;
     lay_out(shell);
@@ -59,6 +125,7 @@ TEST(Programs, WhatDoesNotFitIsOneLine) {
     refused("--program pulse.toml", 2, "--damping: missing");
     refused("--program pulse.toml --damping 0.8 --mass-scaling selective", 2,
             "--mass-scaling: pulse.toml is dynamic (boundary.source");
+    refused("--program pulse.toml --damping 0.8 --sensitivity", 2, "pulse.toml has no [platens]");
     refused("--program none.toml --damping none", 3, "none.toml: cannot be read");
     shell.must("sed 's/\"left\"/\"lefft\"/' pulse.toml >part.toml; sed 's/19 mm/21 mm/' pulse.toml >point.toml");
     refused("--program part.toml --damping none", 3, "part.toml: boundary.source: on: the specimen has no boundary part lefft");

@@ -1,8 +1,7 @@
 // A run that goes on from the saved state of another.
 #include <cmath>
-#include <cstring>
 
-#include "share/h5_file.hpp"
+#include "tests/end_to_end/same_arrays.hpp"
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -35,6 +34,12 @@ platen_speed = { to = "1.2 m/s", over = "0.05 ms" }
 until.time = "0.2 ms"
 )";
 
+const std::string press = R"(
+[stage.press]
+platen_speed = { auto = "together", tolerance = 0.02 }
+until = { peak_drop = 0.2, time = "0.5 ms" }
+)";
+
 void lay_out(const Shell& shell) {
     shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
     const auto write = [&](const std::string& name, const std::string& stages, const std::string& tables) {
@@ -43,19 +48,8 @@ void lay_out(const Shell& shell) {
     write("whole.toml", R"(["confine", "compress", "crush"])", confine + compress + crush);
     write("first.toml", R"(["confine", "compress"])", confine + compress);
     write("second.toml", R"(["crush"])", crush);
+    write("auto.toml", R"(["confine", "press"])", confine + press);
 }
-/// The same bytes in all arrays of a group.
-void expect_same_arrays(const H5Input& a, const H5Input& b, const std::string& group) {
-    ASSERT_EQ(a.children(group), b.children(group));
-    EXPECT_GT(a.children(group).size(), 10U);
-    for (const std::string& name : a.children(group)) {
-        const std::vector<double> left = a.read<double>(group + "/" + name);
-        const std::vector<double> right = b.read<double>(group + "/" + name);
-        ASSERT_EQ(left.size(), right.size()) << name;
-        EXPECT_EQ(std::memcmp(left.data(), right.data(), left.size() * sizeof(double)), 0) << group << "/" << name;
-    }
-}
-
 const std::string solve = "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";
 
 TEST(Restart, GoesOnToTheByte) {
@@ -101,9 +95,10 @@ TEST(Restart, ATestGoesOnFromItsCheckpoint) {
     }
 }
 
-// In its second stage, or its third, or as a program that went on from another run.
+// In its second stage, or its third, as a program that went on from another run, or at the automatic rate.
 TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
-    for (const std::string program : {"--program whole.toml ", "--program second.toml --restart first.h5 "}) {
+    for (const std::string program :
+         {"--program whole.toml ", "--program second.toml --restart first.h5 ", "--program auto.toml "}) {
         const Shell shell;
         lay_out(shell);
         shell.must(solve + "--program first.toml -o first.h5");

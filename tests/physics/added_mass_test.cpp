@@ -8,7 +8,6 @@
 #include "mesher/specimen_maker.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/setup/stable_time_step.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -28,7 +27,7 @@ struct Case {
 Case make_case(const Specimen& specimen, double share) {
     Case c{make_assemblage(specimen, rock(), PlaneCondition::strain), {}};
     LoadingRequest loading;
-    c.boundary = make_test_boundary(c.assemblage, specimen, loading, test::augig_contact());
+    c.boundary = test::boundary_of_test(c.assemblage, specimen, loading, test::augig_contact());
     c.added = scale_mass_of_stiffest_elements(c.assemblage, c.boundary, test::augig_law(), rock().density, share);
     return c;
 }

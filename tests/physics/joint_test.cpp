@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "solver/loading/standard_tests.hpp"
 #include "solver/run/sensitivity.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/jointed_test.hpp"
@@ -37,7 +38,8 @@ TEST(Joint, HalfTheRateIsHalfTheSpeed) {
     };
     const double whole = speed_of(request);
     // Where the measures hold the speed they follow it to the lag of the control, a few per cent; everywhere else it is halved.
-    test::expect_close(speed_of(sensitivity_cases(request, 0)[0].request), whole / 2, 0.05, whole / 2);
+    test::expect_close(speed_of(sensitivity_cases(request, program_of(request, specimen), 0)[0].request), whole / 2, 0.05,
+                       whole / 2);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"
@@ -51,7 +50,7 @@ struct Ledger {
     }
 };
 
-/// Uniaxial compression (or tension) of 96 grains between rubbing platens (or glued caps), well past the peak.
+/// Uniaxial compression (or tension) of 96 grains between rubbing platens (or bonded ones), well past the peak.
 Ledger loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
     SmallRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), law);
     LoadingRequest request;
@@ -59,16 +58,16 @@ Ledger loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
     request.platen_speed = 0.1;
     request.platen_friction = 5 * test::degree;
     request.max_strain = 0.012;
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request,
-                                        test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i)),
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, request,
+                                            test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i)),
                      fraction);
     run.parameters.damping = 0.8;
     run.begin();
-    Loading loading(request, run.specimen, test::augig_granite().rock, PlaneCondition::strain);
+    test::TestPlatens platens(request, run.specimen);
     Ledger ledger;
     const double dt = run.parameters.time_step;
     for (int i = 0; i < 2000; ++i) {
-        run.steps(20, loading.next({run.state.time, 0, 0}, 20 * dt));
+        run.steps(20, platens.next(run.state.time, 20 * dt));
         const Measurement m = run.measured();
         ledger.rows.push_back(m.energies);
         ledger.scale = std::max(ledger.scale, m.energies.stored());

@@ -10,7 +10,6 @@
 
 #include "share/h5_file.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"
@@ -30,7 +29,7 @@ using test::verify_between;
 Boundary platens_of(const SmallRun& run) {
     LoadingRequest request;
     request.platen_friction = 5 * test::degree;
-    return make_test_boundary(run.assemblage, run.specimen, request, augig_contact());
+    return test::boundary_of_test(run.assemblage, run.specimen, request, augig_contact());
 }
 
 /// A run with mass scaling, by default of the factor that suffices.
@@ -315,9 +314,9 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     const Specimen specimen = test::jittered_grid(6, 8, 0.02, 0.03, 0.25);
     SmallRun run(specimen, augig_law());
     LoadingRequest request;
-    request.test = TestKind::tension;  // glued caps
+    request.test = TestKind::tension;  // bonded platens
     run.parameters.mass_scaling = make_mass_scaling(run.assemblage, 100);
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request, augig_contact()), 0.5);
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, request, augig_contact()), 0.5);
     run.begin();
     const double mass = std::accumulate(run.assemblage.mass.begin(), run.assemblage.mass.end(), 0.0);
     const double acceleration = 1e4;  // m/s²; a stress of ½ ρ a h = 0.4 MPa

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/naive_step.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -37,7 +36,7 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     SmallRun run(mesher::make_specimen(request), law);
     LoadingRequest loading;
     loading.platen_friction = 0.1;
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
     run.parameters.damping = 0.3;
     run.parameters.damping_form = form;
     run.assemblage.vector_target = target;
@@ -48,7 +47,7 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
         naive.set_velocity(i, run.state.velocity[i]);
     }
     run.begin();
-    run.steps(n, {{speed, -speed}, {speed, -speed}, 0, 0});
+    run.steps(n, {{speed, -speed}, {speed, -speed}, nullptr});
     std::array<double, 2> platens{};
     for (std::int64_t k = 0; k < n; ++k) {
         naive.step(platens);

@@ -12,6 +12,7 @@ namespace graincrack {
 namespace {
 
 using test::augig_law;
+using test::LinearPressure;
 using test::SmallRun;
 using test::verify;
 
@@ -77,18 +78,13 @@ TEST(Objectivity, ForcesTurnWithTheSpecimen) {
 /// one depends on the angle by its last digits).
 SmallRun loaded(double angle) {
     SmallRun run(test::rotated(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), angle), augig_law());
-    run.set_boundary(
-        make_boundary(run.assemblage, run.specimen, run.boundary.platens, 0,
-                      {static_cast<std::uint8_t>(BoundaryPart::left), static_cast<std::uint8_t>(BoundaryPart::right)}),
-        0.5);
+    run.press_on({BoundaryPart::left, BoundaryPart::right}, 0.5);
     EXPECT_NEAR(run.parameters.time_step, 3e-8, 1e-8);
     run.parameters.time_step = 2e-8;
     run.begin();
-    IntervalLoading loading;
-    loading.pressure_end = 20e6;
-    run.steps(1000, loading);
-    loading.pressure_begin = loading.pressure_end;
-    run.steps(1000, loading);
+    LinearPressure pressure;
+    run.steps_under(pressure, 20e6, 1000);
+    run.steps_under(pressure, 20e6, 1000);
     EXPECT_GT(run.measured().energies.strain, 0);  // and leaves the nodal forces of now
     return run;
 }
@@ -119,25 +115,20 @@ double tensile_strength(int seed, double angle) {
     // A fixed pattern shifted by the seed: another jitter.
     Specimen specimen = test::jittered_grid(6, 10, 0.03, 0.05, 0.2 + 0.01 * seed);
     SmallRun run(test::rotated(specimen, angle), augig_law());
-    run.set_boundary(
-        make_boundary(run.assemblage, run.specimen, run.boundary.platens, 0,
-                      {static_cast<std::uint8_t>(BoundaryPart::bottom), static_cast<std::uint8_t>(BoundaryPart::top)}),
-        0.7);
+    run.press_on({BoundaryPart::bottom, BoundaryPart::top}, 0.7);
     run.parameters.damping = 0.8;
     run.begin();
     const double rate = -25e6 / 40000;  // Pa a step: of 50 transits of a wave to the strength
-    IntervalLoading loading;
+    LinearPressure pressure;
     constexpr int batch = 20;
     while (run.state.step < 80000) {
-        loading.pressure_end = loading.pressure_begin + batch * rate;
-        run.steps(batch, loading);
-        loading.pressure_begin = loading.pressure_end;
+        run.steps_under(pressure, pressure.present() + batch * rate, batch);
         double widest = 0;
         for (const double opening : run.state.opening) {
             widest = std::max(widest, opening);
         }
         if (widest > 5 * run.parameters.law.dut) {
-            return -loading.pressure_end;
+            return -pressure.present();
         }
     }
     return 0;

@@ -13,8 +13,10 @@ namespace {
 
 using test::augig_law;
 using test::expect_close;
+using test::LinearPressure;
 using test::SmallRun;
 using test::verify;
+using test::with_pressure;
 
 /// One grain of two triangles, 20 × 20 mm.
 Specimen block() {
@@ -35,7 +37,7 @@ std::array<Platen, 2> platens_at(double gap, double stiffness) {
 // here, adds 1e-4 of it.
 TEST(Platen, ABlockBounces) {
     SmallRun run(block(), augig_law());
-    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens_at(1e-5, 1e8), 0.001, {}), 0.2);
+    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens_at(1e-5, 1e8), 0.001), 0.2);
     double k = 0;  // of the floor's springs under the two lower corners, N/m per metre of thickness
     for (const PlatenPoint& point : run.boundary.platen_points) {
         k += run.assemblage.position[static_cast<std::size_t>(point.node)].y < 0 ? 1e8 * point.tributary : 0;
@@ -74,8 +76,9 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
             p.shear_stiffness = 6.98e13;
             p.tan_friction = mu;
         }
-        run.set_boundary(
-            make_boundary(run.assemblage, run.specimen, platens, 0.001, {static_cast<std::uint8_t>(BoundaryPart::left)}), 0.5);
+        run.set_boundary(with_pressure(make_boundary(run.assemblage, run.specimen, platens, 0.001), {BoundaryPart::left},
+                                       run.assemblage, run.specimen),
+                         0.5);
         run.parameters.damping = 0.8;
         run.begin();
         // Press, slowly started, then hold.
@@ -90,13 +93,11 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
         const double force = -run.measured().force_top;
         EXPECT_GT(force, 1e4);
         const double pressure = share * 2 * mu * force / run.specimen.height;
-        IntervalLoading push;
-        push.pressure_end = pressure;
+        LinearPressure push;
         const double before = run.mean(run.state.displacement).x;
         const Measurement at_rest = run.measured();
-        run.steps(8000, push);
-        push.pressure_begin = push.pressure_end;
-        run.steps(4000, push);
+        run.steps_under(push, pressure, 8000);
+        run.steps_under(push, pressure, 4000);
         const Measurement m = run.measured();
         const double slip = run.mean(run.state.displacement).x - before;
         // What holds the block against the pressure: the platens' friction, never more than the limit.
@@ -128,18 +129,13 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
 
 TEST(Platen, TheMembraneExertsPressureTimesLength) {
     SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
-    run.set_boundary(
-        make_boundary(run.assemblage, run.specimen, run.boundary.platens, 0,
-                      {static_cast<std::uint8_t>(BoundaryPart::left), static_cast<std::uint8_t>(BoundaryPart::right)}),
-        0.5);
+    run.press_on({BoundaryPart::left, BoundaryPart::right}, 0.5);
     run.parameters.damping = 0.8;
     run.begin();
     const double pressure = 4e6;
-    IntervalLoading loading;
-    loading.pressure_end = pressure;
-    run.steps(3000, loading);
-    loading.pressure_begin = pressure;
-    run.steps(3000, loading);
+    LinearPressure membrane;
+    run.steps_under(membrane, pressure, 3000);
+    run.steps_under(membrane, pressure, 3000);
     const Measurement m = run.measured();
     // Free to lengthen along y: by ν(1 + ν) p/E of its height, 5e-5.
     verify("dynamics: force of the membrane (N)", m.membrane_force, pressure * run.specimen.height, 2e-4,

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "mesher/specimen_maker.hpp"
+#include "solver/loading/program_file.hpp"
+#include "solver/loading/standard_tests.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/run/refinement.hpp"
 #include "tests/support/augig_granite.hpp"
@@ -43,12 +45,15 @@ SimulationRequest brazilian() {
 TEST(Sensitivity, ChangesOneThingEach) {
     SimulationRequest request = brazilian();
     request.mass_scaling = true;
-    const auto cases = sensitivity_cases(request, 100);
+    const Specimen specimen = disc(30, 1);
+    const auto axial = [](const SensitivityCase& c) { return *c.request.program->stages.back().platens; };
+    const auto cases = sensitivity_cases(request, program_of(request, specimen), 100);
     ASSERT_EQ(cases.size(), 5U);
-    EXPECT_EQ(cases[0].request.loading.rate_share, 0.5);
+    EXPECT_EQ(std::get<AutomaticRate>(axial(cases[0])).share, 0.5);
+    EXPECT_EQ(std::get<AutomaticRate>(axial(cases[0])).tolerance, 0.05);
     EXPECT_EQ(cases[0].request.time_step_fraction, request.time_step_fraction);
     EXPECT_EQ(cases[1].request.time_step_fraction, request.time_step_fraction / 2);
-    EXPECT_EQ(cases[1].request.loading.rate_tolerance, 0.05);
+    EXPECT_FALSE(cases[1].request.program);
     EXPECT_EQ(cases[2].request.damping, 0.4);
     EXPECT_EQ(cases[3].request.mass_scaling_factor, 25);
     EXPECT_TRUE(cases[4].refine);
@@ -56,9 +61,39 @@ TEST(Sensitivity, ChangesOneThingEach) {
     request.damping = 0;
     request.loading.rate = RateKind::fixed;
     request.loading.platen_speed = 0.01;
-    const auto fewer = sensitivity_cases(request, 0);
+    const auto fewer = sensitivity_cases(request, program_of(request, specimen), 0);
     ASSERT_EQ(fewer.size(), 3U);
-    EXPECT_EQ(fewer[0].request.loading.platen_speed, 0.005);
+    EXPECT_EQ(std::get<TimeFunction>(axial(fewer[0])).value, 0.005);
+}
+
+TEST(Sensitivity, AProgramAtHalfTheRateTakesTwiceAsLong) {
+    const Program program = parse_program(R"(
+name = "cycle"
+stages = ["confine", "press"]
+damping = 0.8
+row_every = "2 us"
+platens.max_strain = 0.01
+boundary.side = { on = ["left", "right"], pressure = "1 MPa" }
+[stage.confine]
+side.pressure = { to = "4 MPa", over = "1 ms" }
+platen_pressure = { to = "4 MPa", over = "1 ms" }
+until = { rest = 0.01, time = "3 ms" }
+[stage.press]
+platen_speed = { times = [0, "1 ms"], values = [0, "6 mm/s"] }
+until = { peak_drop = 0.2, time = "8 ms" }
+)",
+                                          "cycle.toml");
+    const Program slow = at_half_the_rate(program);
+    EXPECT_EQ(slow.longest_time(), 2 * program.longest_time());
+    EXPECT_EQ(slow.row_interval, 4e-6);
+    const TimeFunction& pressure = *slow.stages[0].settings.at("side")[static_cast<std::size_t>(Action::pressure)];
+    EXPECT_EQ(pressure.duration, 2e-3);
+    EXPECT_EQ(pressure.value, 4e6);
+    EXPECT_EQ(std::get<PressureServo>(*slow.stages[0].platens).pressure.duration, 2e-3);
+    const auto& speed = std::get<TimeFunction>(*slow.stages[1].platens);
+    EXPECT_EQ(speed.times, (std::vector<double>{0, 2e-3}));
+    EXPECT_EQ(speed.values, (std::vector<double>{0, 3e-3}));
+    EXPECT_EQ(slow.stages[1].peak_drop, 0.2);
 }
 
 TEST(Sensitivity, ARowTellsThePeakAndWhatFollows) {

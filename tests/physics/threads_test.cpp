@@ -5,7 +5,6 @@
 
 #include "share/h5_file.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
@@ -75,11 +74,11 @@ SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target
     run.assemblage.vector_target = target;
     run.parameters.damping = 0.8;
     run.parameters.mass_scaling = make_mass_scaling(run.assemblage, mass_scaling_factor);
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
     run.begin();
     constexpr double speed = 2;  // m/s
     const double scaled = static_cast<double>(run.parameters.parts);
-    run.steps(static_cast<std::int64_t>(12000 / scaled), {{speed, -speed}, {speed, -speed}, 0, 0}, threads);
+    run.steps(static_cast<std::int64_t>(12000 / scaled), {{speed, -speed}, {speed, -speed}, nullptr}, threads);
     return run;
 }
 bool same(const SmallRun& l, const SmallRun& r) {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
@@ -29,7 +28,7 @@ SmallRun between_platens(const Specimen& specimen, const ContactLaw& law, const 
     SmallRun run(specimen, law);
     LoadingRequest loading;
     loading.platen_friction = 5 * test::degree;
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, loading, contact), 1);
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, contact), 1);
     run.state.loading.platen_displacement = {pressed, -pressed};
     return run;
 }
@@ -195,12 +194,12 @@ TEST(TimeStep, FreeFlightIsExact) {
 // A pressure on the left side alone: u(n) = a Δt² n (n + 1)/2 for the centre of mass.
 TEST(TimeStep, ConstantForceIsExactInTheSchemesOwnArithmetic) {
     SmallRun run(test::one_diagonal_grid(3, 3, 0.02, 0.02), augig_law());
-    std::array<Platen, 2> far = run.boundary.platens;
-    run.set_boundary(make_boundary(run.assemblage, run.specimen, far, 0, {static_cast<std::uint8_t>(BoundaryPart::left)}), 0.5);
+    run.press_on({BoundaryPart::left}, 0.5);
     const double pressure = 1;  // Pa: the side's length changes by less than 1e-10 of it
-    run.state.loading.pressure = pressure;
-    IntervalLoading loading;
-    loading.pressure_begin = loading.pressure_end = pressure;
+    test::LinearPressure constant;
+    constant.set(pressure);
+    const IntervalLoading loading = constant.to(pressure, 0, 1);
+    run.state.loading.amplitudes = {pressure};
     run.begin();
     const double acceleration = pressure * run.specimen.height / run.mass();
     const double dt = run.parameters.time_step;

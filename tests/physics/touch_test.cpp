@@ -7,7 +7,6 @@
 
 #include "solver/detection/contact_detection.hpp"
 #include "solver/detection/pair_list.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/overlap.hpp"
 #include "tests/support/small_run.hpp"
@@ -287,23 +286,23 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
     request.platen_speed = 0.4;
     request.platen_friction = 5 * test::degree;
     request.max_strain = shortening;
-    const Boundary platens = make_test_boundary(run.assemblage, run.specimen, request,
-                                                test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i));
+    const Boundary boundary = test::boundary_of_test(
+        run.assemblage, run.specimen, request, test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i));
     if (scaled) {
         run.parameters.mass_scaling =
-            make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, platens, run.parameters.law));
+            make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, boundary, run.parameters.law));
     }
-    run.set_boundary(platens, 0.7);
+    run.set_boundary(boundary, 0.7);
     run.parameters.damping = 0.8;
     run.begin();
-    Loading loading(request, run.specimen, test::augig_granite().rock, PlaneCondition::strain);
+    test::TestPlatens platens(request, run.specimen);
     Crushed c;
     c.mean_edge = run.assemblage.surface.mean_length;
     double scale = 0;
     double worst = 0;
     while (run.state.loading.platen_displacement[bottom_platen] < 0.5 * shortening * 0.03) {
         const std::int64_t steps = 2000 / run.parameters.parts;
-        run.steps(steps, loading.next({run.state.time, 0, 0}, static_cast<double>(steps) * run.parameters.time_step), threads);
+        run.steps(steps, platens.next(run.state.time, static_cast<double>(steps) * run.parameters.time_step), threads);
         const Energies e = run.measured().energies;
         scale = std::max(scale, e.stored());
         worst = std::max(worst, std::abs(e.imbalance()));

@@ -37,7 +37,7 @@ public:
         run.state.loading.amplitudes = stage_controller.values(0);
         while (!stage_controller.finished()) {
             const double duration = static_cast<double>(steps) * run.parameters.time_step;
-            run.steps(steps, stage_controller.next(feedback(), duration), threads);
+            run.steps(steps, stage_controller.next(duration), threads);
             record();
             stage_controller.check_stage_end(feedback());
         }

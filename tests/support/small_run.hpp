@@ -1,12 +1,15 @@
 // A small specimen with everything a step needs, to be led by a test through `advance` and `measure`.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "solver/loading/platen_control.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/measure.hpp"
+#include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
 #include "solver/step/step.hpp"
 #include "tests/support/augig_granite.hpp"
@@ -14,14 +17,76 @@
 
 namespace graincrack::test {
 
-/// No platen within reach, no membrane.
+/// No platen within reach, no pressure.
 inline Boundary no_boundary(const Assemblage& a, const Specimen& s) {
     std::array<Platen, 2> platens;
     platens[bottom_platen].side = -1;
     platens[bottom_platen].position = -1e6;
     platens[top_platen].position = 1e6;
-    return make_boundary(a, s, platens, 0, {});
+    return make_boundary(a, s, platens, 0);
 }
+
+/// Platens and membrane of a standard test.
+inline Boundary boundary_of_test(const Assemblage& a, const Specimen& s, const LoadingRequest& request,
+                                 const ContactParameters& contact) {
+    constexpr double peak_drop = 0.3;  // no matter of the boundary
+    return make_program_boundary(a, s, standard_test(request, peak_drop, s, augig_granite().rock), contact,
+                                 request.platen_friction);
+}
+
+/// A boundary of which some parts carry a pressure, amplitude 0.
+inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>& parts, const Assemblage& a, const Specimen& s) {
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        if (std::find(parts.begin(), parts.end(), static_cast<BoundaryPart>(s.boundary_part[e])) != parts.end()) {
+            LoadedEdge edge;
+            edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
+            edge.pressure = 0;
+            edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
+            boundary.prescribed.edges.push_back(edge);
+        }
+    }
+    arrange_prescribed(a, boundary.prescribed);
+    return boundary;
+}
+
+/// Platens as a standard test at a fixed rate moves them.
+class TestPlatens {
+public:
+    TestPlatens(const LoadingRequest& request, const Specimen& specimen)
+        : platens_(specimen, augig_granite().rock, request.max_strain) {
+        platens_.set(*standard_test(request, 0.3, specimen, augig_granite().rock).stages.back().platens, 0);
+    }
+    IntervalLoading next(double time, double duration) {
+        const PlatenSpeeds speeds = platens_.next({time, 0, 0, {}}, duration);
+        return {{speeds.begin, -speeds.begin}, {speeds.end, -speeds.end}, nullptr};
+    }
+
+private:
+    PlatenControl platens_;
+};
+
+/// A pressure that grows and falls linearly, as amplitude 0.
+class LinearPressure {
+public:
+    [[nodiscard]] double present() const { return present_; }
+    void set(double value) { present_ = value; }
+    /// Loading of the next steps of a run, over which the pressure goes to `end`. Lives as long as the pressure.
+    IntervalLoading to(double end, double time, double duration) {
+        TimeFunction line;
+        line.kind = TimeFunction::Kind::table;
+        line.times = {0, duration};
+        line.values = {present_, end};
+        amplitudes_ = {{line, time}};
+        present_ = end;
+        IntervalLoading interval;
+        interval.amplitudes = &amplitudes_;
+        return interval;
+    }
+
+private:
+    double present_ = 0;
+    std::vector<Amplitude> amplitudes_;
+};
 
 struct SmallRun {
     Specimen specimen;
@@ -58,6 +123,14 @@ struct SmallRun {
     void steps(std::int64_t n, const IntervalLoading& loading = {}, int threads = 1) {
         ThreadTeam team(threads);
         advance(assemblage, boundary, parameters, loading, n, team, state);
+    }
+    /// Steps over which a pressure goes linearly to another.
+    void steps_under(LinearPressure& pressure, double end, std::int64_t n) {
+        steps(n, pressure.to(end, state.time, static_cast<double>(n) * parameters.time_step));
+    }
+    /// Lets parts of the boundary carry a pressure, and the state at rest.
+    void press_on(const std::vector<BoundaryPart>& parts, double fraction) {
+        set_boundary(with_pressure(boundary, parts, assemblage, specimen), fraction);
     }
     [[nodiscard]] Measurement measured() { return measure(assemblage, boundary, parameters, state); }
     [[nodiscard]] std::size_t failed_points() const {

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -34,7 +33,7 @@ SmallRun compressed_disc() {
                  PlaneCondition::stress);
     LoadingRequest loading;
     loading.test = TestKind::brazilian;
-    run.set_boundary(make_test_boundary(run.assemblage, run.specimen, loading, contact), 0.7);
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, contact), 0.7);
     run.parameters.damping = 0.8;
     run.begin();
     const double approach = 5e-6;  // of each platen: some 3 MPa across the disc

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/setup/test_boundary.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -25,7 +24,7 @@ ContactLaw law_of(LawVariant variant, FractureEnergyChoice::Kind energy, double 
                             Coupling::full);
 }
 
-// --- a straight interface pulled apart by glued caps -----------------------------------------------------------------------
+// --- a straight interface pulled apart by bonded platens -----------------------------------------------------------------------
 
 // External work − what is stored, moves, or was absorbed by damping = Gf A, whether it tears stably (mixed: the blocks are
 // stiffer than the softening) or snaps (mode I).
@@ -37,8 +36,8 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
                          PlaneCondition::stress);
             LoadingRequest request;
             request.test = TestKind::tension;
-            run.set_boundary(make_test_boundary(run.assemblage, run.specimen, request,
-                                                contact_parameters(test::augig_granite(), PlaneCondition::stress, {})),
+            run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, request,
+                                                    contact_parameters(test::augig_granite(), PlaneCondition::stress, {})),
                              0.5);
             run.parameters.damping = 0.8;
             run.begin();
@@ -82,14 +81,15 @@ constexpr double small = 1e-3 * cell;
 /// all that lies beyond.
 struct Cantilever {
     SmallRun run;
+    test::LinearPressure pressure;
 
     Cantilever(const ContactLaw& law, double length, double cut, double couple)
         : run(specimen(length, cut, couple), law, PlaneCondition::stress) {
-        std::vector<std::uint8_t> pressed;
+        std::vector<BoundaryPart> pressed;
         for (std::size_t part = 5; part < run.specimen.part_names.size(); ++part) {
-            pressed.push_back(static_cast<std::uint8_t>(part));
+            pressed.push_back(static_cast<BoundaryPart>(part));
         }
-        run.set_boundary(make_boundary(run.assemblage, run.specimen, run.boundary.platens, 0, pressed), 0.7);
+        run.press_on(pressed, 0.7);
         run.parameters.damping = 0.8;
         run.begin();
     }
@@ -121,21 +121,17 @@ struct Cantilever {
     /// slowly than the arms swing, towards it.
     double pressure_at_first_separation(double expected, double duration) {
         constexpr int batch = 50;
-        IntervalLoading loading;
-        while (separated() == 0 && loading.pressure_end < 1.3 * expected) {
-            loading.pressure_begin = loading.pressure_end;
-            const double rate = (loading.pressure_end < 0.85 * expected ? 0.85 * 3 : 0.15 * 1.5) * expected / duration;
-            loading.pressure_end += rate * batch * run.parameters.time_step;
-            run.steps(batch, loading);
+        while (separated() == 0 && pressure.present() < 1.3 * expected) {
+            const double rate = (pressure.present() < 0.85 * expected ? 0.85 * 3 : 0.15 * 1.5) * expected / duration;
+            run.steps_under(pressure, pressure.present() + rate * batch * run.parameters.time_step, batch);
         }
-        return loading.pressure_end;
+        return pressure.present();
     }
     /// How many points separate within `duration` under a pressure that stays.
-    std::size_t separated_under(double pressure, double duration) {
-        IntervalLoading loading;
-        loading.pressure_begin = loading.pressure_end = pressure;
+    std::size_t separated_under(double constant, double duration) {
         const std::size_t before = separated();
-        run.steps(static_cast<std::int64_t>(duration / run.parameters.time_step), loading);
+        pressure.set(constant);
+        run.steps_under(pressure, constant, static_cast<std::int64_t>(duration / run.parameters.time_step));
         return separated() - before;
     }
 };

@@ -98,8 +98,8 @@ std::array<Platen, 2> platens_of(const Specimen& s) {
 TEST(Boundary, PointsAreThoseWithinReach) {
     const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
     const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    const Boundary near = make_boundary(a, s, platens_of(s), 1e-6, {});
-    const Boundary far = make_boundary(a, s, platens_of(s), 0.0101, {});
+    const Boundary near = make_boundary(a, s, platens_of(s), 1e-6);
+    const Boundary far = make_boundary(a, s, platens_of(s), 0.0101);
     std::size_t on_faces = 0;
     for (const Vector2& p : a.position) {
         on_faces += std::abs(p.y) > 0.03 - 1e-9 ? 1 : 0;
@@ -120,33 +120,14 @@ TEST(Boundary, PointsAreThoseWithinReach) {
                                [](const PlatenPoint& l, const PlatenPoint& r) { return l.node < r.node; }));
 }
 
-TEST(Boundary, GluedCapsHoldTheirFacesOnly) {
+TEST(Boundary, BondedPlatensHoldTheirFacesOnly) {
     const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
     const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
     std::array<Platen, 2> caps = platens_of(s);
     caps[0].bonded = caps[1].bonded = true;
-    for (const PlatenPoint& p : make_boundary(a, s, caps, 0.02, {}).platen_points) {
+    for (const PlatenPoint& p : make_boundary(a, s, caps, 0.02).platen_points) {
         expect_close(std::abs(a.position[p.node].y), 0.03, 1e-9, 0.03);
     }
-}
-
-TEST(Boundary, MembraneEdgesAreThoseOfItsParts) {
-    const Specimen s = test::jittered_grid(4, 6, 0.04, 0.06, 0.2);
-    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    const Boundary b =
-        make_boundary(a, s, platens_of(s), 1e-6,
-                      {static_cast<std::uint8_t>(BoundaryPart::left), static_cast<std::uint8_t>(BoundaryPart::right)});
-    ASSERT_EQ(b.membrane_edges.size(), 12U);
-    for (const auto& [i, j] : b.membrane_edges) {
-        expect_close(std::abs(a.position[i].x), 0.02, 1e-12, 0.02);
-        EXPECT_GT((a.position[j].y - a.position[i].y) * a.position[i].x, 0);  // solid on the left
-    }
-    std::int32_t covered = 0;
-    for (const Range& r : b.membrane_edges_of_block) {
-        EXPECT_EQ(r.begin, covered);
-        covered = r.end;
-    }
-    EXPECT_EQ(covered, 12);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ until = { time = "1 ms", peak_drop = 0.2 }
     EXPECT_EQ(p.damping, 0.0);
     EXPECT_EQ(p.gravity.y, -9.81);
     EXPECT_EQ(p.row_interval, 2e-6);
-    EXPECT_TRUE(p.platens->glued);
+    EXPECT_TRUE(p.platens->bonded);
     EXPECT_EQ(p.platens->max_strain, 0.02);
     ASSERT_EQ(p.controls.size(), 2U);
     EXPECT_EQ(p.controls[0].name, "side");  // in the order of the file
@@ -86,7 +86,8 @@ until = { time = "1 ms", peak_drop = 0.2 }
     EXPECT_EQ(p.order.size(), 3U);
     EXPECT_NEAR(p.longest_time(), 7e-3, 1e-15);
     const Stage& a = p.stage("a");
-    EXPECT_EQ(a.platen_speed->kind, TimeFunction::Kind::ramp);
+    EXPECT_EQ(std::get<TimeFunction>(*a.platens).kind, TimeFunction::Kind::ramp);
+    EXPECT_EQ(std::get<PressureServo>(*p.stage("b").platens).pressure.value, 1e6);
     EXPECT_EQ(a.settings.at("roof")[0]->duration, 2e-3);
     EXPECT_EQ(a.settings.at("roof")[1]->value, 0.5);
     ASSERT_EQ(a.until.size(), 3U);
@@ -114,6 +115,13 @@ TEST(ProgramFile, WhatIsWrongIsOneLine) {
     refuse("name = \"x\"\nstages = [\"run\"]\n[stage.run]\nuntil.rest = 0.1",
            {"stage.run.until.time", "missing", "longest time"});
     refuse("name = \"x\"\nstages = [\"run\"]\n[stage.run]", {"stage.run.until", "missing"});
+    const std::string press = "name = \"x\"\nstages = [\"run\"]\nplatens.max_strain = 0.01\n[stage.run]\nuntil.peak_drop = 0.3\n";
+    refuse(press + "platen_speed = { auto = \"up\" }", {"platen_speed.auto", "together"});
+    refuse(press + "platen_speed = { auto = \"apart\", tolerence = 1 }", {"tolerence", "did you mean tolerance"});
+    refuse(press + "platen_speed = { blocks = 0.01, steps = 12.5 }", {"platen_speed", "whole number"});
+    refuse(press + "platen_speed = { to = 0, over = 1 }", {"stage.run.until.time", "longest time"});
+    refuse(press + "platen_speed = 1\nmust_end_by = \"rest\"", {"must_end_by", "none of the ends"});
+    EXPECT_TRUE(std::isinf(parse_program(press + "platen_speed = 1", "press.toml").longest_time()));
     refuse(least + "[boundary.a]\nvelocity_x = 1", {"boundary.a", "nowhere"});
     refuse(least + "[boundary.a]\non = \"top\"", {"boundary.a", "does nothing"});
     refuse(least + "[boundary.a]\non = \"top\"\nvelocity_x = \"1 MPa\"", {"line 7", "boundary.a.velocity_x", "stress", "speed"});
@@ -191,7 +199,7 @@ TEST(TimeFunction, TakesItsValues) {
     EXPECT_EQ(f.end(), 4);
 }
 
-/// A conductor that is told time and axial stress.
+/// A stage controller that is told time and axial stress.
 struct Led {
     Program program;
     StageController stage_controller;
@@ -200,18 +208,19 @@ struct Led {
     explicit Led(const std::string& text)
         : program(parse_program(text, "led.toml")),
           stage_controller(program, test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_granite().rock) {}
-    void row(double at, double stress, double unbalanced = 1) {
+    void row(double at, double stress, double unbalanced = 1, double cracks = 0) {
         time = at;
         for (auto& column : history.columns) {
             column.push_back(0);
         }
         history[HistoryColumn::axial_stress].back() = stress;
         history[HistoryColumn::unbalanced_ratio].back() = unbalanced;
+        history[HistoryColumn::shear_cracks].back() = cracks;
         const std::function<double(const std::string&, std::size_t)> none = [](const std::string&, std::size_t) { return 0.0; };
         const StageFeedback feedback{at, history, none};
         history.size() == 1 ? stage_controller.begin(feedback) : stage_controller.check_stage_end(feedback);
         if (!stage_controller.finished()) {
-            last = stage_controller.next(feedback, 1e-3);
+            last = stage_controller.next(1e-3);
         }
     }
     IntervalLoading last;
@@ -221,7 +230,7 @@ TEST(StageController, EndsStagesAtWhatIsReachedFirst) {
     Led led(R"(
 name = "led"
 stages = ["load", "unload", "hold", "load"]
-platens.glued = false
+platens.bonded = false
 [stage.load]
 platen_speed = { to = "4 mm/s", over = "2 ms" }
 until = { time = "10 ms", axial_stress = "-2 MPa" }
@@ -233,7 +242,7 @@ platen_speed = 0.0
 until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 }
 )");
     led.row(0, 0);
-    expect_close(led.stage_controller.platen_speed(), 2e-3, 1e-12, 1e-3);  // half of the ramp after 1 ms
+    expect_close(led.stage_controller.platens().speed(), 2e-3, 1e-12, 1e-3);  // half of the ramp after 1 ms
     led.row(1e-3, -1e6);
     expect_close(led.last.velocity_begin[bottom_platen], 2e-3, 1e-12, 1e-3);
     expect_close(led.last.velocity_begin[top_platen], -2e-3, 1e-12, 1e-3);
@@ -241,7 +250,7 @@ until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 }
     led.row(2e-3, -2.1e6);
     ASSERT_EQ(led.stage_controller.records().size(), 1U);
     EXPECT_EQ(led.stage_controller.records()[0].ended_by, "axial_stress");
-    EXPECT_EQ(led.stage_controller.platen_speed(), -2e-3);
+    EXPECT_EQ(led.stage_controller.platens().speed(), -2e-3);
     led.row(3e-3, -2.5e6);  // not reached from this side yet
     EXPECT_EQ(led.stage_controller.records().size(), 1U);
     led.row(4e-3, -0.9e6);

@@ -1,0 +1,155 @@
+#include "solver/loading/platen_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <variant>
+
+#include "solver/setup/transit_time.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double servo_transits = 4;      // time constant of the servo
+constexpr double history_rows = 8000;     // to the strain limit
+constexpr std::int64_t min_steps = 20;    // between two rows: a row costs some two steps
+constexpr double max_transits = 0.5;      // and at most: what happens within a transit is to be seen
+constexpr double rest_transits = 400;     // that a block may take to come to rest
+constexpr double tension_load = 0.2;      // axial stress from which on it is a load for the rate, of the tensile strength:
+constexpr double disc_load = 0.3;         // about a fifth of what the specimen may bear. A disc bears π/2 times the tensile
+constexpr double compression_load = 3.0;  // strength as load over diameter, a rectangle some fifteen times as much
+
+}  // namespace
+
+PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, double max_strain)
+    : height_(specimen.height),
+      area_(std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0)),
+      transit_time_(bar_transit_time(specimen, rock)),
+      is_disc_(specimen.shape == "disc"),
+      rock_(rock),
+      max_strain_(max_strain),
+      rate_(default_rate_tolerance, {}),
+      blocks_(0, default_rest_tolerance, 0) {}
+
+RateScales PlatenControl::rate_scales(bool apart) const {
+    const double load = apart ? tension_load : is_disc_ ? disc_load : compression_load;
+    const double stress = load * rock_.tensile_strength;
+    return {height_, transit_time_, stress / rock_.young_modulus, 0.5 * stress * stress / rock_.young_modulus * area_};
+}
+
+void PlatenControl::set(const PlatenMotion& motion, double time) {
+    const double pressure = as<PressureServo>() != nullptr ? amplitude_.at(time) : mean_compression_;
+    motion_ = motion;
+    amplitude_ = {{}, time};
+    strain_ = 0;
+    if (const auto* const function = as<TimeFunction>()) {
+        amplitude_ = {starting_from(*function, speed_), time};
+        speed_ = amplitude_.at(time);
+    } else if (const auto* const servo = as<PressureServo>()) {
+        amplitude_ = {starting_from(servo->pressure, pressure), time};
+    } else if (const auto* const rate = as<AutomaticRate>()) {
+        rate_ = RateControl(rate->tolerance, rate_scales(rate->apart), rate->share);
+    } else if (const auto* const blocks = as<LoadingBlocks>()) {
+        blocks_ = BlockControl(blocks->speed, blocks->rest, rest_transits * transit_time_);
+    }
+}
+
+void PlatenControl::resume(double speed, double mean_compression) {
+    TimeFunction constant;
+    constant.value = speed;
+    motion_ = constant;
+    amplitude_ = {constant, 0};
+    speed_ = speed;
+    mean_compression_ = mean_compression;
+}
+
+double PlatenControl::servo_speed(double time, double duration) const {
+    const double rate = (amplitude_.at(time + duration) - amplitude_.at(time)) / duration;
+    const double lag = amplitude_.at(time) - mean_compression_;
+    const double servo_time = std::max(servo_transits * transit_time_, 4 * duration);
+    return 0.5 * height_ / rock_.young_modulus * (rate + lag / servo_time);
+}
+
+double PlatenControl::automatic_speed(const AutomaticRate& rate, const PlatenFeedback& feedback, double duration) {
+    const double sense = rate.apart ? -1 : 1;
+    RateMeasures measures = feedback.rate;
+    measures.strain = strain_;
+    return sense * rate_.next(measures, duration);
+}
+
+PlatenSpeeds PlatenControl::next(const PlatenFeedback& feedback, double duration) {
+    // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
+    mean_compression_ += std::min(1.0, duration / transit_time_) * (feedback.axial_compression - mean_compression_);
+    const double begin = speed_;
+    double sense = 1;
+    if (as<TimeFunction>() != nullptr) {
+        speed_ = amplitude_.at(feedback.time + duration);
+    } else if (as<PressureServo>() != nullptr) {
+        speed_ = servo_speed(feedback.time, duration);
+    } else if (const auto* const rate = as<AutomaticRate>()) {
+        sense = rate->apart ? -1 : 1;
+        speed_ = automatic_speed(*rate, feedback, duration);
+    } else {
+        speed_ = blocks_.next(feedback.unbalanced_ratio, duration);
+    }
+    strain_ += duration * (sense * begin + sense * speed_) / height_;
+    return {begin, speed_};
+}
+
+bool PlatenControl::paces_rows() const { return as<AutomaticRate>() != nullptr || as<LoadingBlocks>() != nullptr; }
+
+std::int64_t PlatenControl::interval_steps(double time_step) const {
+    const double travel = max_strain_ * height_ / 2 / history_rows;
+    if (const auto* const blocks = as<LoadingBlocks>()) {
+        return std::max<std::int64_t>(1, blocks->steps / parts_of_block);
+    }
+    const double at_most = max_transits * transit_time_ / time_step;
+    if (as<TimeFunction>() != nullptr) {
+        const double speed = final_speed();
+        return std::max<std::int64_t>(min_steps / 2,
+                                      static_cast<std::int64_t>(speed == 0 ? at_most : travel / speed / time_step));
+    }
+    const double wanted = speed_ == 0 ? at_most : std::min(at_most, travel / std::abs(speed_) / time_step);
+    return std::max(min_steps, static_cast<std::int64_t>(wanted));
+}
+
+double PlatenControl::mean_speed(double time) const {
+    return time > amplitude_.start ? 0.5 * height_ * strain_ / (time - amplitude_.start) : 0;
+}
+
+double PlatenControl::function_end() const {
+    const bool is_function = as<TimeFunction>() != nullptr || as<PressureServo>() != nullptr;
+    return is_function ? amplitude_.start + amplitude_.function.end() : 0;
+}
+
+double PlatenControl::pressure_error(double time) const {
+    const double aim = amplitude_.at(time);
+    return as<PressureServo>() != nullptr && aim != 0 ? mean_compression_ / aim - 1 : 0;
+}
+
+double PlatenControl::final_speed() const {
+    const double end = amplitude_.function.end();
+    return std::abs(std::isfinite(end) ? amplitude_.function(end) : amplitude_.function.value);
+}
+
+double PlatenControl::slowest_speed(double strain) const {
+    if (const auto* const rate = as<AutomaticRate>()) {
+        return rate_.min_speed(strain, rate->tolerance);
+    }
+    if (const auto* const blocks = as<LoadingBlocks>()) {
+        return std::abs(blocks->speed) * moving_share_of_block;
+    }
+    return final_speed();
+}
+
+double PlatenControl::longest_time() const {
+    const double travel = max_strain_ * height_ / 2;
+    double time = 0;
+    constexpr int parts = 1000;
+    for (int i = 0; i < parts; ++i) {
+        time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
+    }
+    return time;
+}
+
+}  // namespace graincrack

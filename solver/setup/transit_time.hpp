@@ -1,0 +1,16 @@
+// The clock of a specimen: how long a wave takes from platen to platen.
+#pragma once
+
+#include <cmath>
+
+#include "share/material.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack {
+
+/// Time that a bar wave takes over the height of the specimen, h/√(E/ρ), s.
+inline double bar_transit_time(const Specimen& specimen, const Rock& rock) {
+    return specimen.height / std::sqrt(rock.young_modulus / rock.density);
+}
+
+}  // namespace graincrack
