@@ -50,7 +50,7 @@ double strength_of(const RunHeader& h) {
     return h.test == name_of(TestKind::brazilian) ? 2 / std::numbers::pi * h.peak_axial_stress : h.peak_axial_stress;
 }
 
-/// Ledger residual over the largest stored energy up to which a run is beyond doubt.
+/// Error of the energy balance over the largest stored energy up to which a run is beyond doubt.
 constexpr double trusted_residual = 0.005;
 
 void print_summary(const SimulationSummary& s) {
@@ -59,7 +59,8 @@ void print_summary(const SimulationSummary& s) {
     fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason, h.steps,
                h.time_step, strength, s.tensile_cracks, s.shear_cracks);
     fmt::print(stderr,
-               "{}: ledger residual {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} % of the "
+               "{}: energy balance closes to {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} "
+               "% of the "
                "work, and "
                "carried {:.2f} % of the load before the peak\n",
                h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);

@@ -180,21 +180,21 @@ Settings read_settings(TomlTable& table) {
     return settings;
 }
 
-void read_controls(TomlTable& file, Program& program) {
+void read_boundary_conditions(TomlTable& file, Program& program) {
     auto boundary = file.table("boundary");
     if (!boundary) {
         return;
     }
     for (TomlTable& table : boundary->tables()) {
-        Control control;
-        control.name = table.name();
-        control.region = read_region(table);
+        BoundaryCondition condition;
+        condition.name = table.name();
+        condition.region = read_region(table);
         if (!table.has("on") && !table.has("box")) {
             table.refuse("", "nowhere; give on = \"a part of the boundary\" or box = [left, right, bottom, top]");
         }
-        control.start = read_settings(table);
+        condition.start = read_settings(table);
         table.refuse_others();
-        program.controls.push_back(control);
+        program.boundary_conditions.push_back(condition);
     }
     boundary->refuse_others();
 }
@@ -220,8 +220,8 @@ void read_probes(TomlTable& file, Program& program) {
         probe.radius = circle ? (*circle)[2] : 0;
         table.refuse_others();
         program.probes.push_back(probe);
-        if (std::any_of(program.controls.begin(), program.controls.end(),
-                        [&](const Control& c) { return c.name == probe.name; })) {
+        if (std::any_of(program.boundary_conditions.begin(), program.boundary_conditions.end(),
+                        [&](const BoundaryCondition& c) { return c.name == probe.name; })) {
             table.refuse("", "there is a boundary of this name, which is a probe already; give it another name");
         }
     }
@@ -229,9 +229,9 @@ void read_probes(TomlTable& file, Program& program) {
 }
 
 const std::vector<ProbeColumn>* columns_of(const Program& program, const std::string& probe) {
-    for (const Control& control : program.controls) {
-        if (control.name == probe) {
-            return &control_columns();
+    for (const BoundaryCondition& condition : program.boundary_conditions) {
+        if (condition.name == probe) {
+            return &boundary_columns();
         }
     }
     for (const ProbeRequest& request : program.probes) {
@@ -288,11 +288,11 @@ Stage read_stage(Program& program, TomlTable& table) {
     if (!program.platens && stage.platens) {
         table.refuse("", "there are no platens to move; add a table [platens]");
     }
-    for (Control& control : program.controls) {
-        if (auto own = table.table(control.name)) {
+    for (BoundaryCondition& condition : program.boundary_conditions) {
+        if (auto own = table.table(condition.name)) {
             const Settings settings = read_settings(*own);
             own->refuse_others();
-            stage.settings[control.name] = settings;
+            stage.settings[condition.name] = settings;
         }
     }
     read_until(program, table.needed_table("until", "every stage needs until = { time = \"...\" }, and may have other ends"),
@@ -330,21 +330,21 @@ void read_stages(TomlTable& file, Program& program) {
     stages.refuse_others();
 }
 
-/// Which actions of each control are named anywhere.
+/// Which actions of each condition are named anywhere.
 void note_actions(Program& program) {
-    for (Control& control : program.controls) {
+    for (BoundaryCondition& condition : program.boundary_conditions) {
         for (std::size_t i = 0; i < n_actions; ++i) {
-            control.is_set[i] = control.start[i].has_value();
+            condition.is_set[i] = condition.start[i].has_value();
             for (const Stage& stage : program.stages) {
-                const auto found = stage.settings.find(control.name);
-                control.is_set[i] = control.is_set[i] || (found != stage.settings.end() && found->second[i]);
+                const auto found = stage.settings.find(condition.name);
+                condition.is_set[i] = condition.is_set[i] || (found != stage.settings.end() && found->second[i]);
             }
         }
-        if (std::none_of(control.is_set.begin(), control.is_set.end(), [](bool set) { return set; })) {
+        if (std::none_of(condition.is_set.begin(), condition.is_set.end(), [](bool set) { return set; })) {
             throw InputError(
                 fmt::format("{}: boundary.{}: does nothing; give it a velocity_x, velocity_y, traction_x, traction_y "
                             "or pressure, here or in a stage",
-                            program.file, control.name));
+                            program.file, condition.name));
         }
     }
 }
@@ -391,7 +391,7 @@ Program parse_program(const std::string& text, const std::string& name) {
     program.row_interval = file.quantity("row_every", duration);
     program.start_from = file.text("start_from").value_or("");
     read_platens(file, program);
-    read_controls(file, program);
+    read_boundary_conditions(file, program);
     read_probes(file, program);
     read_initial(file, program);
     read_stages(file, program);

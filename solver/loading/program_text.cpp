@@ -133,8 +133,8 @@ std::string until_line(const Stage& stage) {
 
 std::string stage_text(const Stage& stage) {
     std::string text = fmt::format("\n[stage.{}]\n", key(stage.name));
-    for (const auto& [control, settings] : stage.settings) {
-        text += settings_lines(key(control) + ".", settings);
+    for (const auto& [condition, settings] : stage.settings) {
+        text += settings_lines(key(condition) + ".", settings);
     }
     if (stage.platens) {
         text += std::visit(MotionLine{}, *stage.platens) + "\n";
@@ -168,9 +168,9 @@ std::string program_text(const Program& program) {
         text += fmt::format("\n[platens]\nbonded = {}\nmax_strain = {}\n", program.platens->bonded,
                             number(program.platens->max_strain));
     }
-    for (const Control& control : program.controls) {
-        text += fmt::format("\n[boundary.{}]\n{}{}", key(control.name), region_lines(control.region),
-                            settings_lines("", control.start));
+    for (const BoundaryCondition& condition : program.boundary_conditions) {
+        text += fmt::format("\n[boundary.{}]\n{}{}", key(condition.name), region_lines(condition.region),
+                            settings_lines("", condition.start));
     }
     for (const ProbeRequest& probe : program.probes) {
         text += fmt::format("\n[probe.{}]\n{} = {}\n", key(probe.name), probe.is_circle ? "circle" : "point",

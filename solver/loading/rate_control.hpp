@@ -10,17 +10,17 @@
 //
 // and a fourth below `max_damping_load`: the load that damping carries by holding back what slides.
 //
-// Kinetic energy is that of the masses as they are: what mass scaling adds to nodes that platens hold is no inertia of the
-// load's. Where nothing is near failure and nothing slides, a load that rises fast does no harm, and for the first two up to 0.1
-// counts. What is near failure is seen before it cracks (`near_failure`). Damage under way shows in the measures.
+// The kinetic energy is that of the true masses: nodes on a platen move with it whatever mass scaling adds to them. While no
+// contact is near failure or slides (`near_failure`), a fast rise of the load does no harm, and the first two measures may reach
+// 0.1.
 //
-// Pure: measures in, speed out. The logarithm of the speed follows what the measures allow within some wave transits, at a rate
-// that is limited, so that it changes smoothly. The floor only keeps a test from standing still.
+// Pure: measures in, speed out. The logarithm of the speed follows what the measures allow within some wave transits, and its
+// rate is limited, so that the speed changes smoothly. The lowest speed only keeps a test from standing still.
 #pragma once
 
 namespace graincrack {
 
-/// What a run measures at the end of a batch.
+/// What a run measures at the end of an interval.
 struct RateMeasures {
     double strain = 0;            ///< platen travel over height since axial loading began, in the sense of the test
     double kinetic_energy = 0;    ///< of the masses as they are, J
@@ -31,7 +31,7 @@ struct RateMeasures {
     double near_failure = 0;      ///< how much of a line across the specimen is near failure or slides, 0 to 1
 };
 
-/// A specimen as the control sees it: a bar between platens.
+/// The specimen as a bar between platens.
 struct RateScales {
     double height = 0;        ///< m
     double transit_time = 0;  ///< of a bar wave through it, s
@@ -67,7 +67,7 @@ private:
     double tolerance_;
     RateScales scales_;
     double share_;
-    double near_failure_ = 0;  ///< the largest so far: what was once near failure is not hurried any more
+    double near_failure_ = 0;  ///< the largest so far: the speed does not rise again once damage has begun
     double inertia_ = 0;       ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;

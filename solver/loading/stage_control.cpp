@@ -46,7 +46,7 @@ StageController::StageController(const Program& program, const Specimen& specime
 
 template <class Act>
 void StageController::for_each_amplitude(Act&& act) const {
-    for (std::size_t c = 0; c < program_.controls.size(); ++c) {
+    for (std::size_t c = 0; c < program_.boundary_conditions.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
             if (numbers_[c][i] != no_amplitude) {
                 act(c, i, static_cast<std::size_t>(numbers_[c][i]));
@@ -91,12 +91,14 @@ void StageController::visit_state(Self& self, Visit&& visit) {
 }
 
 void StageController::resume(const StageControllerState& state) {
-    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t amplitude) {
-        const std::string name = program_.controls[control].name + "." + std::string(name_of(static_cast<Action>(action)));
-        const auto& names = state.controls.names;
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
+        const std::string name =
+            program_.boundary_conditions[condition].name + "." + std::string(name_of(static_cast<Action>(action)));
+        const auto& names = state.boundary_conditions.names;
         const auto found = std::find(names.begin(), names.end(), name);
         if (found != names.end()) {
-            amplitudes_[amplitude].function.value = state.controls.values[static_cast<std::size_t>(found - names.begin())];
+            amplitudes_[amplitude].function.value =
+                state.boundary_conditions.values[static_cast<std::size_t>(found - names.begin())];
         }
     });
     platens_.resume(program_.platens ? state.platen_speed : 0, state.mean_compression);
@@ -104,9 +106,9 @@ void StageController::resume(const StageControllerState& state) {
 
 const TimeFunction& StageController::function_of(std::size_t amplitude) const {
     const TimeFunction* function = nullptr;
-    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t each) {
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t each) {
         if (each == amplitude) {
-            const Control& c = program_.controls[control];
+            const BoundaryCondition& c = program_.boundary_conditions[condition];
             const int origin = origins_[amplitude];
             function = origin == at_start ? &*c.start[action] : &*program_.stages[origin].settings.at(c.name)[action];
         }
@@ -138,9 +140,10 @@ void StageController::go_on(const StageControllerState& state) {
 
 StageControllerState StageController::state(double time) const {
     StageControllerState state;
-    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t amplitude) {
-        state.controls.names.push_back(program_.controls[control].name + "." + std::string(name_of(static_cast<Action>(action))));
-        state.controls.values.push_back(amplitudes_[amplitude].at(time));
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
+        state.boundary_conditions.names.push_back(program_.boundary_conditions[condition].name + "." +
+                                                  std::string(name_of(static_cast<Action>(action))));
+        state.boundary_conditions.values.push_back(amplitudes_[amplitude].at(time));
     });
     state.platen_speed = platens_.speed();
     state.mean_compression = platens_.mean_compression();
@@ -168,8 +171,8 @@ void StageController::note(const StageFeedback& f) {
 
 void StageController::begin(const StageFeedback& f) {
     note(f);
-    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t i) {
-        if (const auto& function = program_.controls[control].start[action]) {
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
+        if (const auto& function = program_.boundary_conditions[condition].start[action]) {
             amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(f.time)), f.time, amplitudes_[i].of_velocity};
             origins_[i] = at_start;
         }
@@ -183,8 +186,8 @@ void StageController::start_stage(const StageFeedback& f) {
     functions_end_ = 0;
     rows_at_rest_ = 0;
     highest_ = 0;
-    for_each_amplitude([&](std::size_t control, std::size_t action, std::size_t i) {
-        const auto settings = stage.settings.find(program_.controls[control].name);
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
+        const auto settings = stage.settings.find(program_.boundary_conditions[condition].name);
         if (settings != stage.settings.end() && settings->second[action]) {
             const TimeFunction& function = *settings->second[action];
             amplitudes_[i] = {starting_from(function, amplitudes_[i].at(f.time)), f.time, amplitudes_[i].of_velocity};

@@ -36,7 +36,7 @@ struct NamedNumbers {
 
 /// Where a program is: what another program takes over, and what the same program goes on with.
 struct StageControllerState {
-    NamedNumbers controls;                   ///< "control.action"; NaN for a free velocity
+    NamedNumbers boundary_conditions;        ///< "control.action"; NaN for a free velocity
     double platen_speed = 0;                 ///< m/s
     double mean_compression = 0;             ///< as the servo sees it, Pa
     NamedNumbers progress;                   ///< everything that changes
@@ -52,7 +52,8 @@ struct LoadingLength {
 class StageController {
 public:
     StageController(const Program& program, const Specimen& specimen, const Rock& rock);
-    /// Takes over what another program left, before `begin`: its controls, those of the same name, start from its values.
+    /// Takes over what another program left, before `begin`: its boundary conditions, those of the same name, start from its
+    /// values.
     void resume(const StageControllerState& state);
     /// Goes on where the same program was. \throws InputError if the state is not of the same program
     void go_on(const StageControllerState& state);
@@ -83,7 +84,7 @@ public:
 private:
     /// Where the present function of an amplitude is written: in a stage, at the start of the program, or nowhere.
     static constexpr int nowhere = -2, at_start = -1;
-    /// Calls `act(control, action, amplitude)` with the places of each.
+    /// Calls `act(condition, action, amplitude)` with the places of each.
     template <class Act>
     void for_each_amplitude(Act&& act) const;
     template <class Self, class Visit>

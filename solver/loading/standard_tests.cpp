@@ -30,12 +30,12 @@ double pressure_time(const LoadingRequest& request, double height, const Rock& r
     return std::max(start_transits * transit_time, as_fast_as_the_test);
 }
 
-Control membrane() {
-    Control control;
-    control.name = "membrane";
-    control.region.parts = {"left", "right"};
-    control.is_set[static_cast<std::size_t>(Action::pressure)] = true;
-    return control;
+BoundaryCondition membrane() {
+    BoundaryCondition condition;
+    condition.name = "membrane";
+    condition.region.parts = {"left", "right"};
+    condition.is_set[static_cast<std::size_t>(Action::pressure)] = true;
+    return condition;
 }
 
 Stage isotropic(double pressure, double ramp_time, double transit_time) {
@@ -68,7 +68,7 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     program.name = program.file = name_of(request.test);
     program.platens = {request.test == TestKind::tension, request.max_strain};
     if (request.confining_pressure > 0) {
-        program.controls = {membrane()};
+        program.boundary_conditions = {membrane()};
         program.stages = {
             isotropic(request.confining_pressure, pressure_time(request, specimen.height, rock, transit_time), transit_time)};
     }

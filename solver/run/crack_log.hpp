@@ -1,4 +1,4 @@
-// The catalogue of micro-cracks, collected from the events of the contact stage.
+// The log of micro-cracks, collected from the events of the contact stage.
 #pragma once
 
 #include <cstdint>

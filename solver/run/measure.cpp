@@ -132,9 +132,9 @@ void add_platen_energies(const Boundary& boundary, double time_step, const State
         const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
                                                  s.loading.platen_displacement[point.platen]);
         m.energies.platen += r.stored + r.friction;
-        const double way = s.loading.increment_before[point.platen];
-        m.energies.external += 0.5 * r.force.y * way;
-        m.platen_power += r.force.y * way / time_step;
+        const double increment = s.loading.increment_before[point.platen];
+        m.energies.external += 0.5 * r.force.y * increment;
+        m.platen_power += r.force.y * increment / time_step;
         (static_cast<std::size_t>(point.platen) == top_platen ? m.force_top : m.force_bottom) += r.force.y;
     }
 }
@@ -229,9 +229,9 @@ double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) 
             }
         }
     });
-    for (const NodeEdgeContact& touch : s.contact_pairs.contacts) {
-        const double limit = law.kt * touch.overlap * law.tan_phi;
-        near += touch.active && touch.overlap > 0 && std::abs(law.ks * touch.elastic_slip) >= near_friction * limit ? 1 : 0;
+    for (const NodeEdgeContact& contact : s.contact_pairs.contacts) {
+        const double limit = law.kt * contact.overlap * law.tan_phi;
+        near += contact.active && contact.overlap > 0 && std::abs(law.ks * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
     }
     const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));
     return std::min(1.0, static_cast<double>(near) / half_a_line);
@@ -254,7 +254,7 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         const ContactHistory h0 = history_of(s, 2 * c);
         const ContactHistory h1 = history_of(s, 2 * c + 1);
-        const bool released = s.contact_pairs.released[c] != 0;  // what it carries are touches
+        const bool released = s.contact_pairs.released[c] != 0;  // node–edge contacts carry its load
         const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
         const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;
         frame.opening.push_back({h0.motion.opening, h1.motion.opening});

@@ -32,7 +32,7 @@ struct Gauges {
 /// and right, of a disc the rim within 15° of the x axis.
 Gauges make_gauges(const Assemblage& assemblage, const Specimen& specimen);
 
-/// All energies of the ledger, J per metre of thickness; each from its own definition.
+/// All terms of the energy balance, J per metre of thickness; each from its own definition.
 struct Energies {
     double external = 0, kinetic = 0, strain = 0, contact = 0, fracture_tension = 0, fracture_shear = 0, friction = 0,
            damping = 0, platen = 0, mismatch = 0;

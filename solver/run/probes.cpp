@@ -37,15 +37,15 @@ Vector2 mean_displacement(const std::vector<std::int32_t>& nodes, const State& s
     return (1 / static_cast<double>(nodes.size())) * sum;
 }
 
-Vector2 force_of_control(std::int32_t control, const PrescribedConditions& prescribed, const State& s) {
+Vector2 force_of_control(std::int32_t condition, const PrescribedConditions& prescribed, const State& s) {
     Vector2 force;
     for (std::size_t i = 0; i < prescribed.nodes.size(); ++i) {
         const PrescribedState::Node& node = s.prescribed.nodes[i];
-        force += {prescribed.nodes[i].control[0] == control ? node.reaction.x : 0,
-                  prescribed.nodes[i].control[1] == control ? node.reaction.y : 0};
+        force += {prescribed.nodes[i].condition[0] == condition ? node.reaction.x : 0,
+                  prescribed.nodes[i].condition[1] == condition ? node.reaction.y : 0};
     }
     for (std::size_t i = 0; i < prescribed.edges.size(); ++i) {
-        force += prescribed.edges[i].control == control ? 2.0 * s.prescribed.load[i] : Vector2{};
+        force += prescribed.edges[i].condition == condition ? 2.0 * s.prescribed.load[i] : Vector2{};
     }
     return force;
 }
@@ -76,9 +76,10 @@ ProbeHistory empty_history(const std::string& name, const std::vector<ProbeColum
 }  // namespace
 
 Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
-    for (const Control& control : program.controls) {
-        nodes_of_control_.push_back(members_of(control.region, a, s, program.file + ": boundary." + control.name).nodes);
-        histories_.push_back(empty_history(control.name, control_columns()));
+    for (const BoundaryCondition& condition : program.boundary_conditions) {
+        nodes_of_boundary_.push_back(
+            content_of_region(condition.region, a, s, program.file + ": boundary." + condition.name).nodes);
+        histories_.push_back(empty_history(condition.name, boundary_columns()));
     }
     for (const ProbeRequest& request : program.probes) {
         const std::string where = program.file + ": probe." + request.name;
@@ -124,8 +125,8 @@ void Probes::push(std::size_t probe, const std::vector<double>& row) {
 
 void Probes::record(const Assemblage& a, const Boundary& boundary, const State& s) {
     std::size_t probe = 0;
-    for (std::size_t c = 0; c < nodes_of_control_.size(); ++c) {
-        const Vector2 u = mean_displacement(nodes_of_control_[c], s);
+    for (std::size_t c = 0; c < nodes_of_boundary_.size(); ++c) {
+        const Vector2 u = mean_displacement(nodes_of_boundary_[c], s);
         const Vector2 force = force_of_control(static_cast<std::int32_t>(c), boundary.prescribed, s);
         push(probe++, {u.x, u.y, force.x, force.y});
     }

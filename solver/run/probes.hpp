@@ -1,4 +1,4 @@
-// What a program watches: motion of points, mean stress in circles, motion of and force on what it drives and loads.
+// Probes of a program: motion of points, mean stress in circles, motion of and force on the parts it prescribes something to.
 #pragma once
 
 #include <array>
@@ -35,11 +35,11 @@ private:
     void push(std::size_t probe, const std::vector<double>& row);
     [[nodiscard]] const std::vector<double>& column_of(const std::string& probe, std::size_t column) const;
 
-    std::vector<std::vector<std::int32_t>> nodes_of_control_;
+    std::vector<std::vector<std::int32_t>> nodes_of_boundary_;
     std::vector<Point> points_;                             ///< of point probes
     std::vector<std::vector<std::int32_t>> circles_;        ///< elements of circle probes
     std::vector<std::pair<bool, std::size_t>> request_at_;  ///< is a circle, index into points or circles
-    std::vector<ProbeHistory> histories_;                   ///< controls, then requests
+    std::vector<ProbeHistory> histories_;                   ///< boundary conditions, then requests
 };
 
 }  // namespace graincrack

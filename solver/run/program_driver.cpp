@@ -23,8 +23,8 @@ std::vector<T> column_of(const std::vector<StageRecord>& records, T StageRecord:
 /// What a program began with that went on from another run.
 void write_start(H5Output& file, const StageControllerState& start) {
     const std::string group = schema::program_group;
-    file.attribute(group, "start_controls", start.controls.names);
-    file.attribute(group, "start_control_values", start.controls.values);
+    file.attribute(group, "start_controls", start.boundary_conditions.names);
+    file.attribute(group, "start_control_values", start.boundary_conditions.values);
     file.attribute(group, "start_platen_speed", start.platen_speed);
     file.attribute(group, "start_mean_compression", start.mean_compression);
 }
@@ -36,8 +36,8 @@ std::optional<StageControllerState> read_start(const H5Input& file) {
         return std::nullopt;
     }
     StageControllerState start;
-    start.controls = {file.attribute<std::vector<std::string>>(group, "start_controls"),
-                      file.attribute<std::vector<double>>(group, "start_control_values")};
+    start.boundary_conditions = {file.attribute<std::vector<std::string>>(group, "start_controls"),
+                                 file.attribute<std::vector<double>>(group, "start_control_values")};
     start.platen_speed = speed;
     start.mean_compression = file.attribute<double>(group, "start_mean_compression");
     return start;

@@ -16,13 +16,13 @@
 namespace graincrack {
 namespace {
 
-// The members of what a state holds, each as numbers in a fixed order; every one of them is exact as float64.
+// The content of what a state holds, each as numbers in a fixed order; every one of them is exact as float64.
 template <class Value, class Act>
 requires std::is_arithmetic_v<std::remove_const_t<Value>>
 void visit_members(Value& value, Act&& act) { act(value); }
 template <class Act, class... Members>
-void visit_all(Act&& act, Members&... members) {
-    (visit_members(members, act), ...);
+void visit_all(Act&& act, Members&... content) {
+    (visit_members(content, act), ...);
 }
 /// Whether a type is `Of`, constant or not.
 template <class Type, class Of>
@@ -229,7 +229,7 @@ StageControllerState read_loading(const H5Input& file) {
     const auto texts = [&](const char* name) { return file.attribute<std::vector<std::string>>(group, name); };
     const auto numbers = [&](const char* name) { return file.attribute<std::vector<double>>(group, name); };
     StageControllerState loading;
-    loading.controls = {texts("controls"), numbers("control_values")};
+    loading.boundary_conditions = {texts("controls"), numbers("control_values")};
     loading.platen_speed = file.attribute<double>(group, "platen_speed");
     loading.mean_compression = file.attribute<double>(group, "mean_compression");
     loading.progress = {texts("stages"), numbers("stage_values")};
@@ -249,8 +249,8 @@ void write_saved_state(H5Output& file, const State& state, const StageController
         histories.push_back(state.points[point]);
     }
     write_array(file, "history", histories);
-    file.attribute(group, "controls", loading.controls.names);
-    file.attribute(group, "control_values", loading.controls.values);
+    file.attribute(group, "controls", loading.boundary_conditions.names);
+    file.attribute(group, "control_values", loading.boundary_conditions.values);
     file.attribute(group, "platen_speed", loading.platen_speed);
     file.attribute(group, "mean_compression", loading.mean_compression);
     file.attribute(group, "stages", loading.progress.names);

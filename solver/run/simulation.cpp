@@ -316,9 +316,9 @@ private:
         double sum = 0;
         double travel = 0;
         for (std::size_t i = peak_row; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak_row]); --i) {
-            const double way = std::abs(strain[i] - strain[i - 1]);
-            sum += way * history_[HistoryColumn::damping_load][i];
-            travel += way;
+            const double increment = std::abs(strain[i] - strain[i - 1]);
+            sum += increment * history_[HistoryColumn::damping_load][i];
+            travel += increment;
         }
         return travel > 0 ? sum / travel : 0;
     }
@@ -373,7 +373,7 @@ private:
     ThreadTeam team_;
     RateMeasures rate_;  ///< of the last row
     std::size_t rows_written_ = 0;
-    double largest_imbalance_ = 0;  ///< of the energy ledger, J
+    double largest_imbalance_ = 0;  ///< of the energy balance, J
     double last_axial_stress_ = 0;  ///< tension positive, Pa
     double peak_ = 0;               ///< of it since contacts have failed, absolute, Pa
     std::optional<RunWriter> writer_;

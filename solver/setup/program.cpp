@@ -61,17 +61,17 @@ std::string Program::why_dynamic() const {
     if (!initial_velocities.empty()) {
         return "it starts in motion";
     }
-    for (const Control& control : controls) {
-        if (control.is_set[0] || control.is_set[1]) {
-            return "boundary." + control.name + " drives nodes";
+    for (const BoundaryCondition& condition : boundary_conditions) {
+        if (condition.is_set[0] || condition.is_set[1]) {
+            return "boundary." + condition.name + " drives nodes";
         }
-        if (waves(control.start)) {
-            return "boundary." + control.name + " makes waves";
+        if (waves(condition.start)) {
+            return "boundary." + condition.name + " makes waves";
         }
         for (const Stage& s : stages) {
-            const auto found = s.settings.find(control.name);
+            const auto found = s.settings.find(condition.name);
             if (found != s.settings.end() && waves(found->second)) {
-                return "stage." + s.name + "." + control.name + " makes waves";
+                return "stage." + s.name + "." + condition.name + " makes waves";
             }
         }
     }
@@ -79,12 +79,12 @@ std::string Program::why_dynamic() const {
 }
 
 Program at_half_the_rate(Program program) {
-    for (Control& control : program.controls) {
-        slow_down(control.start);
+    for (BoundaryCondition& condition : program.boundary_conditions) {
+        slow_down(condition.start);
     }
     for (Stage& stage : program.stages) {
         stage.longest_time *= 2;
-        for (auto& [control, settings] : stage.settings) {
+        for (auto& [condition, settings] : stage.settings) {
             slow_down(settings);
         }
         if (stage.platens) {
@@ -97,7 +97,7 @@ Program at_half_the_rate(Program program) {
     return program;
 }
 
-const std::vector<ProbeColumn>& control_columns() {
+const std::vector<ProbeColumn>& boundary_columns() {
     static const std::vector<ProbeColumn> columns{
         {"displacement_x", Dimension::length, "mean displacement along x of its nodes"},
         {"displacement_y", Dimension::length, "mean displacement along y of its nodes"},

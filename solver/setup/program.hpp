@@ -1,5 +1,5 @@
-// A loading program: what is held, driven and loaded, stage after stage, and what is watched. The one way to load a specimen:
-// read from a file, or made in code for a standard test.
+// A loading program: which velocities and loads are prescribed, stage after stage, and what is measured. The one way to load a
+// specimen: read from a file, or made in code for a standard test.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace graincrack {
 
-/// Where a control acts: named parts of the boundary, a box, or what is in both.
+/// Where a boundary condition acts: named parts of the boundary, a box, or what is in both.
 struct Region {
     std::vector<std::string> parts;  ///< none: everywhere
     double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
@@ -27,7 +27,7 @@ struct Region {
     [[nodiscard]] bool has(const Vector2& p) const { return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top; }
 };
 
-/// What a control may prescribe.
+/// What a boundary condition may prescribe.
 enum class Action : std::uint8_t { velocity_x, velocity_y, traction_x, traction_y, pressure, count };
 inline constexpr std::size_t n_actions = static_cast<std::size_t>(Action::count);
 constexpr std::string_view name_of(Action action) {
@@ -36,11 +36,11 @@ constexpr std::string_view name_of(Action action) {
 }
 constexpr bool is_velocity(Action action) { return action <= Action::velocity_y; }
 
-/// New functions of a control, by action; those that are missing go on as they were.
+/// New functions of a boundary condition, by action; those that are missing go on as they were.
 using Settings = std::array<std::optional<TimeFunction>, n_actions>;
 
-/// [boundary.NAME]: a part of the specimen that is driven or loaded.
-struct Control {
+/// [boundary.NAME]: velocities or loads prescribed to a part of the specimen.
+struct BoundaryCondition {
     std::string name;
     Region region;
     Settings start;                        ///< from the start of the program on; what is missing is free, or 0
@@ -104,7 +104,7 @@ struct Condition {
 struct Stage {
     std::string name;
     std::optional<PlatenMotion> platens;       ///< missing: they go on as they did
-    std::map<std::string, Settings> settings;  ///< by control
+    std::map<std::string, Settings> settings;  ///< by boundary condition
     double longest_time = 0;                   ///< s; infinite where only the strain limit of the platens ends it
     std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest
     std::optional<double> peak_drop;  ///< fall below the stage's highest axial stress since contacts have failed, share of it
@@ -118,7 +118,7 @@ struct Program {
     std::string text;                ///< the file as it is
     std::vector<std::string> order;  ///< of stages by name; a name may come again
     std::vector<Stage> stages;
-    std::vector<Control> controls;
+    std::vector<BoundaryCondition> boundary_conditions;
     std::optional<ProgramPlatens> platens;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<ProbeRequest> probes;
@@ -130,15 +130,16 @@ struct Program {
     [[nodiscard]] const Stage& stage(const std::string& stage_name) const;
     /// The longest it can take, s; infinite where the strain limit of the platens ends a stage.
     [[nodiscard]] double longest_time() const;
-    /// Why its masses must be as they are: it drives nodes, makes waves or starts in motion; "" where it may be slow.
+    /// Why mass scaling would falsify it: it prescribes velocities of nodes, makes waves or starts in motion; "" for a
+    /// quasi-static program.
     [[nodiscard]] std::string why_dynamic() const;
 };
 
 /// The same program at half the speed: all times are twice as long, all frequencies and prescribed velocities half as high.
 Program at_half_the_rate(Program program);
 
-/// Columns of a probe: of every control, of a point, of a circle.
-const std::vector<ProbeColumn>& control_columns();
+/// Columns of a probe: of every boundary condition, of a point, of a circle.
+const std::vector<ProbeColumn>& boundary_columns();
 const std::vector<ProbeColumn>& point_columns();
 const std::vector<ProbeColumn>& circle_columns();
 

@@ -26,53 +26,53 @@ std::vector<std::uint8_t> numbers_of(const std::vector<std::string>& parts, cons
     return numbers;
 }
 
-/// Later controls take over the components of a node that earlier ones had.
-void drive_nodes(const RegionMembers& members, const std::array<std::int32_t, n_actions>& amplitudes, std::int32_t control,
-                 std::vector<PrescribedNode>& by_node) {
-    for (const std::int32_t i : members.nodes) {
+/// Later conditions take over the components of a node that earlier ones had.
+void prescribe_velocities(const RegionContent& content, const std::array<std::int32_t, n_actions>& amplitudes,
+                          std::int32_t condition, std::vector<PrescribedNode>& by_node) {
+    for (const std::int32_t i : content.nodes) {
         by_node[i].node = i;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             if (amplitudes[axis] != no_amplitude) {
                 by_node[i].amplitude[axis] = amplitudes[axis];
-                by_node[i].control[axis] = control;
+                by_node[i].condition[axis] = condition;
             }
         }
     }
 }
 
-void load_edges(const RegionMembers& members, const std::array<std::int32_t, n_actions>& amplitudes, std::int32_t control,
+void load_edges(const RegionContent& content, const std::array<std::int32_t, n_actions>& amplitudes, std::int32_t condition,
                 const Assemblage& a, const Specimen& s, PrescribedConditions& prescribed) {
-    for (const std::size_t e : members.edges) {
+    for (const std::size_t e : content.edges) {
         LoadedEdge edge;
         edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
         edge.traction = {amplitudes[static_cast<std::size_t>(Action::traction_x)],
                          amplitudes[static_cast<std::size_t>(Action::traction_y)]};
         edge.pressure = amplitudes[static_cast<std::size_t>(Action::pressure)];
-        edge.control = control;
+        edge.condition = condition;
         edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
         prescribed.edges.push_back(edge);
     }
 }
 
-PrescribedConditions make_drives(const Assemblage& a, const Specimen& s, const Program& program) {
+PrescribedConditions make_prescribed_conditions(const Assemblage& a, const Specimen& s, const Program& program) {
     const AmplitudeNumbers amplitudes = number_amplitudes(program);
     PrescribedConditions prescribed;
     prescribed.gravity = program.gravity;
     std::vector<PrescribedNode> by_node(a.position.size());
-    for (std::size_t c = 0; c < program.controls.size(); ++c) {
-        const Control& control = program.controls[c];
-        const std::string where = fmt::format("{}: boundary.{}", program.file, control.name);
-        const RegionMembers members = members_of(control.region, a, s, where);
-        const auto is_set = [&](Action action) { return control.is_set[static_cast<std::size_t>(action)]; };
+    for (std::size_t c = 0; c < program.boundary_conditions.size(); ++c) {
+        const BoundaryCondition& condition = program.boundary_conditions[c];
+        const std::string where = fmt::format("{}: boundary.{}", program.file, condition.name);
+        const RegionContent content = content_of_region(condition.region, a, s, where);
+        const auto is_set = [&](Action action) { return condition.is_set[static_cast<std::size_t>(action)]; };
         if (is_set(Action::velocity_x) || is_set(Action::velocity_y)) {
-            drive_nodes(members, amplitudes[c], static_cast<std::int32_t>(c), by_node);
+            prescribe_velocities(content, amplitudes[c], static_cast<std::int32_t>(c), by_node);
         }
         if (is_set(Action::traction_x) || is_set(Action::traction_y) || is_set(Action::pressure)) {
-            if (members.edges.empty()) {
+            if (content.edges.empty()) {
                 throw InputError(where +
                                  ": there is no boundary edge to load; a part of the boundary, or a box that holds some, fits");
             }
-            load_edges(members, amplitudes[c], static_cast<std::int32_t>(c), a, s, prescribed);
+            load_edges(content, amplitudes[c], static_cast<std::int32_t>(c), a, s, prescribed);
         }
     }
     std::copy_if(by_node.begin(), by_node.end(), std::back_inserter(prescribed.nodes),
@@ -86,20 +86,20 @@ PrescribedConditions make_drives(const Assemblage& a, const Specimen& s, const P
 AmplitudeNumbers number_amplitudes(const Program& program) {
     AmplitudeNumbers numbers;
     std::int32_t next = 0;
-    for (const Control& control : program.controls) {
+    for (const BoundaryCondition& condition : program.boundary_conditions) {
         numbers.emplace_back();
         for (std::size_t i = 0; i < n_actions; ++i) {
-            numbers.back()[i] = control.is_set[i] ? next++ : no_amplitude;
+            numbers.back()[i] = condition.is_set[i] ? next++ : no_amplitude;
         }
     }
     return numbers;
 }
 
-RegionMembers members_of(const Region& region, const Assemblage& a, const Specimen& s, const std::string& where) {
+RegionContent content_of_region(const Region& region, const Assemblage& a, const Specimen& s, const std::string& where) {
     const double slack = relative_slack * (s.width + s.height);
     const Region wide{region.parts, region.left - slack, region.right + slack, region.bottom - slack, region.top + slack};
     const std::vector<std::uint8_t> parts = numbers_of(region.parts, s, where);
-    RegionMembers members;
+    RegionContent content;
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
         if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) {
             continue;
@@ -107,28 +107,28 @@ RegionMembers members_of(const Region& region, const Assemblage& a, const Specim
         const std::int32_t first = a.node_of_specimen[s.boundary_edges[e][0]];
         const std::int32_t second = a.node_of_specimen[s.boundary_edges[e][1]];
         if (wide.has(a.position[first]) && wide.has(a.position[second])) {
-            members.edges.push_back(e);
+            content.edges.push_back(e);
         }
         for (const std::int32_t i : {first, second}) {
             if (!parts.empty() && wide.has(a.position[i])) {
-                members.nodes.push_back(i);
+                content.nodes.push_back(i);
             }
         }
     }
     for (std::int32_t i = 0; i < a.n_nodes() && parts.empty(); ++i) {
         if (wide.has(a.position[i]) && a.mass[i] > 0) {
-            members.nodes.push_back(i);
+            content.nodes.push_back(i);
         }
     }
-    std::sort(members.nodes.begin(), members.nodes.end());
-    members.nodes.erase(std::unique(members.nodes.begin(), members.nodes.end()), members.nodes.end());
-    if (members.nodes.empty()) {
+    std::sort(content.nodes.begin(), content.nodes.end());
+    content.nodes.erase(std::unique(content.nodes.begin(), content.nodes.end()), content.nodes.end());
+    if (content.nodes.empty()) {
         throw InputError(
             fmt::format("{}: nothing of the specimen is there; it reaches from {} mm to {} mm along x and from {} mm to "
                         "{} mm along y",
                         where, -500 * s.width, 500 * s.width, -500 * s.height, 500 * s.height));
     }
-    return members;
+    return content;
 }
 
 Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Program& program, const ContactParameters& contact,
@@ -150,13 +150,13 @@ Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Pro
         }
     }
     Boundary boundary = make_boundary(a, s, platens, reach);
-    boundary.prescribed = make_drives(a, s, program);
+    boundary.prescribed = make_prescribed_conditions(a, s, program);
     return boundary;
 }
 
 void set_initial_velocities(const Program& program, const Assemblage& a, const Specimen& s, State& state) {
     for (const InitialVelocity& initial : program.initial_velocities) {
-        for (const std::int32_t i : members_of(initial.region, a, s, program.file + ": initial").nodes) {
+        for (const std::int32_t i : content_of_region(initial.region, a, s, program.file + ": initial").nodes) {
             state.velocity[i] = initial.velocity;
         }
     }

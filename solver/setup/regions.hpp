@@ -1,4 +1,4 @@
-// A program on a specimen: who is driven, who is loaded, by which channel.
+// A program on a specimen: to which nodes and edges it prescribes velocities and loads, by which amplitude.
 #pragma once
 
 #include <array>
@@ -12,22 +12,23 @@
 
 namespace graincrack {
 
-/// Channel of each action of each control, `no_amplitude` where it is never set; numbered control by control.
+/// Amplitude of each action of each boundary condition, `no_amplitude` where it is never set; numbered condition by condition.
 using AmplitudeNumbers = std::vector<std::array<std::int32_t, n_actions>>;
 AmplitudeNumbers number_amplitudes(const Program& program);
 
 /// Nodes and boundary edges of a region, ascending, in internal indices of nodes and rows of /boundary. Corners within 1e-9 of
 /// the specimen's size of a box belong to it.
-struct RegionMembers {
+struct RegionContent {
     std::vector<std::int32_t> nodes;
     std::vector<std::size_t> edges;
 };
 /// \param where what a message names, such as "shear.toml: boundary.upper"
 /// \throws InputError if the specimen has no part of a wanted name, or nothing there
-RegionMembers members_of(const Region& region, const Assemblage& assemblage, const Specimen& specimen, const std::string& where);
+RegionContent content_of_region(const Region& region, const Assemblage& assemblage, const Specimen& specimen,
+                                const std::string& where);
 
 /// Platens and prescribed conditions of a program. Platens have the contacts' stiffness per area; bonded ones are smooth, so that
-/// they do not hinder the lateral strain. Where two controls drive the same component of a node the later one does.
+/// they do not hinder the lateral strain. Where two boundary_conditions drive the same component of a node the later one does.
 /// \param platen_friction rad \throws InputError
 Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& specimen, const Program& program,
                                const ContactParameters& contact, double platen_friction);

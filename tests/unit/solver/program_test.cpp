@@ -74,12 +74,12 @@ until = { time = "1 ms", peak_drop = 0.2 }
     EXPECT_EQ(p.row_interval, 2e-6);
     EXPECT_TRUE(p.platens->bonded);
     EXPECT_EQ(p.platens->max_strain, 0.02);
-    ASSERT_EQ(p.controls.size(), 2U);
-    EXPECT_EQ(p.controls[0].name, "side");  // in the order of the file
-    EXPECT_EQ(p.controls[0].region.parts, (std::vector<std::string>{"left", "right"}));
-    EXPECT_EQ(p.controls[0].region.top, 0.004);
-    EXPECT_EQ(p.controls[0].is_set, (std::array<bool, n_actions>{false, false, false, true, true}));
-    EXPECT_TRUE(std::isnan(p.controls[1].start[0]->value));
+    ASSERT_EQ(p.boundary_conditions.size(), 2U);
+    EXPECT_EQ(p.boundary_conditions[0].name, "side");  // in the order of the file
+    EXPECT_EQ(p.boundary_conditions[0].region.parts, (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(p.boundary_conditions[0].region.top, 0.004);
+    EXPECT_EQ(p.boundary_conditions[0].is_set, (std::array<bool, n_actions>{false, false, false, true, true}));
+    EXPECT_TRUE(std::isnan(p.boundary_conditions[1].start[0]->value));
     ASSERT_EQ(p.probes.size(), 2U);
     EXPECT_TRUE(p.probes[1].is_circle);
     EXPECT_EQ(p.probes[1].radius, 0.005);
