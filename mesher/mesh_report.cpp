@@ -12,7 +12,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double compressed_share = 0.42;  ///< of a file's arrays after shuffle and deflate 1, measured
+constexpr double compressed_share = 0.42;  ///< size of a file's arrays after shuffle and deflate 1 over that before, measured
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
