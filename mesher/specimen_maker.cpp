@@ -58,7 +58,7 @@ void check_request(const SpecimenRequest& request) {
         check_size("--height", shape.height);
     }
     if (request.edge.has_value() == request.grains.has_value()) {
-        throw UsageError("give exactly one of --edge (wanted mean edge) and --grains (number of grains)");
+        throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
     }
     if (!(request.spread >= 0 && request.spread <= max_spread)) {
         throw UsageError("--spread: " + format_number(request.spread) + " is out of range; 0 to " + format_number(max_spread) +

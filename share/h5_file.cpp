@@ -144,7 +144,7 @@ void sync_to_disk(const std::string& path) {
         if (fd >= 0) {
             ::close(fd);
         }
-        throw OutputError(fmt::format("{}: cannot be put onto the disk: {}", path, std::strerror(reason)));
+        throw OutputError(fmt::format("{}: cannot be written to disk: {}", path, std::strerror(reason)));
     }
     ::close(fd);
 }

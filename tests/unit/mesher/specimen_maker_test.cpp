@@ -278,7 +278,7 @@ TEST(MeshReport, NamesWhatWasNotReached) {
     std::string text;
     for (const std::string& line : describe_mesh(s, request, report)) text += line + "\n";
     EXPECT_NE(text.find("rectangle of 200 grains"), std::string::npos);
-    EXPECT_NE(text.find("was wanted"), std::string::npos);
+    EXPECT_NE(text.find("was requested"), std::string::npos);
     EXPECT_NE(describe_plan(request)[0].find("200 grains"), std::string::npos);
 }
 
