@@ -41,7 +41,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
         lines.push_back(
             fmt::format("  note: after {} attempts parts of the mesh still have a preferred direction, which is hardly "
-                        "avoidable in parts of so few grains",
+                        "avoidable with so few grains",
                         report.attempts));
     }
     return lines;
