@@ -63,7 +63,7 @@ public:
 
     void add_contacts(Specimen& s) const {
         std::int32_t boundary = 0;
-        std::vector<std::pair<GrainSide, int>> later;  // neighbours of a behind it in order, and the side of a
+        std::vector<std::pair<GrainSide, int>> later;  // neighbours of a with a larger index, and the side of a
         for (std::size_t a = 0; a < grains_.size(); ++a) {
             later.clear();
             for (int side = 0; side < 3; ++side) {
@@ -100,7 +100,8 @@ private:
         }
         for (const int t : hilbert_order(centroids)) {
             Triangle corners = triangles[static_cast<std::size_t>(t)];
-            // The lowest point first, so that the file does not depend on how the triangulation stores a triangle.
+            // Corners start at the point of lowest index, so that the file does not depend on how the triangulation stores a
+            // triangle.
             std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
             grains_.push_back(corners);
         }
@@ -147,14 +148,14 @@ private:
     }
 
     void add_grain_boundary(Specimen& s, GrainSide a, GrainSide b, std::int32_t boundary) const {
-        for (int k = 0; k < n_; ++k) {  // b runs the other way round
+        for (int k = 0; k < n_; ++k) {  // the side of b has the opposite direction
             s.contact_nodes.push_back({node(a, k), node(a, k + 1), node(b, n_ - k), node(b, n_ - k - 1)});
             s.contact_grain_boundary.push_back(boundary);
             s.contact_kind.push_back(static_cast<std::uint8_t>(ContactKind::grain_boundary));
         }
     }
 
-    /// Point k of n between two points: the same bits from either end.
+    /// Point k of n between two points; bit for bit the same when the two points are exchanged.
     [[nodiscard]] Point on_edge(int from, int to, int k) const {
         if (from > to) {
             std::swap(from, to);

@@ -1,4 +1,5 @@
-// From triangles to an assemblage: grains with nodes of their own, CSTs inside, contacts between, boundary edges around.
+// From triangles to an assemblage: grains with nodes of their own and constant-strain triangles (CST) inside, contacts between
+// them, boundary edges around them.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ std::int64_t uncompressed_size(const AssemblageCounts& counts);
 ///
 /// Grains follow a Hilbert curve of their centroids; nodes and elements follow their grains; contacts are ordered by
 /// (grain a, grain b), those of one grain boundary along a1→a2; boundary edges run round the outline from its first point.
-/// Sets shape, sizes and arrays; seed and statistics are the caller's.
+/// Sets shape, sizes and arrays; the caller sets seed and statistics.
 /// \throws UsageError if the arrays would need more than 2³¹ − 1 nodes
 Specimen build_assemblage(const Shape& shape, const Outline& outline, const PlaneMesh& mesh, int elements_per_edge);
 

@@ -1,4 +1,4 @@
-// Six-fold order of edge directions: how much a mesh, or a neighbourhood in it, looks like a triangular lattice.
+// Six-fold orientational order of the edges: how closely a mesh, or a neighbourhood in it, resembles a triangular lattice.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace graincrack::mesher {
 
-/// Neighbours of each point in one compressed list: those of point i are items[start[i]] … items[start[i + 1] − 1].
+/// Neighbours of each point in a compressed list (CSR): those of point i are items[start[i]] … items[start[i + 1] − 1].
 struct Neighbours {
     std::vector<int> start;
     std::vector<int> items;

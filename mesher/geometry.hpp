@@ -1,4 +1,4 @@
-// Points of the plane and the little arithmetic the mesher needs on them.
+// Points of the plane and their arithmetic.
 #pragma once
 
 #include <cmath>

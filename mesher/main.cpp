@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
         if (material) print(std::cout, describe_size_check(*material, plan_mesh(options->request).edge));
         return 0;
     }
-    plan_mesh(options->request);  // complains before a file is opened
+    plan_mesh(options->request);  // errors in the request are reported before a file is opened
 
     // Mesh
     H5Output file(options->output, "specimen");

@@ -17,14 +17,14 @@ constexpr const char* examples =
 /// Options of both shapes.
 void add_mesh_options(CLI::App& shape, MeshOptions& options) {
     SpecimenRequest& request = options.request;
-    CLI::Option* edge =
-        add_quantity(shape, "--edge", request.edge, quantity::mean_edge, "wanted mean edge over all grain edges, rim included");
+    CLI::Option* edge = add_quantity(shape, "--edge", request.edge, quantity::mean_edge,
+                                     "requested mean edge over all grain edges, rim included");
     CLI::Option* grains =
         add_integer<std::int64_t>(shape, "--grains", request.grains, "exact number of grains, instead of --edge", 1);
     edge->excludes(grains);
     add_quantity(shape, "--spread", request.spread, quantity::edge_spread,
-                 "coefficient of variation of the edges, at most 0.3; below about 0.1 it is met as far as edges without a "
-                 "preferred direction allow",
+                 "coefficient of variation of the edges, at most 0.3; values below about 0.1 are reached only as far as a mesh "
+                 "without a preferred direction allows",
                  "0.1");
     add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
     add_integer<int>(shape, "--elements-per-edge", request.elements_per_edge,
@@ -44,25 +44,25 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     CommonOptions common;
     CLI::App app("Makes specimens: rectangles and discs of triangular grains of near-equal size without a preferred direction");
     add_common_options(app, "graincrack-mesh", common, examples, {triangulation_library()});
-    add_dry_run(app, common, "print the expected counts and file size, make nothing");
+    add_dry_run(app, common, "print the expected counts and file size without making a specimen");
     app.require_subcommand(1);
     Shape rectangle{ShapeKind::rectangle, 0, 0, Pole::facet};
     CLI::App* rectangle_app = app.add_subcommand("rectangle", "a rectangle, loaded along its height");
     add_quantity(*rectangle_app, "--width", rectangle.width, quantity::width, "width, across the load")->required();
     add_quantity(*rectangle_app, "--height", rectangle.height, quantity::height, "height, along the load")->required();
     add_quantity(*rectangle_app, "--notch", options.request.notch, quantity::notch,
-                 "length of a notch through the centre, across the load: grain boundaries broken from the start");
+                 "length of a notch through the centre, across the load: its grain boundaries are broken from the start");
     add_mesh_options(*rectangle_app, options);
 
     Shape disc{ShapeKind::disc, 0, 0, Pole::facet};
     CLI::App* disc_app = app.add_subcommand("disc", "a disc, loaded along its vertical diameter");
     add_quantity(*disc_app, "--diameter", disc.width, quantity::diameter, "diameter")->required();
     add_choice<Pole>(*disc_app, "--pole", disc.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
-                     "what of the rim meets the platens");
+                     "part of the rim that meets the platens");
     add_integer<int>(*disc_app, "--diameters", disc.diameters,
-                     "diameters that can be loaded, evenly turned: 6 for every 30 degrees", 1, max_diameters);
+                     "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1, max_diameters);
     add_integer<int>(*disc_app, "--loaded-diameter", disc.loaded_diameter,
-                     "which of them lies along the load, counted counter-clockwise from 0: the same grains, turned", 0,
+                     "index of the diameter along the load, counter-clockwise from 0: the same grains, rotated", 0,
                      max_diameters - 1);
     add_mesh_options(*disc_app, options);
 

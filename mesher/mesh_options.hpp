@@ -9,17 +9,17 @@
 
 namespace graincrack::mesher {
 
-/// What the command line asks for.
+/// The options of a call.
 struct MeshOptions {
     SpecimenRequest request;
-    std::string material;  ///< name or file for the size checks; empty without
+    std::string material;  ///< name or file for the checks of the grain size; empty for none
     std::string output;    ///< file or "-"
     Verbosity verbosity = Verbosity::normal;
     bool dry_run = false;
     std::string configuration;  ///< effective options as TOML
 };
 
-/// Reads the command line. \return nothing if the call was answered already (--help, --version, --print-config)
+/// Reads the command line. \return nothing after --help, --version or --print-config, which were answered
 /// \throws UsageError
 std::optional<MeshOptions> read_options(int argc, const char* const* argv);
 

@@ -12,7 +12,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double compressed_share = 0.42;  ///< of a file's arrays after shuffle and deflate 1, measured
+constexpr double compressed_share = 0.42;  ///< size of a file's arrays after shuffle and deflate 1 over that before, measured
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -36,12 +36,12 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
     };
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (std::abs(s.edge_variation - request.spread) > 0.1 * request.spread) {
-        lines.push_back(fmt::format("  note: spread {:.3f} was wanted, {:.3f} was reached", request.spread, s.edge_variation));
+        lines.push_back(fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", request.spread, s.edge_variation));
     }
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
         lines.push_back(
-            fmt::format("  note: after {} attempts parts of the mesh still have a preferred direction; parts of so few "
-                        "grains hardly avoid it",
+            fmt::format("  note: after {} attempts parts of the mesh still have a preferred direction, which is hardly "
+                        "avoidable with so few grains",
                         report.attempts));
     }
     return lines;

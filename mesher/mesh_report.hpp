@@ -1,4 +1,4 @@
-// What graincrack-mesh tells about a mesh on stderr.
+// Report of graincrack-mesh about a mesh, on stderr.
 #pragma once
 
 #include <string>

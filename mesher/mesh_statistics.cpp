@@ -19,7 +19,7 @@ struct Distribution {
     double min = std::numeric_limits<double>::infinity();
     double max = 0;
 
-    void add(double value) {  // Welford: no loss of digits in large sums
+    void add(double value) {  // Welford's algorithm, which loses no digits in long sums
         n += 1;
         const double deviation = value - mean;
         mean += deviation / n;

@@ -1,4 +1,4 @@
-// What a mesh is like: sizes of edges and grains, angles, preferred direction, area.
+// Statistics of a mesh: sizes of edges and grains, angles, preferred direction, area.
 #pragma once
 
 #include "mesher/point_relaxation.hpp"

@@ -7,11 +7,11 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// Height of each grain's centroid times a positive number, [g].
+/// For each grain a number with the sign of its centroid's y, [g].
 std::vector<double> grain_heights(const Specimen& s) {
     std::vector<double> height(s.n_grains(), 0.0);
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        // Elements of a grain are alike, so that their nodes' mean is the grain's centroid.
+        // All elements of a grain have the same size, so that the mean of their nodes is the grain's centroid.
         for (const std::int32_t node : s.element_nodes[e]) {
             height[static_cast<std::size_t>(s.element_grain[e])] += s.node_position[static_cast<std::size_t>(node)][1];
         }

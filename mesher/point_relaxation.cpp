@@ -12,21 +12,21 @@ namespace graincrack::mesher {
 namespace {
 
 // Measured on 1,122 and 452 grains, 40 seeds each: more rounds or sweeps change spread and smallest angle by some 2 %.
-constexpr int n_ordering_rounds = 4;  ///< springs at any length: they order the neighbourhoods
-constexpr int n_range_rounds = 4;     ///< springs out of range only: they draw in what sticks out
-constexpr int n_settling_rounds = 2;  ///< at the end, without splits and merges
+constexpr int n_ordering_rounds = 4;  ///< with springs that act at any length and order the neighbourhoods
+constexpr int n_range_rounds = 4;     ///< with springs that act outside of the range only and reduce the extreme edges
+constexpr int n_settling_rounds = 2;  ///< last rounds, without splits and merges
 constexpr int max_extra_rounds = 60;  ///< to meet the number of points
 constexpr int n_sweeps = 6;
 constexpr double relaxation_factor = 0.3;
-constexpr double split_above = 1.28;  ///< of the wanted edge
+constexpr double split_above = 1.28;  ///< of the requested edge
 constexpr double merge_below = 0.78;
 constexpr double turning = 0.19;          ///< strength of the turning away from a common direction
-constexpr int n_smoothings = 10;          ///< a neighbourhood reaches about three edges far
-constexpr double ordered_spread = 0.115;  ///< wanted spreads above need no ordering rounds
-constexpr double sampled_spread = 0.185;  ///< of the sampled points; wanted spreads above need shaking
-constexpr double min_depth = 0.3;         ///< of inner points below the boundary, of the wanted edge
+constexpr int n_smoothings = 10;          ///< a neighbourhood has a radius of about three edges
+constexpr double ordered_spread = 0.115;  ///< requested spreads above this need no ordering rounds
+constexpr double sampled_spread = 0.185;  ///< spread of the sampled points; requested spreads above this need random moves
+constexpr double min_depth = 0.3;         ///< smallest distance of inner points from the boundary, over the requested edge
 
-/// Half range of the springs that gave a spread on average; the rounds correct it.
+/// Half range of the springs that gives a spread on average, as measured; the rounds correct it.
 double initial_range(double spread) {
     return spread > ordered_spread ? 1.6 * spread - 0.04 : std::clamp(3 * (spread - 0.095), 0.0, 0.1);
 }
@@ -80,7 +80,7 @@ private:
         }
         points_changed_ = false;
         mesh_.triangles = delaunay_.triangles();
-        // Also while relaxing, so that the spring along the new diagonal draws its far point near.
+        // Corners are split during relaxation too, so that the spring along the new diagonal shortens it.
         const int n = static_cast<int>(n_fixed_);
         for (const int corner : corners_) {
             split_corner_ear(mesh_.points, mesh_.triangles, corner, (corner + n - 1) % n, (corner + 1) % n);
@@ -100,13 +100,14 @@ private:
         return std::sqrt(std::max(0.0, squares * n / (sum * sum) - 1));
     }
 
-    /// Half range in which springs do not pull: widened or narrowed by what the spread is short or over.
+    /// Half range in which springs exert no force, corrected by the difference between requested and present spread.
     double adapted_range() {
         range_ = std::max(0.0, range_ + 1.5 * (goal_.spread - spread()));
         return range_;
     }
 
-    /// Sweeps over the inner points, each moved in its turn by the springs to its neighbours and by the turning.
+    /// Sweeps over the inner points. Each point in turn is moved by the springs to its neighbours and by the move that turns its
+    /// edges.
     void sweep(double range) {
         const Neighbours neighbours = neighbours_of(mesh_.edges, mesh_.points.size());
         const auto turns = turning_moves(neighbours);
@@ -157,7 +158,7 @@ private:
         return {std::clamp(p.x, -x, x), std::clamp(p.y, -y, y)};
     }
 
-    /// Random moves that widen a spread below the wanted one.
+    /// Random moves that widen a spread below the requested one.
     void shake() {
         const double missing = goal_.spread * goal_.spread - spread() * spread();
         if (missing <= 0) return;
@@ -170,7 +171,7 @@ private:
     }
 
     /// Merges the ends of the shortest edges and splits the longest, as many of both as keeps or corrects the number of
-    /// points. \param only_correct leave well alone once the number is met
+    /// points. \param only_correct make no more of them than correct the number of points
     void exchange_points(bool only_correct) {
         Candidates short_edges;
         Candidates long_edges;
@@ -199,8 +200,8 @@ private:
 
     using Candidates = std::vector<std::pair<double, std::size_t>>;
 
-    /// Sorts as many candidates to the front as taking `n` without common points may need, and drops the others; what
-    /// that leaves short, the next round makes up for.
+    /// Sorts to the front as many candidates as a choice of `n` without common points may need, and drops the others. If too few
+    /// are left, the next round corrects the number.
     static void sort_first(Candidates& candidates, std::ptrdiff_t n) {
         const auto n_kept = std::min(static_cast<std::ptrdiff_t>(candidates.size()), 3 * n + 20);
         std::partial_sort(candidates.begin(), candidates.begin() + n_kept, candidates.end());
@@ -218,7 +219,8 @@ private:
         auto& points = mesh_.points;
         std::vector<char> touched(points.size(), 0);
         std::vector<char> merged(points.size(), 0);
-        std::vector<std::pair<std::size_t, Point>> added;  // behind which point, so that neighbours stay near in memory
+        std::vector<std::pair<std::size_t, Point>>
+            added;  // new point and the index after which it is inserted, so that neighbours stay near in memory
         const auto take = [&](const Candidates::value_type& candidate) -> const Edge* {
             const Edge& e = mesh_.edges[candidate.second];
             char& p = touched[static_cast<std::size_t>(e[0])];

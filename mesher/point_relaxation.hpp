@@ -11,11 +11,11 @@
 
 namespace graincrack::mesher {
 
-/// What the mesh should become.
+/// Requested properties of the mesh.
 struct RelaxationGoal {
-    double edge = 0;          ///< wanted mean edge, m; must fit the number of points
-    double spread = 0.1;      ///< wanted coefficient of variation of the edges
-    std::size_t n_inner = 0;  ///< wanted number of inner points, met exactly
+    double edge = 0;          ///< requested mean edge, m; must fit the number of points
+    double spread = 0.1;      ///< requested coefficient of variation of the edges
+    std::size_t n_inner = 0;  ///< requested number of inner points, met exactly
 };
 
 /// Points (those of the outline first, in its order), their Delaunay triangles and edges.
@@ -28,12 +28,13 @@ struct PlaneMesh {
 /// Called with the share of work done, 0 to 1; may throw to stop.
 using ProgressCallback = std::function<void(double)>;
 
-/// Moves, splits and merges the inner points until the edges are near the wanted length; the outline stays.
+/// Moves, splits and merges the inner points until the edges are near the requested length; points of the outline stay fixed.
 ///
-/// Each round: Delaunay triangulation; some sweeps of springs along the edges; a merge for each split, where edges are far
-/// too short or too long. Springs alone would crystallise into patches of a lattice, whose directions later steer cracks.
-/// Against that, (1) springs stop pulling within a range about the wanted length, adapted to reach the wanted spread, and
-/// (2) where the edges around a point share a six-fold direction, they are turned away from it.
+/// A round consists of a Delaunay triangulation, sweeps of springs along the edges, and as many merges of edges that are far too
+/// short as splits of edges that are far too long. Springs alone would produce patches of a regular lattice, whose directions
+/// would guide cracks. Two measures prevent this: (1) springs exert no force within a range about the requested length, which is
+/// adapted to reach the requested spread; (2) where the edges around a point share a six-fold direction, they are turned away
+/// from it.
 /// \throws NumericalError if the number of points cannot be met (a shape only a few edges wide); Interrupted on a signal
 PlaneMesh relax_points(const Shape& shape, const Outline& outline, const std::vector<Point>& inner, const RelaxationGoal& goal,
                        RandomNumbers& random, const ProgressCallback& progress = {});

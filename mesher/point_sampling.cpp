@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tries_per_point = 16;
 
-/// Grid with at most one point a cell: cells are as small as two points at the minimum distance need.
+/// Grid of cells so small that points at the minimum distance lie in different cells.
 class OccupancyGrid {
 public:
     OccupancyGrid(const Shape& shape, double min_distance, const std::vector<Point>& points)
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// Two cells of margin all round spare the neighbour loops their bounds.
+    /// A margin of two cells on all sides makes bounds checks in the neighbour loops unnecessary.
     [[nodiscard]] std::int64_t cell_of(Point p) const {
         const auto x = static_cast<std::int64_t>((p.x - origin_.x) * inv_cell_) + 2;
         const auto y = static_cast<std::int64_t>((p.y - origin_.y) * inv_cell_) + 2;

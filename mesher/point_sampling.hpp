@@ -9,8 +9,8 @@
 
 namespace graincrack::mesher {
 
-/// Points that are nowhere closer than `min_distance` to each other and than `margin` to the boundary, with no room left
-/// for one more (but for small gaps); along a Hilbert curve.
+/// Points no closer than `min_distance` to each other and no closer than `margin` to the boundary, so dense that there is room
+/// for hardly any further point; in the order of a Hilbert curve.
 ///
 /// Bridson's dart throwing (SIGGRAPH 2007) on a grid. Near each right corner of a rectangle one point is placed on the
 /// bisector, so that corners are shared by two triangles.

@@ -6,11 +6,11 @@
 
 namespace graincrack::mesher {
 
-/// Stream of random numbers of one seed. The engine is fixed by the C++ standard; the conversions are our own, because
-/// the standard's distributions differ between libraries.
+/// Stream of random numbers of one seed. The engine is fixed by the C++ standard; the conversions are defined here, because
+/// the distributions of the standard library differ between implementations.
 class RandomNumbers {
 public:
-    /// \param stream independent streams of the same seed (one an attempt, say)
+    /// \param stream number of an independent stream of the same seed, such as one for each attempt
     explicit RandomNumbers(std::uint64_t seed, std::uint64_t stream = 0) : engine_(mix(seed, stream)) {}
 
     /// Uniform in [0, 1), 53 bits.

@@ -14,7 +14,7 @@ constexpr int n_sides = 4;
 
 /// Shares 0 = s₀ < s₁ < … < s_n = 1 of a line cut into n pieces of random length.
 std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
-    // Uniform within ±√3 spread: that has the standard deviation asked for and no outliers.
+    // Uniform within ±√3 spread, which has the requested standard deviation and no outliers.
     const double half_range = std::min(std::numbers::sqrt3 * spread, 0.6);
     std::vector<double> shares(static_cast<std::size_t>(n) + 1, 0.0);
     for (std::size_t i = 1; i < shares.size(); ++i) shares[i] = shares[i - 1] + 1 + half_range * random.symmetric();
@@ -23,7 +23,7 @@ std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
 }
 
 /// Numbers of edges on bottom, right, top and left that add up to n, in proportion to the lengths; opposite sides have
-/// the same number, but for one edge more on a long side if n is odd.
+/// the same number; if n is odd, one of the long sides has one edge more.
 std::array<int, n_sides> edges_per_side(const Shape& shape, int n) {
     const bool upright = shape.height >= shape.width;
     const double long_length = upright ? shape.height : shape.width;
@@ -54,7 +54,7 @@ Outline rectangle_outline(const Shape& shape, int n, double spread, RandomNumber
         const auto shares = cut_line(edges[side], spread, random);
         outline.corners.push_back(static_cast<int>(outline.points.size()));
         for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-            // The coordinate that does not change along the side stays exact, so that the side is straight.
+            // The coordinate that is constant along the side is copied exactly, so that the side is straight.
             Point p = from;
             if (from.x != to.x) p.x += shares[i] * (to.x - from.x);
             if (from.y != to.y) p.y += shares[i] * (to.y - from.y);
@@ -89,8 +89,8 @@ double polygon_area(const std::vector<Point>& points) {
     return doubled / 2;
 }
 
-/// Rim points at a radius, those at a pole moved along its diameter to where that has its length. `pole_of`: number of the
-/// pole, counter-clockwise from the upper one, or −1.
+/// Rim points at a radius. Points at a pole are moved along its diameter until the diameter has its length. `pole_of`: number of
+/// the pole, counter-clockwise from the upper one, or −1.
 std::vector<Point> rim_points(const Shape& shape, const std::vector<double>& angles, const std::vector<int>& pole_of,
                               double radius) {
     const double height = shape.width / 2;
@@ -115,7 +115,7 @@ Outline disc_outline(const Shape& shape, int n, double spread, RandomNumbers& ra
     const double reach = shape.pole == Pole::facet ? pi / n : 0.0;
     std::vector<int> pole_of(angles.size(), -1);
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        const double from_upper = (angles[i] - pi / 2) / (pi / shape.diameters);  // in poles
+        const double from_upper = (angles[i] - pi / 2) / (pi / shape.diameters);  // in units of the angle between poles
         const double pole = std::round(from_upper);
         if (std::abs(from_upper - pole) * (pi / shape.diameters) < reach + 1e-9) {
             pole_of[i] = static_cast<int>(pole) % (2 * shape.diameters);
@@ -123,7 +123,8 @@ Outline disc_outline(const Shape& shape, int n, double spread, RandomNumbers& ra
     }
     Outline outline;
     double rim_radius = radius;
-    // The area grows almost as the square of the rim radius (the moved pole nodes spoil it a little): a few corrections do.
+    // The area grows almost as the square of the rim radius (not exactly, because of the moved nodes at the poles): a few
+    // corrections suffice.
     for (int i = 0; i < 100; ++i) {
         outline.points = rim_points(shape, angles, pole_of, rim_radius);
         const double ratio = shape.area() / polygon_area(outline.points);
@@ -152,7 +153,7 @@ double Shape::perimeter() const { return kind == ShapeKind::disc ? pi * width : 
 std::string Shape::name() const { return kind == ShapeKind::disc ? "disc" : "rectangle"; }
 
 int admissible_boundary_count(const Shape& shape, double wanted, bool odd) {
-    (void)shape;  // both shapes need four points and take any number above
+    (void)shape;  // both shapes need four points and allow any larger number
     const int parity = odd ? 1 : 0;
     const int n = 2 * static_cast<int>(std::lround((wanted - parity) / 2)) + parity;
     return std::max(n, 4 + parity);

@@ -12,7 +12,7 @@
 namespace graincrack::mesher {
 
 enum class ShapeKind { rectangle, disc };
-/// What of a disc's rim meets the platens at (0, ±D/2): the middle of a facet, or a vertex.
+/// Part of a disc's rim that meets the platens at (0, ±D/2): the middle of a facet, or a vertex.
 enum class Pole { facet, vertex };
 
 /// A shape centred on the origin, load along y. Sizes in m.
@@ -21,8 +21,8 @@ struct Shape {
     double width = 0;   ///< along x; of a disc the diameter
     double height = 0;  ///< along y; of a disc the diameter
     Pole pole = Pole::facet;
-    /// Of a disc: diameters that end in a pole at both ends, evenly turned, the first along y; and which of them the load takes,
-    /// counted counter-clockwise: the specimen is turned so that it lies along y.
+    /// Of a disc: number of diameters with a pole at both ends, at equal angles, the first along y; and the index, counted
+    /// counter-clockwise, of the one that is loaded: the specimen is turned so that this diameter lies along y.
     int diameters = 1;
     int loaded_diameter = 0;
 
@@ -35,15 +35,16 @@ struct Shape {
 struct Outline {
     std::vector<Point> points;
     std::vector<BoundaryPart> parts;  ///< of each edge
-    std::vector<int> corners;         ///< points with a right angle; their triangles need care
-    double loading_arc = 0;           ///< angle under which a pole facet is seen from the centre, rad; 0 without one
+    std::vector<int> corners;         ///< points with a right angle, where one triangle could cut off the corner
+    double loading_arc = 0;           ///< angle that a pole facet subtends at the centre, rad; 0 without a facet
 };
 
-/// Number of boundary points nearest to `wanted` that the shape allows, of the parity asked for.
+/// Number of boundary points nearest to `wanted` that the shape allows, of the requested parity.
 /// \param odd true if the number must be odd
 int admissible_boundary_count(const Shape& shape, double wanted, bool odd);
 
-/// Places `n` boundary points. Spacings vary at random with coefficient of variation `spread`; pole facets do not.
+/// Places `n` boundary points. Spacings vary at random with coefficient of variation `spread`; the length of pole facets does not
+/// vary.
 ///
 /// A disc's points lie at the radius that gives the polygon the area of the circle; the pole facets' nodes (or the pole
 /// vertices) are moved along y to meet y = ±D/2 exactly.

@@ -1,4 +1,4 @@
-// Is the grain size valid for a rock? The bounds of Eqs 15–17 and the two lengths the paper leaves out.
+// Check of the grain size for a rock: the bounds of Eqs 15–17 and two further lengths that the paper does not give.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace graincrack::mesher {
 
-/// Lengths a mean grain edge is compared with, m.
+/// Lengths with which a mean grain edge is compared, m.
 struct SizeBounds {
     double lower = 0;                ///< 10 w_I, as printed in Eqs 15, 17
-    double lower_shear = 0;          ///< 10 w_II, which the paper leaves out
+    double lower_shear = 0;          ///< 10 w_II, which the paper does not give
     double upper = 0;                ///< l/3 with Rice's zone l of the rock, Eqs 15–17
     double contact_zone_mixed = 0;   ///< zone of contacts that soften from tc with the mixed-mode fracture energy
     double contact_zone_mode_i = 0;  ///< the same with that of mode I alone

@@ -19,17 +19,18 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr int max_attempts = 100;
-constexpr int attempts_to_promise = 20;  ///< if the best of so many is far over the bounds, more are of no use
+constexpr int attempts_to_promise = 20;  ///< if the best of so many is far above the bounds, further attempts are useless
 constexpr int max_corrections = 4;
 constexpr double edge_tolerance = 0.005;
-constexpr double sampling_distance = 0.77;  ///< of the edge: gives about as many points as are wanted
-constexpr double sampling_margin = 0.7;     ///< of the edge: first row of inner points
-constexpr double outline_spread = 0.7;      ///< of the edges' spread: outline points do not relax
+constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
+constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
+constexpr double outline_spread =
+    0.7;  ///< spread of the outline's edges over that of all edges: points of the outline are not relaxed
 
 struct Attempt {
     Outline outline;
     PlaneMesh mesh;
-    double excess = std::numeric_limits<double>::infinity();  ///< psi6 over its bound, 1 is at the bound
+    double excess = std::numeric_limits<double>::infinity();  ///< psi6 over its bound
     double psi6_of_parts = 0;
 };
 
@@ -57,7 +58,7 @@ void check_request(const SpecimenRequest& request) {
         check_size("--height", shape.height);
     }
     if (request.edge.has_value() == request.grains.has_value()) {
-        throw UsageError("give exactly one of --edge (wanted mean edge) and --grains (number of grains)");
+        throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
     }
     if (!(request.spread >= 0 && request.spread <= max_spread)) {
         throw UsageError("--spread: " + format_number(request.spread) + " is out of range; 0 to " + format_number(max_spread) +
@@ -76,7 +77,7 @@ void check_request(const SpecimenRequest& request) {
             throw UsageError("--edge: " + metres(*request.edge) + " is too large for a specimen " + metres(smallest) +
                              " across; at most half of that would do");
         }
-        // Numbers of grains beyond this do not fit the file's indices, whatever the number of elements.
+        // More grains than this would exceed the file's indices, whatever the number of elements.
         if (shape.area() / (*request.edge * *request.edge) > 3e8) {
             throw UsageError("--edge: " + metres(*request.edge) +
                              " would make more than 700 million grains; choose a larger edge");

@@ -1,4 +1,4 @@
-// The mesher's one call: from a wish to a specimen.
+// Makes a specimen from a request: the interface of the mesher.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace graincrack::mesher {
 
-/// What is wanted. Exactly one of `edge` and `grains` is set.
+/// Requested properties of a specimen. Exactly one of `edge` and `grains` is set.
 struct SpecimenRequest {
     Shape shape;
     std::optional<double> edge;          ///< mean edge over all grain edges, rim included, m
@@ -22,14 +22,14 @@ struct SpecimenRequest {
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
 };
 
-/// Most diameters that a disc can be loaded along.
+/// Largest number of diameters along which a disc can be loaded.
 inline constexpr int max_diameters = 36;
-/// Largest spread the mesher can make.
+/// Largest spread that the mesher can reach.
 inline constexpr double max_spread = 0.3;
 /// Largest number of elements along a grain edge.
 inline constexpr int max_elements_per_edge = 100;
-/// A mesh has no preferred direction if |⟨e^(6iθ)⟩| stays below these, as a whole and in each of eight equal parts, whichever
-/// `Partition` makes them.
+/// A mesh counts as free of a preferred direction if |⟨e^(6iθ)⟩| is below these bounds, in the whole mesh and in each of eight
+/// equal parts, for every `Partition`.
 inline constexpr double max_psi6 = 0.15;
 inline constexpr double max_psi6_of_parts = 0.30;
 
@@ -43,20 +43,20 @@ struct MeshPlan {
 
 /// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points has (n + 2 − b)/2 inner
 /// points, so b and n are both even or both odd.
-/// \throws UsageError naming the option: a size, edge, number, spread or division that makes no mesh
+/// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh
 MeshPlan plan_mesh(const SpecimenRequest& request);
 
-/// How the wish was met.
+/// Result of the attempts to make a mesh.
 struct MeshReport {
-    double psi6_of_parts = 0;  ///< largest in eight equal parts, cut in three ways (`Partition`)
-    int attempts = 0;          ///< meshes made until one had no preferred direction
+    double psi6_of_parts = 0;  ///< largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
+    int attempts = 0;          ///< number of meshes made until one had no preferred direction
 };
 
-/// Makes the specimen. The same request gives the same specimen, bit by bit.
+/// Makes the specimen. The same request gives the same specimen, bit for bit.
 ///
-/// Meshes whose psi6 is above the bounds are made again from further random numbers, up to 100 times; the best one is kept.
-/// With a wanted edge the number of grains is corrected until the mean is within 0.5 %, or as near as whole grains allow.
-/// \param report filled if given
+/// A mesh whose psi6 is above the bounds is made again from other random numbers, up to 100 times; the best mesh is kept. If an
+/// edge is requested, the number of grains is corrected until the mean edge is within 0.5 %, or as near as whole grains allow.
+/// \param report filled unless null
 /// \throws UsageError as `plan_mesh`; Interrupted on a signal
 Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& progress = {}, MeshReport* report = nullptr);
 

@@ -20,7 +20,7 @@ using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, Structure>;
 
-/// Place of a cell of a 2^24 × 2^24 grid along the Hilbert curve.
+/// Position of a cell of a 2^24 × 2^24 grid along the Hilbert curve.
 std::uint64_t hilbert_key(std::uint32_t x, std::uint32_t y) {
     constexpr std::uint32_t levels = 24;
     std::uint64_t key = 0;
@@ -28,7 +28,7 @@ std::uint64_t hilbert_key(std::uint32_t x, std::uint32_t y) {
         const std::uint32_t right = (x & s) != 0 ? 1 : 0;
         const std::uint32_t upper = (y & s) != 0 ? 1 : 0;
         key = 4 * key + ((3 * right) ^ upper);
-        if (upper == 0) {  // the two lower quadrants are traversed turned
+        if (upper == 0) {  // the curve is reflected in the two lower quadrants
             if (right == 1) {
                 x = ~x;
                 y = ~y;

@@ -1,4 +1,4 @@
-// Delaunay triangulation of points of a convex outline. The only door to CGAL.
+// Delaunay triangulation of points of a convex outline. The only access to CGAL.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ using Edge = std::array<int, 2>;
 
 /// Delaunay triangulation of distinct points that do not all lie on one line; its triangles cover their convex hull.
 ///
-/// Decisions are exact (CGAL's exact predicates), so points on one circle or one line do no harm. Points that follow each
-/// other in space (Hilbert order) are triangulated fastest.
+/// Decisions are exact (CGAL's exact predicates), so that points on a common circle or line are handled correctly. Points that
+/// are sorted in space (Hilbert order) are triangulated fastest.
 class DelaunayMesh {
 public:
     DelaunayMesh();
@@ -29,9 +29,9 @@ public:
 
     /// Triangulates points anew.
     void build(std::span<const Point> points);
-    /// The same points at new places, those on the hull unmoved: some four times faster than `build` for small moves.
+    /// Moves the points; those on the hull must stay. For small moves some four times faster than `build`.
     void move(std::span<const Point> points);
-    /// The triangles, in an order that depends on nothing but the calls so far.
+    /// The triangles, in an order that depends only on the calls so far.
     [[nodiscard]] std::vector<Triangle> triangles() const;
 
 private:
@@ -45,8 +45,8 @@ std::vector<Triangle> delaunay_triangles(std::span<const Point> points);
 /// The undirected edges of triangles, ascending, each once.
 std::vector<Edge> edges_of(std::span<const Triangle> triangles, std::size_t n_points);
 
-/// Splits the corner of an outline that is cut off by one triangle ("ear", with two boundary edges and an over-long third
-/// one) along the other diagonal, so that the corner belongs to two triangles.
+/// Where a single triangle cuts off a corner of the outline (an "ear": two boundary edges and an overlong third one), exchanges
+/// the diagonal with the neighbouring triangle, so that the corner belongs to two triangles.
 /// \param corner index of the corner point; `before`, `after` those of its neighbours on the outline, counter-clockwise
 /// \return whether there was an ear and it could be split (the far point does not lie on one line with a side)
 bool split_corner_ear(std::span<const Point> points, std::vector<Triangle>& triangles, int corner, int before, int after);

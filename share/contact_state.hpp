@@ -1,4 +1,4 @@
-// Words for the state of a contact point that the solver's laws and the files share.
+// State of a contact point and mode of a micro-crack, as the solver's laws and the files number them.
 #pragma once
 
 #include <cstdint>

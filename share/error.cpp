@@ -26,7 +26,7 @@ int report(const std::string& tool, const std::string& message, ExitCode code) {
 }  // namespace
 
 int run_tool(const std::string& tool, const std::function<int()>& body) {
-    std::signal(SIGPIPE, SIG_DFL);  // a reader that has seen enough ends the tool without a word
+    std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
     try {
         return body();
     } catch (const Interrupted& stopped) {

@@ -1,4 +1,4 @@
-// One error policy for the three tools: an exception type a cause, one line a message, one exit code a type.
+// Errors of the three tools: an exception type for each cause, one line for each message, an exit code for each type.
 //
 // Exceptions are thrown outside hot loops and caught only in `run_tool`. A message names the file or option, says what
 // is wrong and what would be right; it has no trailing full stop and no line break.

@@ -30,7 +30,7 @@ void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t 
         H5Adelete(object, name.c_str());
     }
     const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const bool is_empty = H5Sget_simple_extent_npoints(space) == 0;  // HDF5 refuses to write no strings
+    const bool is_empty = H5Sget_simple_extent_npoints(space) == 0;  // HDF5 cannot write an empty list of texts
     if (!attribute.valid() || (!is_empty && H5Awrite(attribute.get(), type, data) < 0)) {
         throw OutputError(fmt::format("attribute {} cannot be written", name));
     }

@@ -1,4 +1,4 @@
-// Inside of the HDF5 door: identifiers that close themselves, types, attributes. Included by share/h5_*.cpp only.
+// Internals of reading and writing HDF5: identifiers that close themselves, types, attributes. Included by share/h5_*.cpp only.
 #pragma once
 
 #include <hdf5.h>

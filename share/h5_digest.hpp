@@ -1,4 +1,4 @@
-// What a file holds, as one number.
+// Digest of the content of a file.
 #pragma once
 
 #include <hdf5.h>
@@ -7,7 +7,7 @@
 
 namespace graincrack::h5 {
 
-/// SHA-256 (hex) over every path, type, shape, attribute and value below the root, without `left_out`.
+/// SHA-256 (hex) over every path, type, shape, attribute and value below the root, except the object `left_out`.
 /// \throws InputError for the first object that cannot be read
 std::string digest(hid_t file, const std::string& file_name, const std::string& left_out);
 

@@ -27,7 +27,7 @@ constexpr std::size_t chunk_bytes = 1 << 18;  // target size of a chunk
 constexpr std::size_t small_bytes = 1 << 12;  // smaller arrays stay contiguous
 constexpr unsigned deflate_level = 1;         // measured: higher levels cost time and gain nothing
 
-/// HDF5 reports its errors by return values here; its own printing is off for the life of the process.
+/// HDF5 reports its errors by return values here; its own printing is switched off for the rest of the process.
 void silence_hdf5() {
     static const bool done = [] {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -48,9 +48,9 @@ std::vector<hsize_t> to_hsize(const Extents& extents) { return {extents.begin(),
 
 std::vector<char> read_stdin() {
     std::vector<char> bytes;
-    std::vector<char> block(1 << 20);
+    std::vector<char> buffer(1 << 20);
     while (true) {
-        const ssize_t n = ::read(STDIN_FILENO, block.data(), block.size());
+        const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
         if (n < 0 && errno == EINTR) {
             continue;
         }
@@ -60,11 +60,11 @@ std::vector<char> read_stdin() {
         if (n == 0) {
             return bytes;
         }
-        bytes.insert(bytes.end(), block.begin(), block.begin() + n);
+        bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + n);
     }
 }
 
-/// Opens a file image by the core driver, which keeps a copy of its own. (H5LTopen_file_image would spare the copy and leak.)
+/// Opens a file image by the core driver, which keeps a copy of its own. (H5LTopen_file_image makes no copy, but leaks.)
 Handle open_image(const std::vector<char>& bytes) {
     if (bytes.empty()) {
         throw InputError("stdin: empty: the program before wrote nothing; see its message");
@@ -93,7 +93,7 @@ Handle open_path(const std::string& path) {
     return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
 }
 
-/// Tells what an unreadable file is: a signature without a readable body is a truncated or damaged file.
+/// Throws the error for an unreadable file: one with the HDF5 signature is truncated or damaged, any other is no HDF5 file.
 [[noreturn]] void throw_unreadable(const std::string& name, bool has_signature) {
     if (has_signature) {
         throw InputError(fmt::format("{}: truncated or damaged HDF5 file; write it again with the tool that made it", name));
@@ -144,7 +144,7 @@ void sync_to_disk(const std::string& path) {
         if (fd >= 0) {
             ::close(fd);
         }
-        throw OutputError(fmt::format("{}: cannot be put onto the disk: {}", path, std::strerror(reason)));
+        throw OutputError(fmt::format("{}: cannot be written to disk: {}", path, std::strerror(reason)));
     }
     ::close(fd);
 }
@@ -516,7 +516,7 @@ void H5Output::commit() {
     state_->committed = true;
 }
 
-// --- the types the templates are made for ------------------------------------------------------------------------------
+// --- instantiations of the templates -----------------------------------------------------------------------------------
 
 #define GRAINCRACK_READ(T)                                              \
     template std::vector<T> H5Input::read<T>(const std::string&) const; \

@@ -1,4 +1,4 @@
-// The only door to HDF5: reading and writing datasets and attributes, whole or not at all, through files and pipes.
+// The only access to HDF5: reads and writes datasets and attributes through files and pipes. Files appear complete or not at all.
 //
 // Files use the library's default version bounds, no object times, chunk + shuffle + deflate 1 for large arrays.
 #pragma once
@@ -29,7 +29,7 @@ public:
     /// \throws InputError one line: missing, not HDF5, truncated or damaged, foreign (no format attribute), newer schema,
     ///         another kind than asked, or an empty stdin
     explicit H5Input(const std::string& path, std::string_view kind = "");
-    /// The same from the bytes of a file, such as one that is still being written: what was flushed is there.
+    /// The same from the bytes of a file. A file that is still being written holds what was flushed so far.
     /// \param name for messages
     static H5Input from_image(const std::vector<char>& image, const std::string& name, std::string_view kind = "");
     ~H5Input();
@@ -109,7 +109,7 @@ public:
     void hard_link(const std::string& existing, const std::string& link);
     void remove(const std::string& object);
     void move(const std::string& from, const std::string& to);
-    /// Puts all that was written so far onto the disk, so that a killed run stays readable to here.
+    /// Writes everything so far to disk: after a kill, a run can be read up to here.
     void flush();
     /// Ends the file: flush, fsync, rename (or send to stdout). \throws OutputError
     void commit();

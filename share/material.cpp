@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A key of a table: the quantity it holds, where its value goes, and whether it must be there.
+/// A key of a table: the quantity it holds, where its value is stored, and whether it is required.
 struct Key {
     std::string name;
     Quantity quantity;
@@ -148,7 +148,7 @@ Material read_material_file(const fs::path& file) {
     return material;
 }
 
-/// Folders in which a name is looked up. An installed program finds its materials wherever the installation was moved.
+/// Folders in which a name is looked up. An installation finds its folder relative to the program, so that it may be moved.
 std::vector<fs::path> material_folders() {
     std::vector<fs::path> folders;
     if (const char* own = std::getenv("GRAINCRACK_MATERIALS"); own != nullptr && *own != '\0') folders.emplace_back(own);

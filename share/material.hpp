@@ -21,7 +21,7 @@ struct ContactMaterial {
     std::optional<double> normal_stiffness;  ///< kt, Pa/m
     std::optional<double> shear_stiffness;   ///< ks, Pa/m
     std::optional<double> fracture_energy;   ///< Gf, J/m²
-    // of single laws only
+    // used by some laws only
     std::optional<double> mode_ii_fracture_energy;    ///< G_II, J/m²
     std::optional<double> open_shear_strength;        ///< Pa
     std::optional<double> residual_tensile_strength;  ///< Pa
@@ -77,7 +77,7 @@ struct ContactParameters {
     double critical_opening = 0;  ///< δct, m (Eq 8)
     double critical_sliding = 0;  ///< δcs, m (Eq 11)
     double ultimate_opening = 0;  ///< δut, m (Eq 14); below δct if Gf is too small for a law with this branch
-    // of single laws only
+    // used by some laws only
     double mode_ii_fracture_energy = 0;    ///< G_II, J/m²; K_IIC²/Ẽ unless given
     double residual_tensile_strength = 0;  ///< after failure, Pa
     double residual_cohesion = 0;          ///< after failure, Pa
@@ -86,8 +86,8 @@ struct ContactParameters {
 };
 
 /// Derives the contact parameters of a material for a plane condition (Eqs 3–5, 8, 11, 14, 32).
-/// An explicit `choice` wins over the material's own fracture energy; without either the choice is mode-i. Whether the energies
-/// are enough depends on the law.
+/// An explicit `choice` takes precedence over the material's own fracture energy; without either the choice is mode-i. Each law
+/// checks for itself whether the fracture energies suffice for its curves.
 ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
                                      const std::optional<FractureEnergyChoice>& choice);
 

@@ -24,7 +24,7 @@ inline bool in_environment(const std::string& name) {
     return value != nullptr && *value != '\0';
 }
 
-/// The application and the subcommands that run, from the top.
+/// The application and the subcommands that were called, from the top.
 template <class App>
 std::vector<App*> running(App& app) {
     std::vector<App*> chain{&app};
@@ -32,7 +32,7 @@ std::vector<App*> running(App& app) {
     return chain;
 }
 
-/// An option by its key in a file, "" prefix allowed; nullptr if there is none.
+/// An option by its key in a configuration file; nullptr if there is none.
 inline CLI::Option* find_key(CLI::App& app, const std::string& key) {
     for (CLI::Option* option : app.get_options()) {
         if (key_of(*option) == key) return option;

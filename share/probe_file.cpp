@@ -16,7 +16,7 @@ namespace {
 
 std::string group_of(const std::string& probe) { return std::string(schema::probes_group) + "/" + probe; }
 
-/// The dimension a unit is the SI unit of.
+/// The dimension whose SI unit is `unit`.
 Dimension dimension_of(const std::string& unit) {
     constexpr std::array all{Dimension::length, Dimension::speed, Dimension::force, Dimension::stress};
     const auto found = std::find_if(all.begin(), all.end(), [&](Dimension d) { return si_unit(d) == unit; });

@@ -1,4 +1,4 @@
-// Probes in a run file: /probes/NAME with columns, one row a row of the history.
+// Probes in a run file: the group /probes/NAME has columns with one row for each row of the history.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct ProbeColumn {
     std::string description;
 };
 
-/// What a probe saw: equally long columns, as long as the history's.
+/// Record of a probe: columns as long as those of the history.
 struct ProbeHistory {
     std::string name;
     std::vector<ProbeColumn> columns;

@@ -12,7 +12,7 @@
 namespace graincrack {
 namespace {
 
-/// Processors worth of time the control group of this process may use, or a large number.
+/// Processors that the quota of this process's control group amounts to; a large number without a quota.
 double control_group_quota() {
     double least = 1e9;
     const auto take = [&](const std::string& quota, double period) {

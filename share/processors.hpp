@@ -1,4 +1,4 @@
-// How many processors there are for a run.
+// Number of processors available to a run.
 #pragma once
 
 namespace graincrack {

@@ -12,7 +12,7 @@ namespace graincrack {
 namespace {
 
 constexpr double terminal_interval = 0.2;  // s between two prints
-constexpr double log_interval = 30.0;      // s, where nobody watches
+constexpr double log_interval = 30.0;      // s, where stderr is no terminal
 constexpr int bar_width = 24;
 
 std::string clock_text(double seconds) {

@@ -1,4 +1,4 @@
-// Progress of long work on stderr: a bar on a terminal, a line now and then otherwise.
+// Progress of a long computation on stderr: a bar on a terminal, otherwise a line every half minute.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@ namespace graincrack {
 /// How much a tool says on stderr.
 enum class Verbosity { quiet, normal, verbose };
 
-/// Shows a share of work done with the rate and the time left. Prints nothing when quiet.
+/// Shows the completed share of the work and an upper estimate of the time left. Prints nothing when quiet.
 class Progress {
 public:
     /// \param label what is being done, e.g. "uniaxial"

@@ -1,4 +1,4 @@
-// Where a file came from: tool, version, commit, command line, libraries, time. Left out of the digest.
+// Provenance of a file: tool, version, commit, command line, libraries, time. The digest leaves it out.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@ namespace graincrack {
 
 class H5Output;
 
-/// Version of the project ("0.1.0"), commit it was built from ("" if unknown) and compiler.
+/// Version of the project ("0.1.0").
 std::string project_version();
+/// Commit from which the project was built, "" if unknown.
 std::string project_commit();
 /// Versions of the libraries of this build, "HDF5 1.10.8" and the like; tools add their own (CGAL, VTK, …).
 std::vector<std::string> library_versions();

@@ -1,6 +1,6 @@
-// The vocabulary: every physical quantity the tools speak of, once: name, dimension, bounds and meaning.
+// Every physical quantity of the tools, defined once: name, dimension, bounds and meaning.
 //
-// Options, HDF5 names, table headers and plots take their words from here. Values are SI; angles are radians.
+// Options, HDF5 names, table headers and plots take their names from here. Values are SI; angles are radians.
 #pragma once
 
 #include <limits>
@@ -50,7 +50,7 @@ constexpr std::string_view si_unit(Dimension dimension) {
     return "?";
 }
 
-/// One word of the vocabulary. A value is admissible if lower ≤ value ≤ upper (strictly above `lower` if `open_below`).
+/// A physical quantity. A value is admissible if lower ≤ value ≤ upper (strictly above `lower` if `open_below`).
 struct Quantity {
     std::string_view name;
     Dimension dimension;

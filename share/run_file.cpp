@@ -49,8 +49,8 @@ namespace {
 
 constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
 
-/// Every attribute of /run once: writing and reading are the same list. `newer` ones may be missing from older files, which then
-/// mean the default.
+/// Visits every attribute of /run once, for writing and reading alike. Attributes marked `newer` may be missing from older files
+/// and then have their default.
 template <class Header, class Visit>
 void visit_header(Header& h, Visit&& visit) {
     visit("test", h.test);
@@ -172,7 +172,7 @@ void unflatten(const std::vector<T>& values, std::vector<std::array<T, n>>& rows
     }
 }
 
-/// Every array of a frame once.
+/// Visits every array of a frame once.
 template <class FrameType, class Visit>
 void visit_frame(FrameType& frame, Visit&& visit) {
     visit(schema::frame_displacement, frame.displacement, 0);
@@ -221,7 +221,7 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     write_column(file, schema::crack_time_separated, column_of<double>(cracks, [](const Crack& c) { return c.time_separated; }));
 }
 
-/// The last frame as fields of the static VTKHDF view.
+/// Links the last frame as fields of the static VTKHDF view.
 void link_last_frame(H5Output& file, const std::string& frame) {
     const std::string vtk = schema::vtk_group;
     const auto link = [&](const schema::Dataset& dataset, const char* where) {
@@ -243,9 +243,9 @@ struct RunWriter::State {
         bool keep;
     };
     H5Output file;
-    std::size_t rows = 0;        // of the history, written
-    std::size_t next_frame = 0;  // running number while the run goes on
-    std::vector<Slot> frames;    // in time order: the frame of a peak comes after later ones
+    std::size_t rows = 0;        // rows of the history already written
+    std::size_t next_frame = 0;  // running number, until the frames are numbered in time order at the end
+    std::vector<Slot> frames;    // in time order; the frame of a peak may be added after later ones
 };
 
 RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header)

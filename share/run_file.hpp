@@ -1,5 +1,5 @@
-// A run: what the solver writes and the postprocessor reads. The file repeats the specimen and adds /run, /history,
-// /cracks and /frames.
+// A run: written by the solver, read by the postprocessor. The file repeats the specimen and adds /run, /history, /cracks and
+// /frames.
 #pragma once
 
 #include <array>
@@ -19,48 +19,48 @@
 
 namespace graincrack {
 
-/// Part of the load that damping may carry before a run warns.
+/// Fraction of the load that the damping forces may carry before a run warns.
 inline constexpr double trusted_damping_load = 0.01;
 
-/// Attributes of /run. Names of the attributes are the names of the members. SI units.
+/// Attributes of /run. An attribute has the name of its member. SI units.
 struct RunHeader {
     std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
     std::string material;                ///< name of the material
     std::string contact_law;             ///< a name of solver/law/table.hpp
     std::string coupling;                ///< "full" | "none"
-    std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"; "none" with a law without
+    std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"; "none" for a law without fracture energy
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
     double platen_friction = 0;          ///< rad
     double confining_pressure = 0;       ///< target, Pa
     std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"
-    double rate_tolerance = 0;           ///< of the measures that steer it; 0 with a fixed rate
-    double rate_share = 1;               ///< of the speeds, limits and floors of the automatic rate
-    double platen_speed = 0;             ///< of each platen, m/s; where the rate is automatic, the mean of the axial loading
-    double damping = 0;                  ///< share of the unbalanced force, 0 for none
+    double rate_tolerance = 0;           ///< bound of the measures that control the automatic rate; 0 with a fixed rate
+    double rate_share = 1;               ///< factor on the speeds, limits and lower bounds of the automatic rate
+    double platen_speed = 0;             ///< of each platen, m/s; with an automatic rate, its mean during axial loading
+    double damping = 0;                  ///< damping force as a share of the unbalanced force; 0 for none
     std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
     std::string mass_scaling = "none";  ///< "none" | "selective"
-    double mass_scaling_factor = 0;     ///< β: added mass over mass, of motion over contacts
-    double added_mass = 0;              ///< with mass scaling: to the stiffest elements, of the mass of the specimen
+    double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
+    double added_mass = 0;              ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
     std::string vector_target = "plain";
     double stable_time_step = 0;  ///< s
     double time_step = 0;         ///< s
     // set when the run ends
     std::string stop_reason;  ///< "peak drop" | "strain cap" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
-    std::int64_t integrations = 0;       ///< steps, with each that was made of parts counted as many times; 0 in older files
-    double isotropic_end_time = 0;       ///< end of the isotropic stage (triaxial), s; 0 without one
-    double peak_axial_stress = 0;        ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
-    double energy_scale = 0;             ///< largest stored energy (strain + contact) of the run, J: the scale of the ledger
-    double ledger_residual = 0;          ///< max over time of |external − sum of the others| / energy_scale
+    std::int64_t integrations = 0;  ///< steps, a step of n substeps counted n times; 0 in older files
+    double isotropic_end_time = 0;  ///< end of the isotropic stage (triaxial), s; 0 without one
+    double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
+    double energy_scale = 0;        ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
+    double ledger_residual = 0;     ///< energy balance: max over time of |external − sum of the others| / energy_scale
     double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
     double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa
     double confinement_deviation = 0;
     double damping_share = 0;  ///< energy absorbed by damping / external work at the end
-    double damping_load = 0;   ///< part of the load that damping carries, mean over the travel from 0.9 of the strain at the peak
+    double damping_load = 0;  ///< part of the load that damping forces carry, mean from 0.9 of the strain at the peak to the peak
 };
 
 /// Columns of /history, in the order of `history_datasets`.
@@ -111,7 +111,7 @@ struct History {
 /// Reads /history of a run, finished or not. \throws InputError
 History read_history(const H5Input& file);
 
-/// One row of the crack catalogue: a contact point that passed its peak.
+/// One row of the crack log: a contact point that passed its peak strength. Quantities are those at that instant.
 struct Crack {
     double time = 0;  ///< s
     std::int64_t step = 0;
@@ -119,12 +119,12 @@ struct Crack {
     std::uint8_t point = 0;    ///< 0 at a1, 1 at a2
     CrackMode mode = CrackMode::tensile;
     double mode_angle = 0;             ///< atan2(|τ|, σn) at the peak, rad
-    std::array<double, 2> position{};  ///< then, m
+    std::array<double, 2> position{};  ///< m
     double orientation = 0;            ///< of the tangent from x, counter-clockwise, rad, in [0, π)
-    double length = 0;                 ///< half the edge, m
-    double opening = 0;                ///< then, m
-    double sliding = 0;                ///< then, m
-    double energy_released = 0;        ///< J: by this point's failure until the end of the run
+    double length = 0;                 ///< half of the edge's length, m
+    double opening = 0;                ///< m
+    double sliding = 0;                ///< m
+    double energy_released = 0;        ///< J: fracture energy dissipated by this point until the end of the run
     double time_separated = std::numeric_limits<double>::quiet_NaN();  ///< s
 };
 
@@ -142,8 +142,8 @@ struct Frame {
     std::vector<std::array<std::uint8_t, 2>> state;     ///< [c] PointState
 };
 
-/// Writes a run as it goes. Frames are thinned on the way, so that at the end between `frames` and 2 × `frames` evenly
-/// spaced ones are left, plus those marked to keep (peak, last).
+/// Writes a run while it is computed. Frames are thinned during the run, so that at the end between `frames` and 2 × `frames`
+/// evenly spaced ones are left, plus those marked to keep (peak, last).
 class RunWriter {
 public:
     /// \param file an output of kind "run", to which the specimen and the header are written at once
@@ -157,10 +157,10 @@ public:
     /// Removes every second frame that is not kept.
     void thin_frames();
     [[nodiscard]] std::size_t n_frames() const;
-    /// For what a run adds besides.
+    /// The open file, for further groups of a run.
     [[nodiscard]] H5Output& file();
-    /// Writes the final header, catalogue, sensitivity if there is one, numbering of the frames in time order, the last frame
-    /// into /VTKHDF, and /provenance; then commits.
+    /// Writes the final header, the crack log and the sensitivity if there is one, numbers the frames in time order, links the
+    /// last frame into /VTKHDF, writes /provenance and commits the file.
     void finish(const RunHeader& header, const std::vector<Crack>& cracks, const struct Provenance& provenance,
                 const std::vector<SensitivityRow>& sensitivity = {});
 
@@ -169,7 +169,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Reads a run; arrays are read when asked for.
+/// Reads a run; arrays are read on request.
 class RunReader {
 public:
     /// \param path a run file or "-" \throws InputError

@@ -1,4 +1,5 @@
-// Every path of the files, with unit and meaning; no tool spells a path of its own. DESIGN of the layout: share/doc/.
+// Every path of the files, with unit and meaning. The tools take all paths from here. The layout is described in
+// share/doc/file-format.md.
 #pragma once
 
 #include <string>

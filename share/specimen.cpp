@@ -17,7 +17,7 @@ namespace {
 
 constexpr double conformity = 1e-9;  // of the specimen's size: far below any edge, far above round-off of positions
 
-/// Rows of an array of arrays as one flat span, the way HDF5 wants them.
+/// Rows of an array of arrays as one flat span, as HDF5 needs them.
 template <class T, std::size_t n>
 std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
     return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
@@ -54,7 +54,7 @@ double signed_area(const Specimen& s, const std::array<std::int32_t, 3>& e) {
     return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
 }
 
-/// Collects the offences' wording in one place.
+/// Throws the error of a violated condition, with the name of the file and the row.
 class Checker {
 public:
     explicit Checker(const std::string& where) : where_(where) {}

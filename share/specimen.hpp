@@ -1,4 +1,4 @@
-// A specimen: an assemblage of grains in memory, as the specimen file holds it.
+// A specimen: an assemblage of grains, with the arrays of the specimen file.
 //
 // Grains are polygons of constant-strain triangles; grains share no nodes; facing edges of neighbouring grains are
 // contacts. Any specimen that passes `validate` can be run, however it was made.
@@ -20,7 +20,7 @@ enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack =
 /// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
 enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };
 
-/// What the mesh is like; attributes of /specimen. Lengths in m, angles in rad.
+/// Statistics of the mesh; attributes of /specimen. Lengths in m, angles in rad.
 struct MeshStatistics {
     double mean_edge = 0;       ///< mean over all grain edges, rim included
     double edge_variation = 0;  ///< coefficient of variation of the edges
@@ -37,10 +37,10 @@ struct MeshStatistics {
 
 /// Arrays of a specimen. Index ranges: n nodes, e elements, g grains, c contacts, b boundary edges. SI units.
 struct Specimen {
-    std::string shape;         ///< "rectangle", "disc", or another maker's word
+    std::string shape;         ///< "rectangle", "disc", or a name that another program gave
     double width = 0;          ///< extent along x (disc: diameter)
     double height = 0;         ///< extent along y between the platens (disc: diameter)
-    std::string tessellation;  ///< "delaunay", … or another maker's word
+    std::string tessellation;  ///< "delaunay", … or a name that another program gave
     std::uint64_t seed = 0;
     int elements_per_edge = 1;
     double loading_arc =
@@ -72,7 +72,7 @@ struct Specimen {
 /// elements of positive area, elements of a grain contiguous and ascending, nodes of one grain only, contacts conforming
 /// (a1 on b1, a2 on b2 within 1e-9 of the specimen's size) with grain(a) < grain(b), their edges and those of the boundary
 /// sides of elements in the right sense, known kinds and parts.
-/// \throws InputError naming `where` and the first offence.
+/// \throws InputError naming `where` and the first violation.
 void validate(const Specimen& specimen, const std::string& where);
 
 /// Grain of each node [n]; −1 for a node of no element.

@@ -102,7 +102,8 @@ TomlFile read_toml(const std::string& file) {
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
     std::string nearest;
-    std::size_t least = (word.size() < 4 ? 1 : std::max<std::size_t>(word.size() / 3, 2)) + 1;  // one more than is near
+    std::size_t least = (word.size() < 4 ? 1 : std::max<std::size_t>(word.size() / 3, 2)) +
+                        1;  // one more than the largest distance that counts as near
     for (const std::string& candidate : known) {
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {

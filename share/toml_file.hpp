@@ -1,4 +1,4 @@
-// A TOML file as a flat list of keys: the one place that knows the TOML library.
+// A TOML file as a flat list of keys. The only file that uses the TOML library.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct TomlEntry {
     int line = 0;
 };
 
-/// A table, also an empty one.
+/// A table, which may be empty.
 struct TomlSection {
     std::vector<std::string> name;
     int line = 0;

@@ -23,7 +23,7 @@ constexpr std::array all_dimensions{Dimension::one,     Dimension::length,      
                                     Dimension::energy,  Dimension::stiffness,    Dimension::toughness, Dimension::fracture_energy,
                                     Dimension::density, Dimension::acceleration, Dimension::frequency};
 
-/// Spellings that are read but not listed, and the symbol each stands for.
+/// Alternative spellings, which are read but not listed, and the symbol that each stands for.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{
     {"\u00b5m", "um"},
     {"\u03bcm", "um"},
@@ -106,7 +106,7 @@ std::string what_fits(Dimension dimension) {
     return fmt::format("units that fit: {} (a bare number is in {})", list, si_unit(dimension));
 }
 
-/// Text as it stands in a message: one line, quoted, not endless.
+/// Text for a message: in quotes, on one line, at most 60 characters.
 std::string quoted(std::string_view text) {
     std::string clean;
     for (const char c : text.substr(0, 60)) clean += static_cast<unsigned char>(c) < 32 ? ' ' : c;
@@ -134,7 +134,7 @@ std::string quoted(std::string_view text) {
     refuse(where, fmt::format("unknown unit {} in {}", quoted(symbol), quoted(text)), hint + what_fits(dimension));
 }
 
-/// The number `text` spells, times the factor; a power of ten goes into the exponent, so that nothing is rounded twice.
+/// The number that `text` spells, times the factor. A power of ten is added to the exponent of the text, to round once only.
 std::optional<double> scaled_number(std::string_view text, double factor) {
     double value = 0;
     const double decade = std::round(std::log10(factor));

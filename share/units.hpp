@@ -1,4 +1,4 @@
-// Numbers with units at the edge of the tools: text to SI and back, the same in every locale.
+// Numbers with units, in the same spelling in every locale: from text to SI and back.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Unit {
 /// "µm", "°", "MPa√m", "MPa*m^0.5", "J/m^2", "kg/m^3".
 const std::vector<Unit>& units_of(Dimension dimension);
 
-/// The word for a dimension in a message: "length", "stress", "pure number" …
+/// Name of a dimension for a message: "length", "stress", "pure number" …
 std::string_view name_of(Dimension dimension);
 
 /// Reads "4mm", "4 mm", "48.76deg", "5 mm/s", "1.5MPa.m^0.5", "90J/m2" or a bare SI number.
@@ -29,7 +29,8 @@ std::string_view name_of(Dimension dimension);
 ///         out of the bounds of `quantity`; the message lists the units that fit.
 double parse_quantity(std::string_view text, const Quantity& quantity, std::string_view where);
 
-/// The same where a word stands for a value: parse_quantity_or(text, "none", 0, quantity::damping, "--damping").
+/// The same for an option that also takes a word in place of a value: parse_quantity_or(text, "none", 0, quantity::damping,
+/// "--damping").
 double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
                          std::string_view where);
 

@@ -1,6 +1,6 @@
-# What the studies have in common: specimens and runs by rules, tables and pages by the postprocessor and awk.
+# Rules and variables that all studies share: specimens, runs, tables and pages.
 #
-# A run is named by what it is, so that two studies which want the same run share it and it is never made twice:
+# The name of a run contains its settings, so that studies which need the same run share it and it is made once:
 #
 #     $(OUT)/runs/ROCK/uniaxial_rectangle80x160g1122-s2_tc18_cc122_phic53.h5
 #
@@ -11,25 +11,25 @@
 #     tc18 cc122 phic53 gf90 os7.7                     contact options in MPa, degrees and J/m²; gfmixed, gfmode-i
 #     law-NAME cap0.05 maps                            the law; --max-strain; with frames for crack maps
 #     dm0.4 sf0.8 rt0.012                              --damping, --time-step-fraction, --rate-tolerance
-#     half                                             at half the speed everywhere
+#     half                                             half the platen speed throughout (--rate-share 0.5)
 #     drop0.15                                         --peak-drop, of uniaxial runs
 #     NAME                                             options_NAME of the study
 #
-# and ROCK is the material with four digits that change with its values. A study sets `runs`, the runs that it wants, by
+# and ROCK is the material with four digits that change with its values. A study sets `runs`, the runs that it needs, by
 # $(call run,TEST,SIZE,SEED,TOKENS), and includes this file. Users set:
 #
 #     make SEEDS="1 2"         other seeds               make EDGE=4mm        another grain size
 #     make MATERIAL=my.toml    another rock              make OUT=/scratch    where results go
 #     make -j 2                runs side by side         make THREADS=2       threads of a run
-#     make LAUNCH="srun …"     what to start runs with   make MAX_STRAIN=0.01 where runs without a peak end
+#     make LAUNCH="srun …"     command before a run      make MAX_STRAIN=0.01 strain limit of runs without a peak
 #     make GF=90               fracture energy, J/m²     make OPEN=7.7        shear strength of open contacts, MPa
-#     make LAW=scaled          another contact law    make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a deeper fall behind the peak
-#     make CONFINED= UNIAXIAL=                        runs at the solver's own loading rate
-#     make -n                  what would be done        make clean           away with tables and pages; distclean: runs too
+#     make LAW=scaled          another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak
+#     make CONFINED= UNIAXIAL=                           runs with the solver's default loading rate
+#     make -n                  print what would be done  make clean           remove tables and pages; distclean: runs too
 #
-# Runs start in the order of `runs`: a study lists the longest first, so that no processor waits long for the last.
+# Runs start in the order of `runs`: a study lists the longest first, so that processors finish at about the same time.
 #
-# A run or table appears whole or not at all. A failing run stops the study with the run's own message.
+# A run or table appears complete or not at all. A failing run stops the study with the run's own message.
 SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c
 export LC_ALL := C
@@ -47,7 +47,7 @@ export CALLED_FROM ?= $(PWD)
 override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(CALLED_FROM)/)$(OUT))
 HERE := $(OUT)/$(STUDY)
 SPECIMENS := $(OUT)/specimens
-# What rules make on the way is kept.
+# Intermediate files are kept.
 .PRECIOUS: $(SPECIMENS)/rectangle%.h5 $(SPECIMENS)/disc%.h5
 
 # --- the rock --------------------------------------------------------------------------------------------------------
@@ -72,7 +72,7 @@ HEIGHT ?= 160
 DIAMETER ?= 80
 SIZE_rectangle ?= $(if $(EDGE),e$(EDGE:mm=),g1122)
 SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
-# Threads of a run: what the allocation gives.
+# Threads of a run: those of the allocation.
 THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
 LAUNCH ?=
 OPTIONS ?=
@@ -80,14 +80,14 @@ GF ?=
 OPEN ?=
 LAW ?=
 MAX_STRAIN ?=
-# The loading rate of tests, as tokens of their names; empty: the solver's own, a rate tolerance of 0.0015. Uniaxial tests take half of the
-# time so, those under pressure a quarter to a half, and no strength moves by more than share/doc/equilibrium.md tells. Brazilian tests
-# are short and keep the solver's.
+# The loading rate of tests, as tokens of their names; empty: the solver's default, a rate tolerance of 0.0015. These values reduce the time
+# of uniaxial tests to a half, that of tests under pressure to a quarter to a half; share/doc/equilibrium.md has their effect on strengths.
+# Brazilian tests are short and keep the solver's default.
 UNIAXIAL ?= rt0.003
 CONFINED ?= rt0.006
-# Of most uniaxial tests only the peak counts, and half of a run was the fall behind it: they end 15 % below the peak. Of 282 runs of the
-# paper study that fell by 30 %, three peaks changed by more than 0.1 %, those of grains that lock and rise again (cc a quarter of UCS).
-# Empty: the solver's. Runs with a strain cap of their own, or with frames, have the solver's too.
+# Of most uniaxial tests only the peak is used, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the
+# paper study that drop by 30 %, three peaks changed by more than 0.1 %: specimens whose grains interlock and whose stress rises again (cc a
+# quarter of UCS). Empty: the solver's default, which runs with a strain limit of their own or with frames have too.
 UNIAXIAL_PEAK_DROP ?= 0.15
 export GRAINCRACK_MASS_SCALING ?= selective
 export GRAINCRACK_FRAMES ?= 0
@@ -106,15 +106,15 @@ lines = printf '%s\n' $(1)
 shape_of = $(if $(filter brazilian,$(1)),disc,rectangle)
 extent_rectangle = $(WIDTH)x$(HEIGHT)
 extent_disc = $(DIAMETER)
-# What a run has besides what its study asks for.
+# Tokens that the user's variables add to a run.
 user_tokens = $(if $(findstring _law-,$(1)),,$(if $(LAW),_law-$(LAW)))$(if $(findstring _gf,$(1)),,$(if $(GF),_gf$(GF)))$(if $(findstring _os,$(1)),,$(if $(OPEN),_os$(OPEN)))$(if $(findstring _cap,$(1)),,$(if $(MAX_STRAIN),_cap$(MAX_STRAIN)))
-pace_of = $(if $(filter triaxial%,$(1)),$(CONFINED),$(if $(filter uniaxial,$(1)),$(UNIAXIAL)))
-pace_tokens = $(subst $(space),,$(patsubst %,_%,$(call pace_of,$(1))))
+rate_of = $(if $(filter triaxial%,$(1)),$(CONFINED),$(if $(filter uniaxial,$(1)),$(UNIAXIAL)))
+rate_tokens = $(subst $(space),,$(patsubst %,_%,$(call rate_of,$(1))))
 # $(call drop_token,TEST,_TOKENS)
 drop_token = $(and $(filter uniaxial,$(1)),$(UNIAXIAL_PEAK_DROP),$(if $(strip $(foreach t,_drop _cap _maps,$(findstring $(t),$(2)))),,_drop$(UNIAXIAL_PEAK_DROP)))
 # $(call run,TEST,SIZE,SEED,TOKENS); no SIZE: the usual one. TOKENS are joined by _, as in tc18_cc122
 run = $(call run_name,$(1),$(call shape_of,$(1)),$(2),$(3),$(if $(4),_$(4)))
-run_name = $(RUNS)/$(1)_$(2)$(extent_$(2))$(or $(3),$(SIZE_$(2)))-s$(4)$(5)$(call user_tokens,$(5))$(call drop_token,$(1),$(5))$(call pace_tokens,$(1)).h5
+run_name = $(RUNS)/$(1)_$(2)$(extent_$(2))$(or $(3),$(SIZE_$(2)))-s$(4)$(5)$(call user_tokens,$(5))$(call drop_token,$(1),$(5))$(call rate_tokens,$(1)).h5
 
 words_of = $(subst _, ,$(notdir $(1)))
 tokens_of = $(wordlist 3,99,$(call words_of,$(1)))
@@ -135,11 +135,11 @@ option_of = $(or $(options_$(1)),$(strip \
     $(patsubst rt%,--rate-tolerance %,$(filter rt%,$(1))) \
     $(patsubst half,--rate-share 0.5,$(filter half,$(1))) \
     $(patsubst maps,--frames 20,$(filter maps,$(1)))))
-# "uniaxial, seed 2, tc=18MPa": what a line of progress says
+# "uniaxial, seed 2, tc=18MPa": the text of a line of progress
 describe_token = $(or $(patsubst tc%,tc=%MPa,$(filter tc%,$(1))),$(patsubst cc%,cc=%MPa,$(filter cc%,$(1))),$(patsubst phic%,phic=%deg,$(filter phic%,$(1))),$(patsubst cap%,to a strain of %,$(filter cap%,$(1))),$(1))
 describe = $(call describe_test,$(word 1,$(1))), $(word 1,$(subst -s, ,$(word 2,$(1)))), seed $(lastword $(subst -s, ,$(word 2,$(1))))$(subst $(space)|,$(comma) , $(foreach t,$(wordlist 3,99,$(1)),|$(call describe_token,$(t))))
 describe_test = $(if $(filter triaxial%,$(1)),triaxial at $(patsubst triaxial%,%MPa,$(1)),$(1))
-# Which of `runs` a run is: the number of those before it, and one.
+# Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))
 
 # --- rules -----------------------------------------------------------------------------------------------------------
@@ -149,7 +149,7 @@ POST = $(BIN)/graincrack-post
 # $(call sizes,80x160g1122-s2): 80 160 1122 2
 sizes = $(subst x, ,$(subst g, ,$(subst e, ,$(subst d, ,$(subst n, ,$(subst -s, ,$(1)))))))
 size_option = $(if $(findstring g,$(1)),--grains $(2),--edge $(2)mm)
-# Several makes (a job array) may want the same specimen at the same time: one makes it.
+# Several makes (a job array) may need the same specimen at the same time: a lock lets one of them make it.
 define mesh
 @mkdir -p $(@D)
 @flock $(@D)/.lock bash -c 'test -e $@ || $(MESH) $(1) --seed $(lastword $(call sizes,$*)) --quiet -o $@'
@@ -159,20 +159,20 @@ $(SPECIMENS)/rectangle%.h5:
 $(SPECIMENS)/disc%.h5:
 	$(call mesh,disc --diameter $(word 1,$(call sizes,$*))mm $(call size_option,$*,$(word 2,$(call sizes,$*))) $(if $(findstring d,$*),--diameters 6 --loaded-diameter $(word 3,$(call sizes,$*))))
 
-# A specimen and a rock are named by what they are: a run that is there need never be made again.
+# The names of specimen and rock contain their settings: an existing run need never be made again.
 $(RUNS)/%.h5: | $(SPECIMENS)/$$(word 2,$$(call words_of,$$*)).h5
 	@echo "[$(call position,$@)/$(words $(runs))] $(call describe,$(call words_of,$*))"
 	@mkdir -p $(@D)
 	@$(LAUNCH) $(BIN)/graincrack-solve $(call test_command,$(word 1,$(call words_of,$*))) $| $(call test_options,$(word 1,$(call words_of,$*))) --material $(MATERIAL_FILE) --threads $(THREADS) --quiet $(OPTIONS) $(foreach t,$(call tokens_of,$*),$(call option_of,$(t))) -o $@
 
-# Recipes for tables: $(call table,COMMAND) writes $@ whole or not at all.
+# Recipes for tables: $(call table,COMMAND) writes $@ completely or not at all.
 define table
 @mkdir -p $(@D)
 @$(1) >$@.part && mv $@.part $@
 endef
-# The runs among the prerequisites, named from $(RUNS): tables stay narrow and command lines short.
+# The runs among the prerequisites, relative to $(RUNS), which keeps tables narrow and command lines short.
 run_files = $(patsubst $(RUNS)/%,%,$(filter $(RUNS)/%,$^))
-# $(call of_runs,SUBCOMMAND): the postprocessor on these
+# $(call of_runs,SUBCOMMAND): the postprocessor on these runs
 of_runs = cd $(RUNS) && $(POST) --quiet $(1) $(run_files)
 # Tables that depend on runs depend on this list too: with other SEEDS they are made anew, though no run is.
 runs_list = $(HERE)/runs.txt
@@ -183,9 +183,9 @@ $(runs_list): $$(if $$(filter-out $$(runs_listed),$$(file <$$@))$$(filter-out $$
 	@$(call lines,$(runs_listed)) >$@
 FORCE:
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
-# A page: a text of the study, its claims, its tables and pictures, as they stand among the prerequisites.
+# A page: a text of the study, its claims, its tables and pictures, in the order of the prerequisites.
 page = $(call table,awk $(call lib,page) $(filter-out $(RUNS)/% $(checks),$^) $(filter $(checks),$^))
-# How good the runs of a page were, a row a test and pressure; the page ends with it.
+# Quality checks of the runs of a page, a row for each test and pressure, at the end of the page.
 checks = $(HERE)/checks.tsv
 $(HERE)/page.md: $$(if $$(strip $$(runs)),$(checks))
 $(checks): $$(runs) $(runs_list) $(STUDIES)/lib/checks.awk

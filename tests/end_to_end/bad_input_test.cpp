@@ -1,4 +1,4 @@
-// What is wrong ends with its exit code and one line that names it, and leaves nothing behind.
+// Bad input ends with its exit code and one line that names the fault, and leaves no file.
 #include <vector>
 
 #include "tests/end_to_end/shell.hpp"
@@ -16,7 +16,7 @@ void PrintTo(const BadInput& bad, std::ostream* stream) { *stream << "exit " << 
 
 class Refused : public testing::TestWithParam<BadInput> {};
 
-/// What the commands below find: good and bad files of each kind. A run is made only where one is used.
+/// Files for the commands below, good and bad ones of each kind. A run is made only for commands that use one.
 void lay_out(const Shell& shell, const std::string& command) {
     std::string lines = make_disc + "disc.h5\nhead -c 20000 disc.h5 >truncated.h5\necho text >text.h5\n: >empty.h5\n";
     lines += "material=" GRAINCRACK_SOURCE "/share/materials/augig-granite.toml\n";

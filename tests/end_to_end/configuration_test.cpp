@@ -1,4 +1,4 @@
-// Where options come from, and what is printed instead of being done.
+// Sources of options: flags, environment and configuration file; --print-config and --dry-run.
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {

@@ -1,4 +1,4 @@
-// What share/doc/file-format.md shows is true of files that the tools write.
+// share/doc/file-format.md agrees with the files that the tools write.
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {

@@ -1,4 +1,4 @@
-// The examples that --help shows are commands that run.
+// The examples of --help are commands that run.
 #include <vector>
 
 #include "tests/end_to_end/shell.hpp"
@@ -30,7 +30,7 @@ TEST(Help, ExamplesOfTheSolverAreRight) {
     ASSERT_EQ(examples.size(), 2u);
     shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
     for (const std::string& example : examples) {
-        shell.must(example + " --dry-run");  // minutes otherwise
+        shell.must(example + " --dry-run");  // the runs themselves would take minutes
         shell.must(example + " --max-strain 0.0003" + (example.find("--rate") == std::string::npos ? " --rate 400mm/s" : ""));
     }
     EXPECT_EQ(shell.names(), "specimen.h5\ntriaxial.h5\nuniaxial.h5\n");
@@ -107,7 +107,7 @@ std::vector<std::string> subcommands_of(const std::string& help) {
 
 TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
     const Shell shell;
-    // A fall of 1 % behind the largest stress is a peak here: tests so small and fast have no other.
+    // A drop of 1 % below the largest stress counts as a peak here, because tests so small and fast have no larger one.
     const std::string test = " --material augig-granite --rate 400mm/s --max-strain 0.03 --peak-drop 0.01 --quiet ";
     shell.must(make_disc + "disc.h5\ngraincrack-mesh disc --diameter 20mm --grains 24 --quiet -o coarse.h5\n" +
                "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n" +

@@ -1,4 +1,4 @@
-// An installation works on its own, wherever it is moved.
+// An installation works without the source tree, also after it was moved.
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {

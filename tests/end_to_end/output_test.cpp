@@ -1,4 +1,4 @@
-// Output appears whole or not at all; data on stdout, the rest on stderr.
+// Output appears complete or not at all; data go to stdout, everything else to stderr.
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -7,7 +7,7 @@ namespace {
 TEST(Output, AStoppedRunLeavesNothing) {
     const Shell shell;
     shell.must(make_disc + "disc.h5");
-    // Hours if nobody stopped it; the signal is sent once the unfinished file is there.
+    // The run would take hours; the signal is sent as soon as the unfinished file exists.
     const Outcome stopped = shell.run(
         "graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o run.h5 &\n"
         "for ((i = 0; i < 500; ++i)); do [[ -e run.h5.part ]] && break; sleep 0.02; done\n"

@@ -42,7 +42,7 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
         "\ngraincrack-solve triaxial rectangle.h5 --confining-pressure 4MPa -o triaxial.h5" +
         elastic);
     const std::string table = shell.must("graincrack-post moduli uniaxial.h5");
-    // Elastic, far from the peak: the modulus of the rock less what the contacts give, whatever the few grains' scatter.
+    // Elastic, far from the peak: the modulus of the rock less the compliance of the contacts; few grains scatter.
     EXPECT_NEAR(std::atof(cell(table, "young_modulus_GPa").c_str()), 24, 4);
     EXPECT_EQ(cell(shell.must("graincrack-post strength triaxial.h5"), "confining_pressure_MPa"), "4");
     shell.must(
@@ -62,8 +62,8 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
     }
 }
 
-// A crack needs the energy of its length at least: a straight one √(E' Gf), one between grains more, by its detours and by
-// sliding on what does not face the load (1.03 to 1.24 times, here and in plates of 80 mm).
+// A straight crack has the toughness √(E' Gf). A crack between grains has more, since its path is longer and since it slides on
+// facets that are oblique to the load (1.03 to 1.24 times as much, here and in plates of 80 mm).
 TEST(Pipeline, ToughnessOfANotchedPlate) {
     const Shell shell;
     const std::string table = shell.must(
@@ -73,7 +73,8 @@ TEST(Pipeline, ToughnessOfANotchedPlate) {
         "graincrack-post toughness -");
     EXPECT_NEAR(std::atof(cell(table, "notch_mm").c_str()), 16, 4);
     const double predicted = std::atof(cell(table, "predicted_mode_i_toughness_MPa.m^0.5").c_str());
-    EXPECT_NEAR(predicted, std::sqrt(57.8 * 24.7e9 / (1 - 0.24 * 0.24)) * 1e-6, 0.02);  // E, ν of assemblages: MODEL, compliance
+    EXPECT_NEAR(predicted, std::sqrt(57.8 * 24.7e9 / (1 - 0.24 * 0.24)) * 1e-6,
+                0.02);  // E, ν of the assemblage, by contact compliance
     const double ratio = std::atof(cell(table, "mode_i_toughness_MPa.m^0.5").c_str()) / predicted;
     EXPECT_GT(ratio, 0.95);
     EXPECT_LT(ratio, 1.4);
@@ -81,7 +82,7 @@ TEST(Pipeline, ToughnessOfANotchedPlate) {
 
 TEST(Threads, SameContentForAnyNumberPastThePeak) {
     const Shell shell;
-    // large enough that three threads are worth having
+    // large enough for three threads
     shell.must("graincrack-mesh disc --diameter 30mm --grains 800 --quiet -o disc.h5");
     std::string first;
     for (const char* threads : {"1", "2", "3"}) {
@@ -90,7 +91,7 @@ TEST(Threads, SameContentForAnyNumberPastThePeak) {
         if (first.empty()) first = digest;
         EXPECT_EQ(digest, first) << threads << " threads";
     }
-    // Only with cracks and a fallen stress does the comparison cover all of the law.
+    // The comparison covers the whole law only if there are cracks and the stress has dropped.
     const std::string strength = shell.must("graincrack-post strength run.h5");
     const std::string last = shell.must("graincrack-post history run.h5 | sed -n '1p;$p'");
     EXPECT_GT(std::atof(cell(strength, "tensile_cracks").c_str()), 3);

@@ -1,4 +1,4 @@
-// Loading programs by the command line.
+// Loading programs from the command line.
 #include <cmath>
 
 #include "tests/end_to_end/same_arrays.hpp"
@@ -39,7 +39,7 @@ TEST(Programs, RunFromFileToProbe) {
     const Outcome wrong = shell.run("graincrack-post history run.h5 --probe nobody");
     EXPECT_EQ(wrong.exit_code, 3);
     EXPECT_NE(wrong.err.find("core, end, source"), std::string::npos) << wrong.err;
-    // A pipe and three threads give the same.
+    // A pipe and three threads give the same result.
     shell.must(
         "graincrack-solve program - --program pulse.toml --damping none --material augig-granite --threads 3 --frames 20 "
         "--quiet -o - <bar.h5 >pipe.h5");

@@ -1,4 +1,4 @@
-// A run that goes on from the saved state of another.
+// Runs that continue from a saved state.
 #include <cmath>
 
 #include "tests/end_to_end/same_arrays.hpp"
@@ -7,7 +7,7 @@
 namespace graincrack::test {
 namespace {
 
-/// Compression under pressure past the peak, in two stages, whole and in two runs.
+/// Compression under pressure past the peak, in two stages, as one run and as two.
 const std::string head = R"(
 name = "compress"
 damping = 0.8
@@ -62,7 +62,7 @@ TEST(Restart, GoesOnToTheByte) {
         const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run + " | tail -n +2"); };
         const std::string first = rows("first.h5");
         const std::string second = rows("second.h5");
-        // The second begins with the state the first ended with.
+        // The second run begins with the state in which the first one ended.
         EXPECT_EQ(first + second.substr(second.find('\n') + 1), rows("whole.h5"));
         EXPECT_GT(n_lines(second), 50);
         const auto row_of = [&](const std::string& run) { return shell.must("graincrack-post strength " + run); };
@@ -79,7 +79,7 @@ TEST(Restart, ATestGoesOnFromItsCheckpoint) {
         const std::string test =
             "graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 2MPa --quiet --frames 2 " +
             options;
-        // The last checkpoint that there was while the test went on.
+        // The last checkpoint that was written during the test.
         shell.must("(until test -e whole.h5; do cp whole.h5.checkpoint kept.h5 2>/dev/null; sleep 0.02; done) & " + test +
                    "--checkpoint-every 1ms -o whole.h5; wait");
         const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run); };
@@ -95,7 +95,7 @@ TEST(Restart, ATestGoesOnFromItsCheckpoint) {
     }
 }
 
-// In its second stage, or its third, as a program that went on from another run, or at the automatic rate.
+// Interrupted in its second stage, in its third, as a program that continued another run, or at the automatic rate.
 TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
     for (const std::string program :
          {"--program whole.toml ", "--program second.toml --restart first.h5 ", "--program auto.toml "}) {
@@ -128,7 +128,7 @@ TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
     shell.must(solve + "--program first.toml -o first.h5");
     shell.must(solve + "--program second.toml --restart first.h5 -o same.h5\n" + solve +
                "--program second.toml --restart first.h5 --contact-friction-angle 5deg --contact-cohesion 40MPa -o weak.h5");
-    // Relative to the largest stored energy of both runs; each row of the history has it.
+    // The energy balance of each row is relative to the largest stored energy of both runs.
     const auto residual = [&](const std::string& run) {
         return std::atof(
             shell

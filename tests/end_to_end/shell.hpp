@@ -1,4 +1,4 @@
-// Runs the tools the way a user does: command lines of bash in a folder of their own.
+// Runs the tools as a user does: command lines of bash in a temporary folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ inline void write_text(const std::string& file, const std::string& text) { std::
 
 inline std::ptrdiff_t n_lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-/// What a command line left.
+/// Result of a command line.
 struct Outcome {
     int exit_code = -1;
     std::string out;
@@ -36,7 +36,7 @@ struct Outcome {
 /// thread unless --threads is given: tests run side by side.
 class Shell {
 public:
-    /// Runs lines of bash; a pipeline has the exit code of its last part that failed.
+    /// Runs lines of bash; a pipeline has the exit code of the last command in it that failed.
     [[nodiscard]] Outcome run(const std::string& lines) const {
         write_text(own_.file("lines.sh"),
                    "unset \"${!GRAINCRACK_@}\"\nset -o pipefail\nexport LC_ALL=C GRAINCRACK_THREADS=1 "

@@ -1,5 +1,5 @@
 // Comparison with a tolerance that has a scale: |value − expected| ≤ relative_tolerance · scale. A failure names the caller's
-// line; the builtins are what std::source_location stands on, which clang 14 lacks.
+// line; the builtins replace std::source_location, which clang 14 lacks.
 #pragma once
 
 #include <gtest/gtest.h>

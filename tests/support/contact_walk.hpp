@@ -1,4 +1,4 @@
-// A contact point led along a path of motions, with the work done on it and all that was booked.
+// A contact point on a prescribed path of opening and sliding, with the work done on it and the dissipation that the law reports.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace graincrack::test {
 
-/// Every law there is, with every coupling it knows.
+/// Every contact law with every coupling that it has.
 inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     std::vector<ContactLaw> laws;
     for (const LawDescription& law : all_contact_laws()) {
@@ -23,7 +23,7 @@ inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     }
     return laws;
 }
-/// The readings of the text that keep its curves on both branches as they are: literal, scaled, continuous.
+/// The variants of the paper's law that keep its curves for opening and for closure: literal, scaled, continuous.
 inline std::vector<ContactLaw> readings_of_the_text(const ContactParameters& contact) {
     std::vector<ContactLaw> laws = all_laws(contact);
     std::erase_if(laws, [](const ContactLaw& law) { return !description_of(law.variant).coupling; });
@@ -37,7 +37,7 @@ class ContactWalk {
 public:
     explicit ContactWalk(const ContactLaw& law, const ContactHistory& start = {}) : law_(law), history_(start) {}
 
-    /// One update. Work per area is the trapezium of the tractions before and after.
+    /// One update. The work per area is that of the mean of the tractions before and after.
     ContactTraction to(const ContactMotion& motion) {
         const ContactMotion from = history_.motion;
         const ContactResponse r = update_contact(law_, motion, history_);
@@ -55,7 +55,7 @@ public:
         traction_ = r.traction;
         return traction_;
     }
-    /// A straight leg in equal steps.
+    /// A straight path in equal steps.
     ContactTraction go(const ContactMotion& end, int steps) {
         const ContactMotion from = history_.motion;
         for (int i = 1; i < steps; ++i) {
@@ -72,12 +72,12 @@ public:
     [[nodiscard]] double friction() const { return friction_; }
     [[nodiscard]] double mismatch() const { return mismatch_; }
     [[nodiscard]] double stored() const { return stored_energy(law_, history_); }
-    /// work − stored − all that was booked
+    /// work − stored energy − dissipation
     [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - mismatch_; }
-    [[nodiscard]] double min_fracture() const { return min_fracture_; }  ///< of one update
+    [[nodiscard]] double min_fracture() const { return min_fracture_; }  ///< smallest of any update
     [[nodiscard]] double min_friction() const { return min_friction_; }
     [[nodiscard]] double largest_shear() const { return largest_shear_; }
-    [[nodiscard]] bool healed() const { return healed_; }  ///< damage fell or a failure was forgotten
+    [[nodiscard]] bool healed() const { return healed_; }  ///< damage decreased or a failed point became intact
 
 private:
     ContactLaw law_;

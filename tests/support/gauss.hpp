@@ -1,4 +1,4 @@
-// Quadrature of smooth functions, sharp enough that a test of an area says something about the area.
+// Quadrature of smooth functions, more accurate than the tolerance of any test of an area.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A plane of weakness between smooth platens, loaded with the options that a user gets who gives none.
+// A plane of weakness between smooth platens, loaded with default options.
 //
 // A joint at an angle β from the horizontal without cohesion slides at Jaeger's strength (Jaeger, Cook & Zimmerman, Fundamentals
 // of Rock Mechanics, §4.8, there with the angle of its normal):

@@ -19,7 +19,7 @@ struct Tensor {
     double xx = 0, yy = 0, xy = 0;
 };
 
-/// The solver's nodal forces at given displacements, histories being those of the run's state.
+/// The solver's nodal forces at given displacements, with the contact histories of the run's state.
 inline std::vector<Vector2> forces_at(const SmallRun& run, State state, const std::vector<Vector2>& displacement) {
     state.displacement = displacement;
     start(run.assemblage, run.parameters, state);
@@ -29,7 +29,7 @@ inline std::vector<Vector2> forces_at(const SmallRun& run, State state, const st
     return state.force;
 }
 
-/// Nodes whose forces move with a node: of its elements and contacts, itself first.
+/// Nodes whose forces depend on the displacement of a node: those of its elements and contacts, itself first.
 inline std::vector<std::vector<std::int32_t>> neighbours(const Assemblage& a) {
     std::vector<std::vector<std::int32_t>> result(a.position.size());
     const auto link = [&result](const auto& nodes) {
@@ -47,7 +47,7 @@ inline std::vector<std::vector<std::int32_t>> neighbours(const Assemblage& a) {
     return result;
 }
 
-/// Groups of nodes that can be displaced together: no node has two of a group among its neighbours.
+/// Groups of nodes that can be displaced in one evaluation: no node has two nodes of a group among its neighbours.
 inline std::vector<std::vector<std::int32_t>> independent_groups(const std::vector<std::vector<std::int32_t>>& neighbours) {
     std::vector<std::vector<std::int32_t>> groups;
     std::vector<std::vector<bool>> taken;  // by group: nodes with a neighbour in it
@@ -70,8 +70,9 @@ inline std::vector<std::vector<std::int32_t>> independent_groups(const std::vect
 }
 
 /// K = −∂F/∂u about the run's present state, by central differences of the solver's own forces.
-/// \param step of the displacements, m: at the reference, where nothing cancels, as small as can be (contacts soften by
-///        step/δct); elsewhere small against what opens contacts and lifts nodes off platens
+/// \param step of the displacements, m. In the reference state there is no cancellation, and the step is chosen very small, since
+///        contacts soften by step/δct; in other states it must be small against the motions that open contacts or lift nodes off
+///        the platens
 inline Eigen::SparseMatrix<double> tangent_stiffness(const SmallRun& run, double step = 1e-20) {
     const auto near = neighbours(run.assemblage);
     std::vector<Eigen::Triplet<double>> entries;
@@ -113,14 +114,15 @@ inline double exact_stable_step(const SmallRun& run, double step = 1e-20) {
     return 2 / std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
 }
 
-/// The same by power iteration, for specimens too large for that: above the exact one, by less than 1e-4 for meshes of the kind.
+/// The same by power iteration, for specimens too large for that: it exceeds the exact value by less than 1e-4 for meshes of this
+/// kind.
 inline double iterated_stable_step(const SmallRun& run, double step = 1e-20) {
     const Eigen::SparseMatrix<double> k = tangent_stiffness(run, step);
     Eigen::VectorXd root(k.rows());
     for (Eigen::Index i = 0; i < root.size(); ++i) {
         root(i) = std::sqrt(run.assemblage.inverse_mass[static_cast<std::size_t>(i / 2)]);
     }
-    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(k.rows(), 1, 1000).array().sin();  // a part in every mode
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(k.rows(), 1, 1000).array().sin();  // has a component in every mode
     double eigenvalue = 0;
     for (int i = 0; i < 3000; ++i) {
         x.normalize();
@@ -163,7 +165,7 @@ inline Eigen::VectorXd equilibrium(const SmallRun& run, Eigen::SparseMatrix<doub
     EXPECT_EQ(factors.info(), Eigen::Success);
     Eigen::VectorXd u = factors.solve(load);
     for (int i = 0; i < 3; ++i) {
-        u += factors.solve(load - stiffness * u);  // against the condition number, up to 1e8
+        u += factors.solve(load - stiffness * u);  // iterative refinement; the condition number is up to 1e8
     }
     return u;
 }

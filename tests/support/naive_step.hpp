@@ -1,5 +1,5 @@
-// The explicit step in its plainest form, to hold the fast one against: one node, one element, one contact point after the
-// other, straight from the equations. It shares the pure laws of contacts and platens with the solver, and nothing else.
+// The explicit time step in its simplest form, a reference for the fast one: node by node, element by element, contact point by
+// contact point, directly from the equations. It shares only the pure functions of the contact laws and platens with the solver.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,7 +14,7 @@
 
 namespace graincrack::test {
 
-/// A specimen between platens, without membrane, touches and mass scaling. Nodes in the order of the assemblage.
+/// A specimen between platens, without membrane, node–edge contacts and mass scaling. Nodes in the order of the assemblage.
 class NaiveRun {
 public:
     using Vector = Eigen::Vector2d;
@@ -35,7 +35,7 @@ public:
           platen_points_(boundary.platen_points) {}
 
     void set_velocity(std::size_t node, const Vector2& v) { velocity_[node] = {v.x, v.y}; }
-    /// A step under platens that stand at these displacements.
+    /// A step with the platens at these displacements.
     void step(const std::array<double, 2>& platen_displacement) {
         std::fill(force_.begin(), force_.end(), Vector::Zero());
         add_elements();
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    /// Tractions on both points, and the couple by which the mid-edge's turn changes opening and sliding.
+    /// Tractions at both points, and the couple that balances the moment of the tractions about the rotating mean edge.
     void add_contacts() {
         for (std::size_t c = 0; c < a_.contacts.size(); ++c) {
             const auto [a1, a2, b1, b2] = a_.contacts[c].nodes;

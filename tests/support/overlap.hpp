@@ -1,4 +1,4 @@
-// How deep nodes stand in grains that are not theirs: found from the triangles alone, without the solver's own search.
+// Overlap of grains: the depth of nodes in other grains, found from the triangles without the solver's search.
 #pragma once
 
 #include <algorithm>

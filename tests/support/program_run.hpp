@@ -1,4 +1,4 @@
-// A program led over a small specimen, without a run file.
+// A loading program on a small specimen, without a run file.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ public:
         run.parameters.damping = damping;
         set_initial_velocities(program, run.assemblage, run.specimen, run.state);
     }
-    /// Runs to the end of the program. \param steps between two rows
+    /// Runs to the end of the program. \param steps time steps between two rows of the history
     void go(std::int64_t steps, int threads = 1) {
         run.begin();
         record();

@@ -1,4 +1,4 @@
-// A small specimen with everything a step needs, to be led by a test through `advance` and `measure`.
+// A small specimen with everything that a time step needs; tests call `advance` and `measure` on it.
 #pragma once
 
 #include <algorithm>
@@ -95,7 +95,7 @@ struct SmallRun {
     StepParameters parameters;
     State state;
 
-    /// Free of supports, undamped, at `fraction` of the stable step.
+    /// Without supports and damping, at `fraction` of the stable time step.
     SmallRun(Specimen s, const ContactLaw& law, PlaneCondition plane = PlaneCondition::strain, double fraction = 0.5,
              const Rock& rock = augig_granite().rock)
         : specimen(std::move(s)),
@@ -104,7 +104,7 @@ struct SmallRun {
           parameters{law, 0, 0} {
         set_boundary(boundary, fraction);
     }
-    /// Other supports, and the state at rest.
+    /// Sets other supports, and the state at rest.
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
         const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
@@ -112,7 +112,7 @@ struct SmallRun {
         parameters.time_step = fraction * step.time_step;
         state = make_state(assemblage, boundary, specimen);
     }
-    /// Velocities as a function of the reference position.
+    /// Sets velocities as a function of the reference position.
     template <class Field>
     void set_velocity(Field&& field) {
         for (std::size_t i = 0; i < state.velocity.size(); ++i) {

@@ -38,7 +38,7 @@ Specimen crossed_blocks(int nx, int ny, double width, double height, const std::
 enum class Blocks { of_one_grain, of_grains };
 Specimen jointed_rectangle(int nx, int ny, double width, double height, double angle, Blocks blocks);
 
-/// True of the points (x, y) of a region, m.
+/// Predicate of a region: true for its points (x, y), m.
 using Region = std::function<bool(double, double)>;
 /// Makes pre-existing cracks of the contacts whose ends lie in a region.
 void break_contacts(Specimen& specimen, const Region& region);

@@ -13,7 +13,7 @@
 namespace graincrack::test {
 namespace {
 
-/// Errors below are round-off: they differ from build to build and are not told apart.
+/// Errors below this are round-off, which differs between builds; the table does not print them.
 constexpr double round_off = 1e-12;
 
 /// A line of the table.
@@ -102,7 +102,7 @@ void verify_between(const std::string& name, double measured, double low, double
     const std::string bound = open_below   ? fmt::format("<= {}", number(high))
                               : open_above ? fmt::format(">= {}", number(low))
                                            : fmt::format("{} to {}", number(low), number(high));
-    // The nearer to a bound the worse.
+    // The worst case is the one nearest to a bound.
     const double badness = open_below   ? 1 + (measured - high) / std::max({std::abs(high), std::abs(measured), DBL_MIN})
                            : open_above ? 1 + (low - measured) / std::max({std::abs(low), std::abs(measured), DBL_MIN})
                                         : std::abs(2 * measured - low - high) / (high - low);

@@ -1,4 +1,4 @@
-// Cases with known answers: what was measured beside what is right. A test compares as usual and prints a row.
+// Cases with known answers: measured beside expected values. A test compares as usual and prints a row.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace graincrack::test {
 /// \param name "section: case (unit)"; sections: law, elements, dynamics, specimens, calibration
 /// \param tolerance relative to the scale
 /// \param source where the expected value comes from
-/// \param scale the size against which an error counts; 0: that of the expected value. Where 0 is expected the row shows the
+/// \param scale the magnitude to which an error is relative; 0: the expected value. Where 0 is expected, the row shows the
 ///        measured value over the scale.
 void verify(const std::string& name, double measured, double expected, double tolerance, const std::string& source,
             double scale = 0, const char* file = __builtin_FILE(), int line = __builtin_LINE());

@@ -1,4 +1,4 @@
-// The Brazilian disc before it breaks, its contacts stiff: the stress of a disc under two point loads.
+// The elastic Brazilian disc, with stiff contacts: its stress is that of a disc under two point loads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using test::verify;
 constexpr double diameter = 0.08;
 constexpr double radius = diameter / 2;
 
-/// A disc compressed to about 1 MPa and held until it rests; its law, with stiff contacts.
+/// A disc with stiff contacts, compressed to about 1 MPa and held until it is at rest.
 SmallRun compressed_disc() {
     mesher::SpecimenRequest request;
     request.shape = {mesher::ShapeKind::disc, diameter, diameter};
@@ -102,7 +102,7 @@ TEST(ElasticDisc, StressOfTwoPointLoads) {
     EXPECT_EQ(run.failed_points(), 0U);
     const double force = -0.5 * (at_rest.force_top - at_rest.force_bottom);
     EXPECT_GT(force, 0.5e6 * diameter);
-    test::expect_close(at_rest.force_top, -at_rest.force_bottom, 2e-3, force);  // 1e-3 measured; 2 % is asked of runs
+    test::expect_close(at_rest.force_top, -at_rest.force_bottom, 2e-3, force);  // 1e-3 measured; runs must stay below 2 %
     EXPECT_LT(at_rest.unbalanced_ratio, 1e-4);
     const PointLoads loads{force};
     test::expect_close(loads.normal_stresses({})[0], 2 * force / (pi * diameter), 1e-12, force / diameter);
@@ -111,7 +111,7 @@ TEST(ElasticDisc, StressOfTwoPointLoads) {
     const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
     const Means centre = means(run, frame, loads, [](const Vector2& p) { return length(p) < radius / 6; });
     EXPECT_GT(centre.elements, 20);
-    // Means over the middle, told for the centre itself by the ratio of the formula's.
+    // Means over the central region, converted to the centre by the ratio of the formula's values.
     const std::array<double, 2> exact = loads.normal_stresses({});
     verify("specimens: elastic disc, centre, sigma_x (MPa)", centre.measured[0] * exact[0] / centre.expected[0] * 1e-6,
            exact[0] * 1e-6, 0.03, "2P/(pi D t)");

@@ -1,5 +1,5 @@
-// Fracture energy as a specimen shows it: a straight interface pulled apart, and the double cantilever, whose crack runs when
-// the energy that bending releases is Gf.
+// Fracture energy of specimens: a straight interface in tension, and the double cantilever, whose crack propagates when the
+// energy release rate of bending is Gf.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,10 +24,10 @@ ContactLaw law_of(LawVariant variant, FractureEnergyChoice::Kind energy, double 
                             Coupling::full);
 }
 
-// --- a straight interface pulled apart by bonded platens -----------------------------------------------------------------------
+// --- a straight interface pulled apart by bonded platens -------------------------------------------------------------------
 
-// External work − what is stored, moves, or was absorbed by damping = Gf A, whether it tears stably (mixed: the blocks are
-// stiffer than the softening) or snaps (mode I).
+// External work − stored energy − kinetic energy − energy absorbed by damping = Gf A, both where separation is stable (mixed-mode
+// energy: the blocks are stiffer than the softening branch) and where it is unstable (mode-I energy).
 TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
     for (const LawVariant variant : {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent}) {
         for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
@@ -47,7 +47,7 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
             run.steps(2000, pull);
             pull.velocity_begin = pull.velocity_end;
             double largest = 0;
-            // until the caps have gone twice as far as the interface and the blocks can stretch
+            // until each platen has moved as far as the interface opens and the blocks elongate together
             const double far = law.dut + 0.01 * law.tc / 25.8e9;
             while (run.state.loading.platen_displacement[top_platen] < far) {
                 run.steps(200, pull);
@@ -60,7 +60,7 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
             verify("specimens: straight interface, work less elastic, kinetic and damping, " + name + " (J/m2)",
                    (e.external - e.strain - e.kinetic - e.damping - e.platen - e.contact) / area, law.gf, 0.01, "Gf");
             verify_between("specimens: straight interface, strength over tc", largest / area / law.tc, 0.98, 1.02,
-                           "tc; what rings at this rate is 1 %");
+                           "tc; oscillations at this rate are 1 %");
             for (std::size_t point = 0; point < run.state.failed.size(); ++point) {
                 EXPECT_TRUE(run.state.points[point].separated);
             }
@@ -70,15 +70,15 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
 
 // --- double cantilever ---------------------------------------------------------------------------------------------------
 
-constexpr double h = 0.01;          // of an arm
-constexpr int cells = 8;            // of four triangles over it
+constexpr double h = 0.01;          // height of an arm, m
+constexpr int cells = 8;            // of four triangles, over the height of an arm
 constexpr double cell = h / cells;  // m
-constexpr double width = 2 * cell;  // of what is pressed
+constexpr double width = 2 * cell;  // of the loaded part of a face
 constexpr double small = 1e-3 * cell;
 
 /// Two arms of solid grain on an interface that is cut open from the left end to `cut` (m from it). Pressure acts on the arms'
 /// inner faces at the end and, where `couple` is not 0, against that on their outer faces `couple` farther in: a pure moment on
-/// all that lies beyond.
+/// the rest of the arms.
 struct Cantilever {
     SmallRun run;
     test::LinearPressure pressure;
@@ -117,8 +117,8 @@ struct Cantilever {
     /// Length of the interface that has failed and not separated, m.
     [[nodiscard]] double zone() const { return 0.5 * cell * static_cast<double>(run.failed_points() - separated()); }
 
-    /// Pressure at which the first point separates: growing to 0.85 of `expected` in a third of the `duration`, and then, more
-    /// slowly than the arms swing, towards it.
+    /// Pressure at which the first point separates. It grows to 0.85 of `expected` in a third of the `duration`, and then more
+    /// slowly than the arms oscillate.
     double pressure_at_first_separation(double expected, double duration) {
         constexpr int batch = 50;
         while (separated() == 0 && pressure.present() < 1.3 * expected) {
@@ -127,7 +127,7 @@ struct Cantilever {
         }
         return pressure.present();
     }
-    /// How many points separate within `duration` under a pressure that stays.
+    /// Number of points that separate within `duration` under constant pressure.
     std::size_t separated_under(double constant, double duration) {
         const std::size_t before = separated();
         pressure.set(constant);
@@ -142,7 +142,8 @@ ContactLaw mixed_law(double tensile_strength) {
 /// Mc = t √(Gf E h³/12), 968 N: the moment at which J = M²/(E I) of both arms is Gf.
 double critical_moment(const ContactLaw& law) { return std::sqrt(law.gf * 25.8e9 * h * h * h / 12); }
 
-// J at the notch is the area under the traction there: Gf when its point separates, whatever the length of the zone.
+// The J integral is the area under the traction at the notch: Gf when the point at the notch separates, for any length of the
+// zone.
 TEST(Fracture, DoubleCantileverUnderEndMoments) {
     const double couple = h;
     double longest = 0;
@@ -158,11 +159,11 @@ TEST(Fracture, DoubleCantileverUnderEndMoments) {
         EXPECT_GT(dcb.zone(), 3 * cell);  // resolved
         EXPECT_TRUE(longest == 0 || dcb.zone() < 0.7 * longest);
         longest = std::max(longest, dcb.zone());
-        EXPECT_GT(dcb.separated_under(1.1 * pressure, 5e-4), 5U);  // it really runs
+        EXPECT_GT(dcb.separated_under(1.1 * pressure, 5e-4), 5U);  // the crack propagates
     }
 }
 
-// P (a + 0.64 h) = Mc, the root of the arms turning: 11,200 N at a = 80 mm, as long as the zone is short.
+// P (a + 0.64 h) = Mc, since the root of the arms rotates: 11,200 N at a = 80 mm, for a short zone.
 TEST(Fracture, DoubleCantileverUnderForces) {
     const double a = 0.08;
     const ContactLaw law = mixed_law(40e6);
@@ -173,7 +174,7 @@ TEST(Fracture, DoubleCantileverUnderForces) {
            dcb.pressure_at_first_separation(expected / width, 6e-3) * width, expected, 0.1, "Mc/(a + 0.64 h)");
     verify_between("specimens: double cantilever, zone under forces over h", dcb.zone() / h, cell / h, 0.5,
                    "short, and resolved");
-    EXPECT_GT(dcb.separated_under(1.1 * expected / width, 2e-3), 5U);  // it really runs
+    EXPECT_GT(dcb.separated_under(1.1 * expected / width, 2e-3), 5U);  // the crack propagates
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A plane of weakness in a thousand grains at the automatic rate.
+// A plane of weakness in 1,024 grains, with the automatic loading rate.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ void expect_jaeger(double angle, double pressure) {
     const std::string name = fmt::format("1,024 grains, {} deg, {} MPa", angle, pressure);
     EXPECT_EQ(outcome.header.stop_reason, "strain cap");
     test::verify("specimens: strength of a joint, " + name + " (MPa)", outcome.header.peak_axial_stress / test::MPa,
-                 joint.strength() / test::MPa, 0.02, "Jaeger; the issue asks for 2 %");
+                 joint.strength() / test::MPa, 0.02, "Jaeger, to 2 %");
 }
 
 TEST(JointInGrains, At50DegreesUnder5MPa) { expect_jaeger(50, 5); }

@@ -1,4 +1,5 @@
-// Whole tests of small specimens, slow enough: forces of the platens agree, nothing moves, half the rate gives the same strength.
+// Complete tests of small specimens at quasi-static rates: the platen forces agree, kinetic energy is small, half the rate gives
+// the same strength.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,10 +43,10 @@ Outcome run(TestKind test, LawVariant law, double rate) {
     request.plane = test == TestKind::brazilian ? PlaneCondition::stress : PlaneCondition::strain;
     request.contact = test::augig_contact(request.plane, FractureEnergyChoice::Kind::mode_i);
     request.law = law;
-    // The brittle cracks of `scaled` leave waves that the combined form takes longer to damp: K/U up to 1.8e-3 in the disc, at 8
+    // Brittle cracks of `scaled` emit waves that combined damping takes longer to absorb: K/U up to 1.8e-3 in the disc, at 8
     // mm/s and at 2 mm/s alike.
     request.damping_form = law == LawVariant::scaled ? DampingForm::local : DampingForm::combined;
-    request.loading.max_strain = 0.01;  // confined, it still hardens there
+    request.loading.max_strain = 0.01;  // confined specimens still harden at this strain
     request.peak_drop = 0.1;
     request.frames = 0;
     const test::TemporaryFolder folder;
@@ -64,30 +65,30 @@ Outcome run(TestKind test, LawVariant law, double rate) {
     return outcome;
 }
 
-/// \param rate m/s of each platen; half of it is tried as well
+/// \param rate speed of each platen, m/s; the test is repeated at half of it
 void expect_quasi_static(TestKind test, LawVariant law, double rate) {
     const std::string name = std::string(name_of(test)) + ", " + std::string(name_of(law));
     double peak = 0;
     for (const double share : {1.0, 0.5}) {
         const Outcome o = run(test, law, share * rate);
         EXPECT_EQ(o.header.stop_reason, test == TestKind::triaxial ? "strain cap" : "peak drop");
-        EXPECT_GT(o.cracks, 5U);  // it broke
+        EXPECT_GT(o.cracks, 5U);  // the specimen failed
         EXPECT_GT(o.header.peak_axial_stress, 10 * MPa);
         verify("specimens: quasi-static, difference of the platen forces before the peak, " + name,
                o.header.platen_force_difference, 0, 0.02, "equilibrium", 1);
         verify("specimens: quasi-static, kinetic over strain energy before the peak, " + name, o.kinetic_over_strain, 0, 1e-3,
                "equilibrium", 1);
-        verify("specimens: ledger residual to the end, " + name, o.header.ledger_residual, 0, 5e-3,
+        verify("specimens: energy balance to the end, " + name, o.header.ledger_residual, 0, 5e-3,
                "each term by its own definition", 1);
         if (test == TestKind::triaxial) {
             verify("specimens: achieved confinement (MPa)", o.header.confinement_mean / MPa, confining_pressure / MPa, 0.01,
-                   "as asked for");
+                   "the requested pressure");
         }
         if (share == 1) {
             peak = o.header.peak_axial_stress;
         } else {
             verify("specimens: quasi-static, peak at a half of the rate, " + name + " (MPa)", o.header.peak_axial_stress / MPa,
-                   peak / MPa, 0.02, "that at the whole rate");
+                   peak / MPa, 0.02, "that at the full rate");
         }
     }
 }

@@ -1,6 +1,6 @@
-# moduli.tsv of assemblages whose grains have e (MPa) and nu: their measured E (MPa) and ν, and the grains' E and ν with which they
-# would have target_e and target_nu: by the compliance formula 1/E' = 1/E + Sv (3/(8 kt) + 1/(8 ks)), ν' = [ν/E − (Sv/8)(1/kt − 1/ks)] E'
-# in plane values, with Sv, the contact length per area, from the column predicted_…, and times what the assemblages measured over it.
+# moduli.tsv of assemblages whose grains have e (MPa) and nu: prints their measured E (MPa) and ν, and the E and ν of the grains for which
+# the assemblages would have target_e and target_nu: by the compliance formula 1/E' = 1/E + Sv (3/(8 kt) + 1/(8 ks)), ν' = [ν/E − (Sv/8)(1/kt − 1/ks)] E'
+# in plane values, with Sv, the contact length per area, from the column predicted_…, times the ratio of measured to predicted values.
 # Set by -v: e, nu, k1, k2 (MPa√m), st (BTS, MPa), target_e, target_nu.
 BEGIN { FS = "\t" }
 FNR == 1 { head(); next }

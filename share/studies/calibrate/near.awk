@@ -1,6 +1,6 @@
-# Rows of levels for a fit: all, or (refit) those within a factor 2 of the level `near` if these are three levels at least. Each disc's
-# strengths are divided by what the disc itself differs from the mean of all discs by, since all were tested at the same levels. (The
-# interval of a fit to these is narrower by the freedom of as many means as there are discs.)
+# Rows of levels for a fit: all, or (refit) those within a factor 2 of the level `near` if these are at least three levels. All discs were
+# tested at the same levels; the strengths of each disc are divided by the ratio of its mean to the mean of all discs. (The fit does not
+# count these means as fitted, so that its interval is slightly too narrow.)
 BEGIN { FS = "\t" }
 FNR == 1 { head(); print; next }
 {

@@ -1,6 +1,5 @@
 # properties.tsv of the confirmation, predicted.tsv and toughness.tsv of further tests, moduli.tsv of the confirmation, to a row a property:
-# what was fitted, what is predicted, and whether it is within its bound. Set by -v: name, lever, cohesion, ucs, b, toughness, of the
-# laboratory.
+# whether it was fitted or predicted, and whether it is within its bound. Set by -v: cohesion, ucs, b, toughness, of the laboratory.
 BEGIN {
     FS = "\t"
     print "property\tfrom\tlaboratory\tours\thalf_interval_percent\toff\tbound\tverdict"

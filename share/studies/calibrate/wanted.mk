@@ -1,4 +1,4 @@
-# Some runs and a table of them, for the driver: WANTED, entries TEST:TOKENS; SIZE, if not the usual one; SEEDS; COMMAND, of the
+# Runs and a table of them, for the driver. Variables: WANTED, entries TEST:TOKENS; SIZE, unless the usual one; SEEDS; COMMAND of the
 # postprocessor; TABLE, the file.
 SIZE ?=
 include ../common.mk
@@ -6,6 +6,6 @@ runs := $(foreach w,$(WANTED),$(foreach s,$(SEEDS),$(call run,$(firstword $(subs
 all: $(TABLE)
 $(TABLE): $(runs) FORCE
 	$(call table,$(call of_runs,$(COMMAND)))
-# Prints the specimen of the first run, made if need be.
+# Prints the specimen of the first run, which is made if it does not exist.
 specimen: $(SPECIMENS)/$(word 2,$(call words_of,$(firstword $(runs)))).h5
 	@echo $<

@@ -1,5 +1,5 @@
-# strength.tsv to a Markdown table: a test and seed a row, what each variant moves the peak by, and how good the runs were.
-# Set by -v: tests, seeds, variants (the first is the one that the others are held against; "slow" is held the other way round).
+# strength.tsv to a Markdown table: for each test and seed the change of the peak by each variant, and the quality checks of the runs.
+# Set by -v: tests, seeds, variants (the first is the one with which the others are compared).
 BEGIN { FS = "\t" }
 FNR == 1 { head(); next }
 {
@@ -7,7 +7,7 @@ FNR == 1 { head(); next }
     name = test "-" seed_of(value("file")) "-" variant(value("file"))
     peak[name] = value("peak_compressive_stress_MPa") value("tensile_strength_MPa")
     carried[test] = max(carried[test], value("damping_load"))
-    ledger[test] = max(ledger[test], value("ledger_residual"))
+    balance_error[test] = max(balance_error[test], value("ledger_residual"))
     if (name !~ /-slow$/) forces[test] = max(forces[test], value("platen_force_difference"))
     achieved = value("achieved_confining_pressure_MPa")
     if (achieved != "") pressure[test] = max(pressure[test], abs(achieved / value("confining_pressure_MPa") - 1))
@@ -52,7 +52,7 @@ END {
     print "|---|---|---|---|---|---|"
     for (t = 1; t <= n_tests; ++t) {
         test = test_names[t]
-        printf "| %s | %s | %.1e | %.2f %% | %.2f %% | %s |\n", test, kind[test], ledger[test], 100 * forces[test], 100 * carried[test],
+        printf "| %s | %s | %.1e | %.2f %% | %.2f %% | %s |\n", test, kind[test], balance_error[test], 100 * forces[test], 100 * carried[test],
             (test in pressure) ? sprintf("%.2f %%", 100 * pressure[test]) : "-"
     }
 }

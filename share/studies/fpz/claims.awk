@@ -11,7 +11,7 @@ END {
         x = ours[key] * f[5]
         off = x - f[6]
         if (off < 0) off = -off
-        # 1e-3 of the digit: a 5 behind it may be rounded either way.
+        # A tolerance of 1e-3 of the last digit: a following 5 may be rounded up or down.
         claim(f[1], f[6] unit(f[7]), sprintf("%.5g", x) unit(f[7]), sprintf("%+.2f %%", 100 * (x / f[6] - 1)),
             off <= f[8] * 1.001 || (f[1] ~ /at least/ && x > f[6]) ? "holds" : "differs", f[9])
     }

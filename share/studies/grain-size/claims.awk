@@ -11,16 +11,16 @@ file == 1 {
     key = value("series") " " value("test")
     add(key, value("strength_MPa"))
     add("half " key, value("low_MPa") == "" ? 0 : (value("high_MPa") - value("low_MPa")) / 2)
-    capped[key] += value("without_peak")
+    n_without_peak[key] += value("without_peak")
 }
 END {
     flat("uniaxial", "UCS")
     flat("triaxial8", "σ1 at 8 MPa")
     tensile = "a brazilian"
     claim("Fig 10: σt rises with grain size", "rises", of(tensile), "", low[tensile] == "" ? "open" : low[tensile] > 0 ? "holds" : high[tensile] < 0 ? "differs" : "open", "no exponent above the scatter")
-    claim("Fig 10: exponent of σt", "0.39", of(tensile), sprintf("%+.2f", exponent[tensile] - 0.39), inside(tensile, 0.39), "theory with a fixed Gf expects 0 where the contact zone is much longer than a grain, 0.5 where it is much shorter; what decides σt of this law is the shear strength of open contacts (share/doc/readings.md), a stress that brings no length" zone[tensile])
+    claim("Fig 10: exponent of σt", "0.39", of(tensile), sprintf("%+.2f", exponent[tensile] - 0.39), inside(tensile, 0.39), "theory with a fixed Gf expects 0 where the contact zone is much longer than a grain, 0.5 where it is much shorter; σt of this law is determined by the shear strength of open contacts (share/doc/readings.md), a stress without a length scale" zone[tensile])
     claim("Eq 44: exponent of σt, theory", "0.5", of(tensile), sprintf("%+.2f", exponent[tensile] - 0.5), inside(tensile, 0.5), "as above: tc √dp holds for a sharp crack between grains that break at once")
-    claim("Eq 40: with tc = 2 K_IC/√(π dp) at each size, σt does not depend on it", "exponent 0", of("b brazilian"), "", inside("b brazilian", 0), "tc does not decide σt alone")
+    claim("Eq 40: with tc = 2 K_IC/√(π dp) at each size, σt does not depend on it", "exponent 0", of("b brazilian"), "", inside("b brazilian", 0), "σt does not depend on tc alone")
     n = split(energies, energy, " ")
     for (i = 1; i <= n; ++i) {
         key = "c" energy[i] " brazilian"
@@ -41,5 +41,5 @@ function flat(test, symbol,    key, i, least, most, spread, noise) {
     spread = most / least - 1
     noise = sqrt(noise_least ^ 2 + noise_most ^ 2) / least
     claim("Fig 10: " symbol " does not depend on grain size", "nearly equal: < 10 %", sprintf("%.1f %% between sizes, exponent %s", 100 * spread, of(key)), sprintf("%+.1f %%", 100 * spread),
-        spread < 0.1 ? "holds" : spread - noise < 0.1 ? "open" : "differs", (capped[key] ? "runs without a peak: " capped[key] "; " : "") "the means of the extreme sizes differ by more than 10 %")
+        spread < 0.1 ? "holds" : spread - noise < 0.1 ? "open" : "differs", (n_without_peak[key] ? "runs without a peak: " n_without_peak[key] "; " : "") "the means of the extreme sizes differ by more than 10 %")
 }

@@ -1,5 +1,5 @@
-# Rows of `strength` to how good the runs were, a row a test and pressure: the largest part of the load that damping carried, the largest
-# error of the energy balance and difference of the platen forces; and which runs had more than 2 % of the load carried by damping.
+# Rows of `strength` to the quality checks of the runs, one row for each test and pressure: the largest part of the load that damping
+# carried, the largest error of the energy balance and difference of the platen forces, and the runs in which damping carried more than 2 %.
 BEGIN { FS = "\t" }
 FNR == 1 { head(); next }
 {

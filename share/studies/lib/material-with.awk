@@ -1,4 +1,4 @@
-# A material file with other values; comments of the lines that change tell what stood there.
+# A material file with other values. Comments on the changed lines have the former value.
 # Set by -v: set, as in "rock.young_modulus=26.9 GPa;contact.cohesion=70 MPa"; name, of the new material.
 BEGIN {
     n = split(set, pairs, ";")
@@ -33,7 +33,7 @@ function line(full, comment) {
     printf "%-39s # %s\n", key " = " text, comment
     done[full] = 1
 }
-# What the section just ended did not have.
+# Adds the keys that the section just ended does not have.
 function finish(    i, n, names) {
     n = split(keys[section], names, " ")
     for (i = 1; i <= n; ++i) if (!((section "." names[i]) in done)) line(section "." names[i], "added")

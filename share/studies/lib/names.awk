@@ -1,4 +1,4 @@
-# What the name of a run tells, and the columns of tables.
+# Settings from the name of a run, and the columns of tables.
 # In a rule: `head()` on the first line of a file; then value("peak_kind") is the entry of this line.
 function head(    i) {
     delete column
@@ -21,14 +21,14 @@ function size_of(file) {
     match(file, /[ge][0-9.]+$/)
     return substr(file, RSTART)
 }
-# The number behind a token, as 18 of tc18; "" if there is none.
+# The number of a token, as 18 of tc18; "" if there is none.
 function token(file, name,    n, parts, i) {
     n = split(stem(file), parts, "_")
     for (i = 3; i <= n; ++i) if (index(parts[i], name) == 1 && substr(parts[i], length(name) + 1) ~ /^[0-9.]/) return substr(parts[i], length(name) + 1)
     return ""
 }
-# Has the name this very token?
+# Whether the name has exactly this token.
 function has_token(file, name) { return index("_" stem(file) "_", "_" name "_") > 0 }
-# The first token behind test and specimen.
+# The first token after test and specimen.
 function variant(file,    parts) { split(stem(file), parts, "_"); return parts[3] }
 function confinement(file) { file = test_of(file); return sub(/^triaxial/, "", file) ? file + 0 : 0 }

@@ -1,5 +1,5 @@
-# A Markdown page on stdout from its parts, in the order of the arguments: texts (.md) as they are, tables (.tsv) as Markdown
-# tables under their names, pictures by links. Numbers are cut to four digits, units stand in the headers.
+# A Markdown page on stdout from its components, in the order of the arguments: texts (.md) as they are, tables (.tsv) as Markdown
+# tables under their names, pictures by links. Numbers are rounded to four digits; units are in the headers.
 BEGIN {
     FS = "\t"
     for (i = 1; i < ARGC; ++i) {

@@ -1,4 +1,4 @@
-# The head of a calibration's report, as a section of the page: what came out, or why it stopped. Set by -v: report, its address.
+# The first part of a calibration's report, as a section of the page: its result, or why it stopped. Set by -v: report, its address.
 /^## / { exit }
 NR == 1 { sub(/^# /, "## ") }
 { print }

@@ -1,4 +1,4 @@
-# The page of `paper`, from what the studies left.
+# The page of `paper`, from the results of the studies.
 runs =
 include ../common.mk
 calibration := $(OUT)/calibrate/$(basename $(notdir $(MATERIAL_FILE)))

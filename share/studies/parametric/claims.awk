@@ -3,7 +3,7 @@ BEGIN { FS = "\t"; claims_head() }
 FNR == 1 { head(); ++file; next }
 file == 1 {
     runs[value("test") " " value("series")] += value("runs")
-    capped[value("test") " " value("series")] += value("without_peak")
+    n_without_peak[value("test") " " value("series")] += value("without_peak")
     next
 }
 file == 2 {
@@ -26,7 +26,7 @@ END {
     uniaxial = "uniaxial tc_over_BTS"
     claim("Fig 4a: σt is proportional to tc", "a line through 0", sprintf("σt = %.2f %s + %.3f tc", intercept[tensile], range(intercept_low[tensile], intercept_high[tensile]), slope[tensile] / bts),
         sprintf("%.0f %% of BTS at tc = 0", 100 * intercept[tensile] / bts), through_zero(tensile),
-        "the intercept's interval leaves 0 out: below its shear strength a contact that opens also slides, and fracture energy, which does not follow tc, decides with it")
+        "the interval of the intercept excludes 0: contacts that open also slide, and σt depends on their shear strength and fracture energy, which do not follow tc")
     claim("Fig 4a: σt against tc is a straight line", "linear", "lack of fit p = " (fit_p[tensile] == "" ? "-" : sprintf("%.2g", fit_p[tensile])), "",
         fit_p[tensile] == "" ? "open" : fit_p[tensile] > 0.05 ? "holds" : "differs", fit_p[tensile] == "" ? "needs three levels and two seeds" : "curved: see levels")
     at = (bts - intercept[tensile]) / slope[tensile] * bts
@@ -34,14 +34,14 @@ END {
         sprintf("d ln σt/d ln tc = %.2f %s at the mean: where it is below 0.5, tc cannot be found from σt", elasticity[tensile], range(elasticity_low[tensile], elasticity_high[tensile])))
     for (s in seeds) if (("brazilian", "tc_over_BTS", s, sprintf("%.4g", tc / bts)) in strength) add("at tc", strength["brazilian", "tc_over_BTS", s, sprintf("%.4g", tc / bts)])
     if (count("at tc")) claim("§4.1: σt at the calibrated tc, cc = UCS, φc = φ", "8.73 MPa", with_interval(mean("at tc"), half_interval("at tc"), "%.2f") sprintf(" MPa at tc = %.4g MPa", tc),
-        percent(mean("at tc"), 8.73), judge(mean("at tc"), half_interval("at tc"), 8.73, 0.05), "the reading of the law decides it: the shear strength while open, and Gf (share/doc/readings.md)")
+        percent(mean("at tc"), 8.73), judge(mean("at tc"), half_interval("at tc"), 8.73, 0.05), "the variant of the law determines it: the shear strength of open contacts, and Gf (share/doc/readings.md)")
     claim("Fig 4a: UCS against tc is not linear", "non-linear", "lack of fit p = " (fit_p[uniaxial] == "" ? "-" : sprintf("%.2g", fit_p[uniaxial])) sprintf(", d ln UCS/d ln tc = %.2f %s", elasticity[uniaxial], range(elasticity_low[uniaxial], elasticity_high[uniaxial])) without_peak(uniaxial), "",
         fit_p[uniaxial] == "" ? "open" : fit_p[uniaxial] <= 0.05 ? "holds" : "differs", "no curvature above the scatter")
     rises("UCS rises with cc", "Fig 4b", "uniaxial cc_over_UCS")
     rises("UCS rises with φc", "Fig 4c", "uniaxial phic_over_phi")
     flat("Fig 4c: UCS does not change with φc below 0.75 φ", "uniaxial", "phic_over_phi", 0, 0.7501, 0.05, "it still moves there")
-    flat("Fig 4b: σt is independent of cc", "brazilian", "cc_over_UCS", 0, 9, 0.05, "cc enters where contacts slide: near the platens, and where the crack zigzags")
-    flat("Fig 4c: σt is independent of φc", "brazilian", "phic_over_phi", 0, 9, 0.05, "broken contacts rub: near the platens, and where the crack zigzags")
+    flat("Fig 4b: σt is independent of cc", "brazilian", "cc_over_UCS", 0, 9, 0.05, "cc matters where contacts slide: near the platens, and where the crack is oblique to the load")
+    flat("Fig 4c: σt is independent of φc", "brazilian", "phic_over_phi", 0, 9, 0.05, "failed contacts have friction: near the platens, and where the crack is oblique to the load")
 }
 function note_level(series, level) { if (!((series, level) in has_level)) { has_level[series, level] = 1; levels[series, ++n_levels[series]] = level } }
 function range(low, high) { return low == "" ? "" : sprintf("(%.2f to %.2f)", low, high) }
@@ -55,7 +55,7 @@ function rises(what, source, key) {
     claim(source ": " what, "rises", sprintf("d ln/d ln = %.2f %s", elasticity[key], range(elasticity_low[key], elasticity_high[key])) without_peak(key), "",
         slope_low[key] == "" ? "open" : slope_low[key] > 0 ? "holds" : slope_high[key] < 0 ? "differs" : "open", "no slope above the scatter")
 }
-function without_peak(key) { return capped[key] ? sprintf("; %d of %d runs end at the strain cap, without a peak", capped[key], runs[key]) : "" }
+function without_peak(key) { return n_without_peak[key] ? sprintf("; %d of %d runs end at the strain limit, without a peak", n_without_peak[key], runs[key]) : "" }
 # Changes of the mean over the levels of a series between two bounds, on the same specimens: ratios to the level 1 (or the
 # highest) of the same seed, whose mean must stay within the tolerance at every level.
 function flat(what, test, series, low, high, tolerance, explanation,    i, s, l, base, worst, half, m, h, verdict, key, at_level) {
@@ -79,7 +79,7 @@ function flat(what, test, series, low, high, tolerance, explanation,    i, s, l,
     }
     if (verdict == "") return
     claim(what, "equal", "at most " with_interval(100 * worst, half == "" ? "" : 100 * half, "%.1f") " %", sprintf("%+.1f %%", 100 * worst), verdict,
-        verdict == "open" ? "the interval is too wide to tell: more seeds would" : explanation)
+        verdict == "open" ? "the interval is too wide for a verdict: more seeds are needed" : explanation)
 }
 # Level 1 is the base where it is in the range, else the highest.
 function nearer(a, b, high) { return high >= 1 ? abs(a - 1) < abs(b - 1) : a > b }

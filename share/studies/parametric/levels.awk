@@ -1,4 +1,4 @@
-# series.tsv to means over seeds, a row a test, series and level.
+# series.tsv to means over seeds, one row for each test, series and level.
 BEGIN { FS = "\t"; print "test\tseries\tlevel\truns\tstrength_MPa\tdeviation_MPa\tlow_MPa\thigh_MPa\tnormalised\twithout_peak" }
 FNR == 1 { head(); next }
 {
@@ -9,7 +9,7 @@ FNR == 1 { head(); next }
     }
     add(key, value("strength_MPa"))
     over[key] = value("strength_MPa") / value("normalised")
-    if (value("peak_kind") != "drop") ++capped[key]
+    if (value("peak_kind") != "drop") ++n_without_peak[key]
 }
 END {
     for (i = 1; i <= n; ++i) {
@@ -17,7 +17,7 @@ END {
         m = mean(key)
         h = half_interval(key)
         printf "%s\t%d\t%.5g\t%s\t%s\t%s\t%.4g\t%d\n", key, count(key), m, number(deviation(key)), h == "" ? "" : number(m - h),
-            h == "" ? "" : number(m + h), m / over[key], capped[key]
+            h == "" ? "" : number(m + h), m / over[key], n_without_peak[key]
     }
 }
 function number(x) { return x == "" ? "" : sprintf("%.5g", x) }

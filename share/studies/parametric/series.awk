@@ -1,4 +1,4 @@
-# strength.tsv to a row for each run and series that it belongs to: series, level (in the series' own measure), seed, test, strength.
+# strength.tsv to one row for each run and each series to which it belongs: series, level (in the unit of the series), seed, test, strength.
 # Set by -v: ucs, phi, bts, tc.
 BEGIN { FS = "\t"; print "series\tlevel\tseed\ttest\tstrength_MPa\tnormalised\tpeak_kind\ttensile_cracks\tshear_cracks\tfile" }
 FNR == 1 { head(); next }

@@ -1,5 +1,5 @@
-# strength.tsv, levels.tsv and the crack summaries to a Markdown table: a reading a row, means over seeds and their range.
-# Set by -v: readings, levels (MPa).
+# strength.tsv, levels.tsv and the crack summaries to a Markdown table: a row for each variant, means over seeds and their range.
+# Set by -v: variants, levels (MPa).
 BEGIN { FS = "\t" }
 FNR == 1 { head(); next }
 has("share_with_more_sliding") {
@@ -14,19 +14,19 @@ has("share_with_more_sliding") {
     run = variant(value("file"))
     test = test_of(value("file"))
     add(test, run, value("peak_compressive_stress_MPa") value("tensile_strength_MPa"))
-    ledger[test, run] = ledger[test, run] + 0 > value("ledger_residual") ? ledger[test, run] : value("ledger_residual")
+    balance_error[test, run] = balance_error[test, run] + 0 > value("ledger_residual") ? balance_error[test, run] : value("ledger_residual")
 }
 END {
-    n_readings = split(readings, reading_of, " ")
+    n_variants = split(variants, name_of, " ")
     n_levels = split(levels, level_of, " ")
-    print "| reading | σt, MPa | UCS, MPa | σ1 at 8 MPa, MPa | tensile : shear at the UCS peak | tensile ones that opened more than they slid | largest ledger residual: disc, uniaxial, triaxial |"
+    print "| variant | σt, MPa | UCS, MPa | σ1 at 8 MPa, MPa | tensile : shear cracks at the UCS peak | tensile cracks with more opening than sliding | largest error of the energy balance: disc, uniaxial, triaxial |"
     print "|---|---|---|---|---|---|---|"
-    for (r = 1; r <= n_readings; ++r) {
-        reading = reading_of[r]
-        printf "| %s | %s | %s | %s | %s | %s | %s, %s, %s |\n", reading, range("brazilian", reading), range("uniaxial", reading),
-            range("triaxial8", reading), count[ "tensile", reading] ? sprintf("%.0f : %.0f", mean("tensile", reading), mean("shear", reading)) : "-",
-            count["sliding", reading] ? sprintf("%.0f %%", 100 * (1 - mean("sliding", reading))) : "-",
-            residual("brazilian", reading), residual("uniaxial", reading), residual("triaxial8", reading)
+    for (v = 1; v <= n_variants; ++v) {
+        name = name_of[v]
+        printf "| %s | %s | %s | %s | %s | %s | %s, %s, %s |\n", name, range("brazilian", name), range("uniaxial", name),
+            range("triaxial8", name), count["tensile", name] ? sprintf("%.0f : %.0f", mean("tensile", name), mean("shear", name)) : "-",
+            count["sliding", name] ? sprintf("%.0f %%", 100 * (1 - mean("sliding", name))) : "-",
+            largest_error("brazilian", name), largest_error("uniaxial", name), largest_error("triaxial8", name)
     }
     print ""
     line = "| σt, MPa, at tc = |"
@@ -34,12 +34,11 @@ END {
     for (l = 1; l <= n_levels; ++l) { line = line " " level_of[l] " MPa |"; rule = rule "---|" }
     print line " 24.15 MPa | d ln σt/d ln tc |"
     print rule "---|---|"
-    for (r = 1; r <= n_readings; ++r) {
-        reading = reading_of[r]
-        line = "| " reading " |"
+    for (v = 1; v <= n_variants; ++v) {
+        line = "| " name_of[v] " |"
         n = sx = sy = sxx = sxy = 0
         for (l = 1; l <= n_levels + 1; ++l) {
-            name = l <= n_levels ? reading "-at" level_of[l] : reading
+            name = l <= n_levels ? name_of[v] "-at" level_of[l] : name_of[v]
             level = l <= n_levels ? level_of[l] : 24.15
             line = line " " range("brazilian", name) " |"
             if (count["brazilian", name]) {
@@ -50,7 +49,7 @@ END {
         print line (n > 1 ? sprintf(" %.2f |", (n * sxy - sx * sy) / (n * sxx - sx * sx)) : " - |")
     }
 }
-function residual(test, reading) { return count[test, reading] ? sprintf("%.0e", ledger[test, reading]) : "-" }
+function largest_error(test, name) { return count[test, name] ? sprintf("%.0e", balance_error[test, name]) : "-" }
 function add(what, run, x) {
     ++count[what, run]
     sum[what, run] += x

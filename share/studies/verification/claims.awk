@@ -6,7 +6,7 @@ file == 1 {
     n_specimens[name] = value("specimens")
     laboratory[name] = value("laboratory"); published[name] = value("published"); ours[name] = value("ours")
     half[name] = value("low") == "" ? "" : (value("high") - value("low")) / 2
-    needed[name] = value("specimens_for_3_percent"); capped[name] = value("without_peak")
+    needed[name] = value("specimens_for_3_percent"); n_without_peak[name] = value("without_peak")
     next
 }
 file == 2 {
@@ -18,7 +18,7 @@ file == 2 {
 }
 file == 3 { if (value("tensile_share_within_30_deg") != "") add("excess", value("tensile_share_within_30_deg") - value("facet_share_within_30_deg")); next }
 value("test") == "triaxial" {
-    # A test whose stress falls for good at its first yield has no other: its strength is it.
+    # A test whose stress drops at first yield and does not recover has no separate first yield: it is the strength.
     yield = value("first_yield_MPa") == "" && value("peak_kind") == "drop" ? value("peak_compressive_stress_MPa") : value("first_yield_MPa")
     if (yield != "") add("yield " value("confining_pressure_MPa") + 0, yield)
 }
@@ -28,10 +28,10 @@ value("test") == "brazilian" {
     if (value("spanning_strength_MPa") != "") ++spanned
 }
 END {
-    property("young_modulus_GPa", "E", "GPa", 0.02, 0, "contacts take some 4 % of the stiffness where the grains have the rock's E: calibrate's first step makes up for it")
-    property("poisson_ratio", "ν", "", 0, 0.015, "contact compliance raises ν: calibrate's first step makes up for it")
-    property("tensile_strength_MPa", "σt", "MPa", 0.05, 0, "the shear strength of open contacts and Gf decide it, tc hardly (share/doc/readings.md)")
-    property("s1_at_0_MPa", "UCS", "MPa", 0.05, 0, "the law under compression decides it, the same in all readings (share/doc/readings.md); a lower cc meets the UCS")
+    property("young_modulus_GPa", "E", "GPa", 0.02, 0, "contacts reduce the stiffness by some 4 % where the grains have the rock's E; the first step of `calibrate` corrects this")
+    property("poisson_ratio", "ν", "", 0, 0.015, "contact compliance raises ν; the first step of `calibrate` corrects this")
+    property("tensile_strength_MPa", "σt", "MPa", 0.05, 0, "the shear strength of open contacts and Gf determine it, tc hardly does (share/doc/readings.md)")
+    property("s1_at_0_MPa", "UCS", "MPa", 0.05, 0, "the law under compression determines it, the same in all variants (share/doc/readings.md); a lower cc meets the UCS")
     for (i = 1; i <= n; ++i) if (p[i] > 0) property("s1_at_" p[i] "_MPa", "σ1 at " p[i] " MPa, against the laboratory's line", "MPa", 0.05, 0, end_of_test(i))
     property("slope_b", "slope b of the envelope", "", 0.08, 0, "from the strengths above")
     property("cohesion_MPa", "C", "MPa", 0.05, 0, "from the strengths above")
@@ -39,11 +39,11 @@ END {
     for (i = 1; i <= n; ++i)
         claim(p[i] == 0 ? "§6.1: tensile cracks dominate at the uniaxial peak" : "§6.1: shear cracks dominate at the peak at " p[i] " MPa", p[i] == 0 ? "tensile" : "shear",
             sprintf("tensile %.0f : shear %.0f", tensile[i], shear[i]), sprintf("tensile share %.2f", share[i]), dominance(i),
-            p[i] == 0 ? "the failed contacts that are under compression and slide are more than those that open, and these slide too (share/doc/readings.md)" : "tensile cracks dominate")
+            p[i] == 0 ? "more failed contacts slide under compression than open, and those that open slide too (share/doc/readings.md)" : "tensile cracks dominate")
     if (n > 1) {
         trend("§6.1: the share of shear cracks rises with σ3", "rises", 1 - share[1], 1 - share[n], share_half[1], share_half[n], "share of shear %.2f at %s MPa, %.2f at %s MPa")
         trend("§6.1: more micro-failures at the peak with σ3", "rises", all[1], all[n], all_half[1], all_half[n], "%.0f at %s MPa, %.0f at %s MPa")
-        trend("§5.2: more ductile with σ3: strain at the peak", "rises", strain[1], strain[n], strain_half[1], strain_half[n], "%.2f %% at %s MPa, %.2f %% at %s MPa" (without[n] ? sprintf(" (%d of %d end at the strain cap)", without[n], specimens[n]) : ""))
+        trend("§5.2: more ductile with σ3: strain at the peak", "rises", strain[1], strain[n], strain_half[1], strain_half[n], "%.2f %% at %s MPa, %.2f %% at %s MPa" (without[n] ? sprintf(" (%d of %d end at the strain limit)", without[n], specimens[n]) : ""))
     }
     if (count("excess")) {
         m = mean("excess")
@@ -51,22 +51,22 @@ END {
         claim("Figs 7a, 8: axial splitting: tensile cracks of the uniaxial peak within 30° of the load, above the facets' own share", "≥ 2 standard errors",
             error == "" ? sprintf("%+.2f", m) : sprintf("%+.2f, %.1f standard errors", m, error > 0 ? m / error : 99), "", error == "" ? "open" : m >= 2 * error ? "holds" : "differs", error == "" ? "one specimen has no standard error" : "no direction is preferred")
     }
-    if (count("radius")) claim("Fig 7b: the disc's first cracks are near its centre", "centre", with_interval(mean("radius"), half_interval("radius"), "%.2f") " R", "", judge_below(mean("radius"), half_interval("radius"), 0.5), "first tensile cracks lie off the centre: the stress along the loaded diameter is nearly even, and grains decide")
+    if (count("radius")) claim("Fig 7b: the disc's first cracks are near its centre", "centre", with_interval(mean("radius"), half_interval("radius"), "%.2f") " R", "", judge_below(mean("radius"), half_interval("radius"), 0.5), "first tensile cracks lie off the centre: the stress along the loaded diameter is nearly uniform, and single grains decide")
     claim("Fig 7b: the disc splits in half: one network of cracks spans 0.8 D", "splits", sprintf("%d of %d discs", spanned, discs), "", spanned >= 0.5 * discs ? "holds" : "differs", "networks end at contacts that have not failed when the test ends")
 }
 function property(name, symbol, unit, tolerance, absolute, explanation,    verdict, text) {
     if (!(name in ours) || laboratory[name] == "") return
     verdict = judge(ours[name], half[name], laboratory[name], absolute ? absolute / laboratory[name] : tolerance)
     text = laboratory[name] " " unit (published[name] == "" ? "" : " (its model " published[name] ")")
-    if (verdict == "open") explanation = "the interval is too wide to tell" (needed[name] == "" ? "" : sprintf("; ±3 %% takes some %d specimens, there are %d", needed[name], n_specimens[name]))
-    claim("Table 8: " symbol, text, with_interval(ours[name], half[name], "%.4g") " " unit (capped[name] > 0 && name ~ /^s1/ ? sprintf(" (%d of %d without a peak)", capped[name], n_specimens[name]) : ""), percent(ours[name], laboratory[name]), verdict, explanation)
+    if (verdict == "open") explanation = "the interval is too wide for a verdict" (needed[name] == "" ? "" : sprintf("; ±3 %% needs some %d specimens, there are %d", needed[name], n_specimens[name]))
+    claim("Table 8: " symbol, text, with_interval(ours[name], half[name], "%.4g") " " unit (n_without_peak[name] > 0 && name ~ /^s1/ ? sprintf(" (%d of %d without a peak)", n_without_peak[name], n_specimens[name]) : ""), percent(ours[name], laboratory[name]), verdict, explanation)
 }
 function end_of_test(i,    name, key) {
     name = "s1_at_" p[i] "_MPa"
     key = "yield " p[i] + 0
     if (count(key) && ours[name] < laboratory[name] && ours[name] < 1.1 * mean(key))
-        return sprintf("strength here is still that of first yield, %.0f MPa, with which %d of %d tests end: what bonds hold rises by %.1f MPa for each of σ3, and what friction carries passes it only at a higher pressure; a straight line from UCS to there lies above both", mean(key), specimens[i] - without[i], specimens[i], (mean(key) - ours["s1_at_0_MPa"]) / p[i])
-    return without[i] ? sprintf("%d of %d tests have no peak before the strain cap: the specimen yields and hardens by dilation against the membrane, and strength depends on where the test ends", without[i], specimens[i]) : "from cc and φc"
+        return sprintf("strength here is still that of first yield, %.0f MPa, at which %d of %d tests end: the strength of bonded contacts increases by %.1f MPa for each MPa of σ3, and friction exceeds it only at a higher pressure; a straight line from UCS to there lies above both", mean(key), specimens[i] - without[i], specimens[i], (mean(key) - ours["s1_at_0_MPa"]) / p[i])
+    return without[i] ? sprintf("%d of %d tests have no peak before the strain limit: the specimen yields and hardens by dilation against the membrane, and strength depends on where the test ends", without[i], specimens[i]) : "from cc and φc"
 }
 function dominance(i,    more) {
     if (share[i] == "") return "open"

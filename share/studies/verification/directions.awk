@@ -1,5 +1,5 @@
-# summary.tsv, rosette.tsv and cracks.tsv of each run to a row a run: what share of the length of the tensile cracks at the peak lies
-# within 30° of the load (y), and what share of the length of the specimen's own facets does.
+# summary.tsv, rosette.tsv and cracks.tsv of each run to one row for each run: the share of the length of the tensile cracks at the peak that
+# lies within 30° of the load (y), and the same share for all facets of the specimen.
 BEGIN { FS = "\t"; print "run\ttensile_length_m\ttensile_share_within_30_deg\tfacet_share_within_30_deg" }
 FNR == 1 {
     head()

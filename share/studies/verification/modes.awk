@@ -1,4 +1,4 @@
-# strength.tsv and moduli.tsv to a row a confining pressure: cracks at the peak by mode, and ductility.
+# strength.tsv and moduli.tsv to one row for each confining pressure: cracks at the peak by mode, and ductility.
 BEGIN { FS = "\t"; print "confining_pressure_MPa\tspecimens\twithout_peak\ttensile_cracks\tshear_cracks\ttensile_share\ttensile_share_half\tall_cracks\tall_cracks_half\tstrain_at_peak_percent\tstrain_at_peak_half\tpost_peak_slope_over_young_modulus" }
 FNR == 1 { head(); ++file; next }
 file == 1 && value("test") != "brazilian" {
@@ -13,13 +13,13 @@ file == 1 && value("test") != "brazilian" {
     add("shear " p, value("shear_cracks"))
     if (all > 0) add("share " p, value("tensile_cracks") / all)
     add("strain " p, 100 * value("strain_at_peak"))
-    if (value("peak_kind") != "drop") ++capped[p]
+    if (value("peak_kind") != "drop") ++n_without_peak[p]
 }
 file == 2 && value("post_peak_slope_over_young_modulus") != "" { add("brittleness " confinement(value("file")), value("post_peak_slope_over_young_modulus")) }
 END {
     for (i = 1; i <= n; ++i) {
         p = order[i]
-        printf "%s\t%d\t%d\t%.5g\t%.5g\t%s\t%s\t%.5g\t%s\t%.4g\t%s\t%s\n", p, count("all " p), capped[p] + 0, mean("tensile " p), mean("shear " p), of("share " p), half("share " p),
+        printf "%s\t%d\t%d\t%.5g\t%.5g\t%s\t%s\t%.5g\t%s\t%.4g\t%s\t%s\n", p, count("all " p), n_without_peak[p] + 0, mean("tensile " p), mean("shear " p), of("share " p), half("share " p),
             mean("all " p), half("all " p), mean("strain " p), half("strain " p), of("brittleness " p)
     }
 }

@@ -1,4 +1,4 @@
-# strength.tsv, moduli.tsv, envelope.tsv to a row a property: means over specimens beside the laboratory's (Table 8).
+# strength.tsv, moduli.tsv, envelope.tsv to one row for each property: means over specimens beside the laboratory's (Table 8).
 # Set by -v: young_modulus (MPa), poisson_ratio, tensile_strength, compressive_strength, cohesion (MPa), friction_angle (deg), of the
 # laboratory, empty if unknown; published, the paper's means in this order.
 BEGIN { FS = "\t"; split(published, theirs, " ") }
@@ -6,7 +6,7 @@ FNR == 1 { head(); ++file; next }
 file == 1 {
     name = value("test") == "brazilian" ? "tensile_strength_MPa" : "s1_at_" value("confining_pressure_MPa") + 0 "_MPa"
     add(name, value("tensile_strength_MPa") value("peak_compressive_stress_MPa"))
-    if (value("peak_kind") != "drop") ++capped[name]
+    if (value("peak_kind") != "drop") ++n_without_peak[name]
     next
 }
 file == 2 {
@@ -42,7 +42,7 @@ function of_sample(name, laboratory, published,    m, h, needed) {
     m = mean(name)
     h = half_interval(name)
     if (h != "") { needed = (1.96 * deviation(name) / (0.03 * m)) ^ 2; needed = needed > int(needed) ? int(needed) + 1 : needed; if (needed < 3) needed = 3 }
-    row(name, laboratory, published, m, h == "" ? "" : m - h, h == "" ? "" : m + h, deviation(name), count(name), capped[name] + 0, needed)
+    row(name, laboratory, published, m, h == "" ? "" : m - h, h == "" ? "" : m + h, deviation(name), count(name), n_without_peak[name] + 0, needed)
 }
 function of_fit(name, unit, laboratory, published) {
     row(name "_" unit, laboratory, published, fit[name "_" unit], fit[name "_low_" unit], fit[name "_high_" unit], fit["seed_" name "_deviation_" unit], fit["runs"], fit["capped_runs"], "")

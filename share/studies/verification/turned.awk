@@ -1,5 +1,5 @@
 # strength.tsv of discs loaded along four of their diameters to a row a disc: σt at each angle, and the standard deviation over the
-# angles; the last row has the means, and the standard deviation of the discs at one angle beside it, a mean over angles.
+# angles; the last row has the means, and the standard deviation over the discs at one angle, averaged over the angles.
 BEGIN { FS = "\t"; print "disc\tat_0_deg_MPa\tat_30_deg_MPa\tat_60_deg_MPa\tat_90_deg_MPa\tdeviation_over_angles_percent\tdeviation_over_discs_percent" }
 FNR == 1 { head(); next }
 {

@@ -90,7 +90,7 @@ TEST(AssemblageBuilder, ContactsAreConformingAndOrdered) {
         std::set<std::array<int, 2>> pairs;
         for (std::size_t c = 0; c < s.n_contacts(); ++c) {
             const auto& [a1, a2, b1, b2] = s.contact_nodes[c];
-            // the same bits on both sides, not only the same place
+            // positions on both sides are equal bit for bit
             EXPECT_EQ(s.node_position[static_cast<std::size_t>(a1)], s.node_position[static_cast<std::size_t>(b1)]);
             EXPECT_EQ(s.node_position[static_cast<std::size_t>(a2)], s.node_position[static_cast<std::size_t>(b2)]);
             const std::array<int, 2> pair{grains[static_cast<std::size_t>(a1)], grains[static_cast<std::size_t>(b1)]};
@@ -107,7 +107,7 @@ TEST(AssemblageBuilder, ContactsAreConformingAndOrdered) {
     }
 }
 
-/// Directed sides of elements that no other element of the same grain shares: the outsides of the grains.
+/// Directed sides of elements that no other element of the same grain shares: the outer sides of the grains.
 std::vector<std::array<std::int32_t, 2>> grain_outsides(const Specimen& s) {
     std::set<std::array<std::int32_t, 2>> sides;
     for (const auto& nodes : s.element_nodes) {

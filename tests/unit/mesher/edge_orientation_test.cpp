@@ -52,7 +52,7 @@ TEST(EdgeOrientation, IsZeroForDirectionsThatCancel) {
 }
 
 TEST(EdgeOrientation, PartsShowWhatTheWholeHides) {
-    // Horizontal edges below, vertical ones above: no direction in the whole, one in every part.
+    // Horizontal edges below, vertical ones above: no preferred direction in the whole mesh, but one in every part.
     const Shape shape{ShapeKind::rectangle, 2, 4, Pole::facet};
     std::vector<Point> points;
     std::vector<Edge> edges;

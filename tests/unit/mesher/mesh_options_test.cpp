@@ -1,4 +1,4 @@
-// graincrack-mesh as a user meets it: the executable, its files, messages and exit codes.
+// graincrack-mesh from outside: the executable, its files, messages and exit codes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

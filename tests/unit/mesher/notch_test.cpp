@@ -26,8 +26,8 @@ bool broken(const Specimen& s, std::size_t c) {
     return s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
 }
 
-// A notch is one line: walked along its contacts, every point of it but its two ends has two of them, and the ends lie where they
-// were wanted, to an edge.
+// A notch is one line: every point of it, except for its two ends, belongs to two of its contacts, and the ends lie within an
+// edge of the requested positions.
 TEST(Notch, IsOneLineOfTheWantedLength) {
     for (const int n : {1, 3}) {
         const Specimen s = make_specimen(notched(0.032, n));

@@ -6,7 +6,7 @@ namespace graincrack::mesher {
 namespace {
 
 TEST(RandomNumbers, AreTheSameEverywhere) {
-    // Computed apart from this code. They must never change, or old seeds would make other specimens.
+    // Computed by another program. They must never change, or the seeds of older specimens would give other specimens.
     RandomNumbers random(1);
     EXPECT_EQ(random.uniform(), 0x1.109f48cd2b630p-1);
     EXPECT_EQ(random.uniform(), 0x1.c90fc93c4f5b7p-1);

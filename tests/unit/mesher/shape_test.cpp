@@ -43,7 +43,7 @@ TEST(Shape, RectangleOutlineKeepsCornersSidesAndParts) {
     EXPECT_NEAR(polygon_area(outline.points), rectangle.area(), 1e-16);
     for (std::size_t i = 0; i < outline.points.size(); ++i) {
         const Point middle = midpoint(outline.points[i], outline.points[(i + 1) % outline.points.size()]);
-        switch (outline.parts[i]) {  // exactly on its side: the triangulation relies on it
+        switch (outline.parts[i]) {  // exactly on its side, as the triangulation requires
             case BoundaryPart::bottom: EXPECT_EQ(middle.y, -0.08); break;
             case BoundaryPart::right: EXPECT_EQ(middle.x, 0.04); break;
             case BoundaryPart::top: EXPECT_EQ(middle.y, 0.08); break;

@@ -111,7 +111,7 @@ TEST(SpecimenMaker, SpreadIsReachedWhereTheMethodCan) {
         EXPECT_NEAR(make_specimen(request).statistics.edge_variation / spread, 1, 0.1) << spread;
     }
     SpecimenRequest request = rectangle_of(1122);
-    request.spread = 0.02;  // a lattice would have it; here it is met as far as it goes
+    request.spread = 0.02;  // only a lattice has so small a spread; the mesher comes as near as it can
     EXPECT_LT(make_specimen(request).statistics.edge_variation, 0.105);
 }
 
@@ -168,7 +168,7 @@ TEST(SpecimenMaker, SizesScale) {
     EXPECT_NEAR(large.statistics.mean_edge / 5e3, small.statistics.mean_edge / 5e-6, 0.01);
 }
 
-/// The message of the UsageError a request meets; empty if there is none.
+/// The message of the UsageError that a request causes; empty if there is none.
 std::string complaint(const SpecimenRequest& request) {
     try {
         plan_mesh(request);
@@ -208,7 +208,7 @@ TEST(SpecimenMaker, BadRequestsNameTheirOption) {
     EXPECT_NE(with_edge(std::nan("")).find("--edge"), std::string::npos);
 }
 
-/// Distances of the nodes from the centre and areas of the grains, each sorted: what turning leaves, whatever the order.
+/// Distances of the nodes from the centre and areas of the grains, each sorted: invariant under rotation and renumbering.
 std::vector<double> turned_invariants(const Specimen& s) {
     std::vector<double> radii;
     for (const auto& [x, y] : s.node_position) radii.push_back(std::hypot(x, y));
@@ -219,7 +219,7 @@ std::vector<double> turned_invariants(const Specimen& s) {
     return radii;
 }
 
-// The same grains, turned: every diameter ends in facets that lie on the platens, centred.
+// The same grains, rotated: every diameter ends in facets that lie on the platens and are centred on the load.
 TEST(SpecimenMaker, ADiscIsLoadedAlongEachOfItsDiameters) {
     SpecimenRequest request;
     request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet};
@@ -240,7 +240,7 @@ TEST(SpecimenMaker, ADiscIsLoadedAlongEachOfItsDiameters) {
             double inside = 0;
             for (const auto& [x, y] : turned.node_position) {
                 if (y == platen) (x < 0 ? left : right) = x;
-                if (std::abs(y) < 0.03) inside += x * y;  // differs from turn to turn
+                if (std::abs(y) < 0.03) inside += x * y;  // differs between the rotated specimens
             }
             EXPECT_LT(left, -0.002);  // half a facet of 5 mm
             EXPECT_NEAR(left, -right, 1e-15);
@@ -278,7 +278,7 @@ TEST(MeshReport, NamesWhatWasNotReached) {
     std::string text;
     for (const std::string& line : describe_mesh(s, request, report)) text += line + "\n";
     EXPECT_NE(text.find("rectangle of 200 grains"), std::string::npos);
-    EXPECT_NE(text.find("was wanted"), std::string::npos);
+    EXPECT_NE(text.find("was requested"), std::string::npos);
     EXPECT_NE(describe_plan(request)[0].find("200 grains"), std::string::npos);
 }
 

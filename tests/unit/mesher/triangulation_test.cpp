@@ -18,7 +18,7 @@ std::vector<Point> random_points(std::size_t n, std::uint64_t seed) {
     return points;
 }
 
-/// Triangles in a form that does not depend on order.
+/// Triangles in a form independent of their order.
 std::set<Triangle> as_set(const std::vector<Triangle>& triangles) {
     std::set<Triangle> result;
     for (Triangle t : triangles) {
@@ -76,7 +76,7 @@ TEST(Triangulation, MovedPointsGiveTheSameAsNewOnes) {
     DelaunayMesh mesh;
     mesh.build(points);
     RandomNumbers random(4);
-    for (const double reach : {0.001, 0.003, 0.2}) {  // the last turns triangles over
+    for (const double reach : {0.001, 0.003, 0.2}) {  // the last one inverts triangles
         for (std::size_t i = 4; i < points.size(); ++i) {
             points[i].x = std::clamp(points[i].x + reach * random.symmetric(), 0.005, 0.995);
             points[i].y = std::clamp(points[i].y + reach * random.symmetric(), 0.005, 0.995);

@@ -42,7 +42,7 @@ std::vector<DesignRun> table7() {
             value = std::stod(cell);
         }
         runs.push_back({v[0], v[1], v[2], v[3], v[4], {v[5], v[6], v[7]}, v[8], v[9]});
-        // the table prints √2 to five digits; the design has it in full
+        // the table prints √2 to five digits, the design uses the full value
         for (double* x : {&runs.back().x1, &runs.back().x2}) {
             if (std::abs(*x) > 1.4) *x = std::copysign(std::numbers::sqrt2, *x);
         }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 enum class Plane { strain, stress };
 
-/// What a tool with two subcommands may look like.
+/// An example of a tool with two subcommands.
 struct Tool {
     CLI::App app{"A tool for tests"};
     CommonOptions common;
@@ -99,7 +99,7 @@ protected:
         setenv(name.c_str(), value.c_str(), 1);
         variables.push_back(name);
     }
-    /// The complaint about these arguments.
+    /// The error message for these arguments.
     static std::string complaint(const std::vector<std::string>& arguments) {
         try {
             Tool().parse(arguments);
@@ -110,7 +110,7 @@ protected:
         }
         return "nothing wrong";
     }
-    /// The complaint about a configuration file, `FILE` in place of its name.
+    /// The error message for a configuration file, with `FILE` in place of its name.
     std::string complaint_about_file(const std::string& text, const std::string& subcommand = "uniaxial") {
         const std::string file = write(text);
         std::string message = complaint({subcommand, "a.h5", "-o", "b.h5", "--config", file});
@@ -244,7 +244,7 @@ TEST_F(CommandLine, FlagsWinOverEnvironmentOverFile) {
         EXPECT_EQ(tool.options.damping, 0.1);
     }
     set("GRAINCRACK_QUIET", "true");
-    set("GRAINCRACK_FRAMES", "");  // as if unset
+    set("GRAINCRACK_FRAMES", "");  // an empty variable counts as unset
     {
         Tool tool;
         ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file}));
@@ -296,7 +296,7 @@ TEST_F(CommandLine, ComplaintsAboutAFile) {
               "FILE: line 1: confining-pressure is no option of uniaxial; keys of triaxial stand in a section [triaxial]");
     EXPECT_EQ(complaint_about_file("[triaxal]\nedge = 4\n"),
               "FILE: line 1: unknown section [triaxal]; did you mean triaxial? known are uniaxial, triaxial");
-    const std::string elsewhere = complaint_about_file("[triaxial]\negde = 4\n");  // not the one that runs
+    const std::string elsewhere = complaint_about_file("[triaxial]\negde = 4\n");  // not the subcommand that was called
     EXPECT_EQ(elsewhere.substr(0, elsewhere.find(" known to")), "FILE: line 2: unknown key egde; did you mean edge?");
     EXPECT_EQ(complaint_about_file("config = 'x'\n"), "FILE: line 1: config cannot stand in a file; give it on the command line");
     EXPECT_EQ(complaint_about_file("deep = 3\n"), "FILE: line 1: deep is true or false");

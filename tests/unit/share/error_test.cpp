@@ -1,4 +1,4 @@
-// One line and one exit code for whatever goes wrong.
+// Every error ends with one line and an exit code.
 #include "share/error.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Error, OneLineWithTheToolsName) {
     EXPECT_NE(memory.text.find("out of memory"), std::string::npos);
 }
 
-// In a process of its own: the signal stays caught for the life of a process.
+// In a process of its own, since the signal handler stays installed for the rest of the process.
 TEST(ErrorDeathTest, AStopSignalIsRememberedUntilASafePoint) {
     EXPECT_EXIT(
         {

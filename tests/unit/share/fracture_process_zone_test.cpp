@@ -117,7 +117,7 @@ TEST(FractureProcessZone, Table9) {
             const double b = fpz::lennard_jones_b(m, n);
             test::verify("calibration: Table 9, worst of b(m, n) rounded", rounded(b, 2),
                          table[static_cast<std::size_t>(m - 8)][static_cast<std::size_t>(n - 13)], 1e-15, "Table 9");
-            const double q = (m + 1.0) / (n + 1.0);  // the other form of the same
+            const double q = (m + 1.0) / (n + 1.0);  // an equivalent form of Eq 31
             EXPECT_NEAR(b, (1.0 / m - 1.0 / n) / (std::pow(q, (m + 1.0) / (n - m)) - std::pow(q, (n + 1.0) / (n - m))), 1e-14);
         }
     }

@@ -1,4 +1,5 @@
-// Reading and writing HDF5: whole or not at all, the same back, and one line for whatever cannot be read.
+// HDF5 files: they appear complete or not at all, give back what was written, and a file that cannot be read gives a one-line
+// error.
 #include "share/h5_file.hpp"
 
 #include <fcntl.h>
@@ -225,7 +226,7 @@ TEST(H5File, AFailedRenameIsAnOutputErrorAndLeavesNoPart) {
     const TemporaryFolder folder;
     {
         H5Output out(folder.file("a.h5"), "specimen");
-        fs::create_directory(folder.file("a.h5"));  // somebody was faster
+        fs::create_directory(folder.file("a.h5"));  // another program made a folder of that name meanwhile
         EXPECT_THROW(out.commit(), OutputError);
     }
     EXPECT_FALSE(fs::exists(folder.file("a.h5.part")));
@@ -261,7 +262,7 @@ TEST(H5File, ThroughAPipe) {
         EXPECT_EQ(in.name(), "stdin");
         EXPECT_EQ(in.read<double>("/x"), (std::vector<double>{1, 2, 3}));
     }
-    // Read to its end, the same stream is an empty one: the program before wrote nothing.
+    // After it was read to its end, the stream is empty, as when the program before wrote nothing.
     expect_one_line<InputError>([] { H5Input("-"); }, {"stdin", "wrote nothing"});
     ::dup2(saved_in, STDIN_FILENO);
     ::close(saved_in);

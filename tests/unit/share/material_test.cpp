@@ -33,7 +33,7 @@ protected:
         std::ofstream(folder / name) << text;
         return folder / name;
     }
-    /// The complaint about a file with this text, after the file's name.
+    /// The error message for a file with this text, without the file's name.
     std::string complaint(const std::string& text) { return complaint_about(write(text).string()); }
     std::string complaint_about(const std::string& name) {
         try {
@@ -141,7 +141,7 @@ TEST_F(MaterialFile, LooksNamesUp) {
     EXPECT_EQ(read_material("own-stone").name, "stone");
     EXPECT_EQ(read_material("augig-granite").name, "Augig granite");
     write("name = 'mine'\n" + rock + contact, "augig-granite.toml");
-    EXPECT_EQ(read_material("augig-granite").name, "mine");  // the variable's folder comes first
+    EXPECT_EQ(read_material("augig-granite").name, "mine");  // the folder that the environment variable names comes first
 
     const std::string message = complaint_about("augig-granit");
     EXPECT_NE(message.find("not found (did you mean augig-granite?)"), std::string::npos) << message;
@@ -163,7 +163,7 @@ TEST_F(MaterialFile, ContactParametersOfAugigGranite) {
     EXPECT_NEAR(fpz::fracture_energy(p.tensile_strength, p.critical_opening, p.ultimate_opening), p.fracture_energy, 1e-9);
 
     const ContactParameters usual = contact_parameters(granite, PlaneCondition::stress, std::nullopt);
-    EXPECT_NEAR(usual.fracture_energy, 87.2, 0.05);  // without a choice: mode I
+    EXPECT_NEAR(usual.fracture_energy, 87.2, 0.05);  // the default is mode I
     const ContactParameters given =
         contact_parameters(granite, PlaneCondition::stress, FractureEnergyChoice{FractureEnergyChoice::Kind::value, 90});
     EXPECT_EQ(given.fracture_energy, 90);

@@ -1,4 +1,4 @@
-// Progress keeps quiet where nobody watches, and never writes to stdout.
+// Progress prints little where stderr is no terminal, and never writes to stdout.
 #include "share/progress.hpp"
 
 #include <fcntl.h>

@@ -26,7 +26,7 @@ using test::TemporaryFolder;
 
 Specimen specimen() { return test::one_diagonal_grid(2, 2, 0.02, 0.02); }
 
-/// A header in which no two members are alike.
+/// A header in which all members differ.
 RunHeader header() {
     RunHeader h;
     h.test = "triaxial";
@@ -112,7 +112,7 @@ std::vector<Crack> cracks() {
             {0.6, 6000000000, 2, 0, CrackMode::shear, 2.2, {-0.003, 0.004}, 0.0, 0.0025, -1e-7, 3e-6, 0.25, 0.9}};
 }
 
-/// Writes a run; `write` adds what it likes before the end.
+/// Writes a run, to which `write` may add data before the file is finished.
 template <class Write>
 void write_run(const std::string& path, Write&& write) {
     RunWriter writer(H5Output(path, "run"), specimen(), header());
@@ -182,7 +182,7 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(run.specimen().contact_nodes, specimen().contact_nodes);
 }
 
-// A file from before an attribute was there: as if its name were another.
+// A file from before an attribute existed, imitated by giving the attribute another name.
 TEST(RunFile, AnOlderHeaderHasTheDefaults) {
     const TemporaryFolder folder;
     write_run(folder.file("new.h5"), [](RunWriter& w) { w.append_history(history(1)); });
@@ -197,7 +197,7 @@ TEST(RunFile, AnOlderHeaderHasTheDefaults) {
     std::ofstream(folder.file("old.h5"), std::ios::binary) << bytes;
     const RunReader run(folder.file("old.h5"));
     EXPECT_FALSE(run.file().has_attribute("/run", "contact_residual_cohesion"));
-    EXPECT_EQ(run.header().contact.open_shear_strength, header().contact.tensile_strength);  // as the law was then
+    EXPECT_EQ(run.header().contact.open_shear_strength, header().contact.tensile_strength);  // as the law had it then
     EXPECT_EQ(run.header().contact.mode_ii_fracture_energy, 0);
     EXPECT_EQ(run.header().contact.residual_tensile_strength, 0);
     EXPECT_EQ(run.header().contact.residual_cohesion, 0);
@@ -256,7 +256,7 @@ TEST(RunFile, FramesAreThinnedAndTheKeptOnesStay) {
             w.add_frame(frame_at(i), i == 3);
         }
         EXPECT_EQ(w.n_frames(), 8U);
-        w.thin_frames();  // of 0 1 2 4 5 6 7 every second goes
+        w.thin_frames();  // removes every second of 0 1 2 4 5 6 7
         EXPECT_EQ(w.n_frames(), 5U);
         w.add_frame(frame_at(9), true);
     });

@@ -1,4 +1,4 @@
-// The specimen in a file and the conventions it must keep.
+// The specimen in a file, and the conventions that it must satisfy.
 #include "share/specimen.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(Specimen, RoundTrip) {
     EXPECT_EQ(r.boundary_part, s.boundary_part);
     EXPECT_EQ(r.phase_names, s.phase_names);
     EXPECT_EQ(r.part_names, s.part_names);
-    // The view that VTK reads.
+    // The copy for VTK.
     EXPECT_EQ(in.attribute<std::string>(schema::vtk_group, "Type"), "UnstructuredGrid");
     EXPECT_EQ(in.attribute<std::vector<std::int64_t>>(schema::vtk_group, "Version"), (std::vector<std::int64_t>{1, 0}));
     EXPECT_EQ(in.extents("/VTKHDF/Points"), (Extents{s.n_nodes(), 3}));
@@ -104,14 +104,14 @@ TEST(Specimen, DatasetsOfTheFileHaveUnits) {
 
 TEST(Specimen, GrainsOfNodes) {
     Specimen s = two_squares();
-    s.node_position.push_back({0.02, 0.02});  // of no element
+    s.node_position.push_back({0.02, 0.02});  // a node of no element
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     EXPECT_EQ(std::count(grain.begin(), grain.end(), 0), 4);
     EXPECT_EQ(std::count(grain.begin(), grain.end(), 1), 4);
     EXPECT_EQ(grain.back(), -1);
 }
 
-/// A way to break a specimen, and a word of the complaint.
+/// A change that makes a specimen invalid, and a word of the error message.
 struct Offence {
     const char* what;
     std::function<void(Specimen&)> commit;

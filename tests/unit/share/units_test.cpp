@@ -136,7 +136,7 @@ TEST(Units, QuantitiesAreShownInAReadableUnit) {
     EXPECT_EQ(format_quantity(1e-9, Dimension::time), "0.001 us");
 }
 
-/// A decimal comma and grouped thousands, on any machine.
+/// A locale with decimal comma and grouped thousands, on any machine.
 struct Comma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
     char do_thousands_sep() const override { return '.'; }
@@ -145,7 +145,7 @@ struct Comma : std::numpunct<char> {
 
 TEST(Units, TheLocaleDoesNotMatter) {
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
-    std::setlocale(LC_ALL, "de_DE.UTF-8");  // where there is one
+    std::setlocale(LC_ALL, "de_DE.UTF-8");  // if it is installed
     EXPECT_EQ(parse_quantity("5.13mm", quantity::mean_edge, "--edge"), 0.00513);
     EXPECT_EQ(format_number(25800000.5), "25800000.5");
     EXPECT_EQ(format_number(1234.5, 5), "1234.5");
