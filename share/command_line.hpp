@@ -1,5 +1,5 @@
 // What the command lines of the three tools have in common: quantities with units, configuration files, environment,
-// --version, --print-config, --quiet, --verbose. Included by the mains and option files only; the rest never sees CLI11.
+// --version, --print-config, --quiet, --verbose. Included by the files that declare options only; the rest never sees CLI11.
 //
 // A main reads:
 //

@@ -12,24 +12,39 @@
 
 namespace graincrack::ccd {
 
-/// What a call of ccd asks for; each command uses its part.
-struct Options {
+struct DesignOptions {
     std::vector<std::string> factors;  ///< NAME=LOW:HIGH
     Star star = Star::rotatable;
     std::size_t centre_runs = 5;
+};
+/// run, x1 …, then a column for each factor. \throws UsageError without factors, or with more than ten
+void write_design(std::ostream& out, const DesignOptions& options, TableFormat format);
+
+/// How a model is fitted to the runs of a table.
+struct ModelOptions {
+    std::vector<std::string> factors;  ///< NAME=LOW:HIGH, for a table without coded factors
+    ModelChoice choice;
+};
+
+enum class FitTable { terms, anova, summary };
+struct FitOptions {
+    ModelOptions model;
     std::vector<std::string> responses;
-    ModelChoice model;
-    enum class FitTable { terms, anova, summary } fit_table = FitTable::terms;
+    FitTable table = FitTable::terms;
+};
+/// Coefficients, analysis of variance, or what the model is worth, for each response. \throws UsageError without responses
+void write_fit(std::ostream& out, const std::string& file, const FitOptions& options, TableFormat format);
+
+/// What is wanted of the responses: NAME=[LOW:]TARGET[:HIGH], NAME=LOW:GOOD, NAME=GOOD:HIGH.
+struct GoalOptions {
     std::vector<std::string> targets;
     std::vector<std::string> maxima;
     std::vector<std::string> minima;
 };
-
-/// run, x1 …, then a column for each factor. \throws UsageError without factors, or with more than ten
-void write_design(std::ostream& out, const Options& options, TableFormat format);
-
-/// Coefficients, analysis of variance, or what the model is worth, for each response.
-void write_fit(std::ostream& out, const std::string& file, const Options& options, TableFormat format);
+struct SolveOptions {
+    ModelOptions model;
+    GoalOptions goals;
+};
 
 /// A problem as it is solved: models and goals of equal length, and what else the answer needs.
 struct Problem {
@@ -40,9 +55,9 @@ struct Problem {
     ConfidenceRegion confidence;  ///< of the responses with targets
 };
 /// \throws UsageError without goals, InputError if no place within the design is of any use
-Problem solve_problem(const std::string& file, const Options& options);
+Problem solve_problem(const std::string& file, const SolveOptions& options);
 
 /// A row an optimum: coded and real factors, the joint region of the factors, each response with its intervals.
-void write_solution(std::ostream& out, const std::string& file, const Options& options, TableFormat format);
+void write_solution(std::ostream& out, const std::string& file, const SolveOptions& options, TableFormat format);
 
 }  // namespace graincrack::ccd

@@ -12,10 +12,15 @@
 
 namespace graincrack {
 
-/// What `cracks` may be told; unset values are `default_window`'s.
+/// The window of an acoustic event; unset values are `default_window`'s.
+struct EventOptions {
+    std::optional<double> distance;  ///< m
+    std::optional<double> time;      ///< s
+};
+
+/// What `cracks` may be told.
 struct CrackExportOptions {
-    std::optional<double> event_distance;   ///< m
-    std::optional<double> event_time;       ///< s
+    EventOptions events;
     TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
 };
 
@@ -27,7 +32,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
 
 /// The events of a run by its window.
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
-                                       const CrackExportOptions& options);
+                                       const EventOptions& options);
 
 /// The catalogue, every column with its unit.
 void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format);

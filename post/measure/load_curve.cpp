@@ -59,6 +59,13 @@ RunData run_data(const RunReader& run) {
 
 RunData read_run_data(const std::string& path) { return run_data(RunReader(path)); }
 
+std::vector<RunData> read_runs(const std::vector<std::string>& paths) {
+    std::vector<RunData> runs;
+    runs.reserve(paths.size());
+    for (const std::string& path : paths) runs.push_back(read_run_data(path));
+    return runs;
+}
+
 LoadCurve load_curve(const RunData& run) {
     const History& history = run.history;
     if (history.size() < 3) {

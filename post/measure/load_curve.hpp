@@ -34,6 +34,8 @@ struct RunData {
 };
 /// \param path a run file or "-" \throws InputError
 RunData read_run_data(const std::string& path);
+/// The same for each of several, in their order.
+std::vector<RunData> read_runs(const std::vector<std::string>& paths);
 RunData run_data(const RunReader& run);
 
 struct LoadCurve {

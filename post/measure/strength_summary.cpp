@@ -50,9 +50,7 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
 }
 
 void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format) {
-    std::vector<RunData> runs;
-    for (const std::string& path : paths) runs.push_back(read_run_data(path));
-    const std::vector<StrengthGroup> groups = group_strengths(runs);
+    const std::vector<StrengthGroup> groups = group_strengths(read_runs(paths));
     TableWriter table(out,
                       {"test", "confining_pressure_MPa", "runs", "runs_without_peak", "strength_MPa", "strength_deviation_MPa",
                        "strength_low_MPa", "strength_high_MPa", "ratio_to_brazilian"},

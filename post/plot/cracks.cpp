@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "post/chart/map_view.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/measure/test_label.hpp"
+#include "share/command_line.hpp"
 
 namespace graincrack {
 
@@ -184,6 +186,26 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
     const Scene scene{run, specimen, read_cracks(run, specimen), run_data(run), options};
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
+}
+
+void add_map_options(CLI::App& app, MapPlotOptions& options) {
+    constexpr Quantity frame_time{"time", Dimension::time, 0, std::numeric_limits<double>::infinity(), "simulated time"};
+    constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
+    add_picture(app, options);
+    app.add_option("--frame", options.map.frame,
+                   "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
+                   "several with commas stand side by side, once where they mean the same")
+        ->capture_default_str();
+    add_quantity(app, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
+    add_quantity(app, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
+}
+
+Command cracks_plot() {
+    return make_plot<MapPlotOptions>(
+        "cracks", "crack map: tensile red, shear black",
+        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --magnify 10 -o cracks.svg"}, one_run,
+        add_map_options,
+        [](const MapPlotOptions& options, const Call& call) { return draw_cracks(RunReader(call.file()), options.map); });
 }
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
 #include "share/error.hpp"
 
@@ -143,6 +144,25 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     }
     for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], palette::series(runs.size() + i));
     return chart.finish();
+}
+
+Command curve_plot() {
+    struct Options : PlotOptions {
+        std::vector<std::string> laboratory;  ///< tables of measured curves
+    };
+    return make_plot<Options>(
+        "curve", "stress against axial and lateral strain, several runs on one plot",
+        {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv -o curve.svg"}, several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_names(app, "--laboratory", options.laboratory, "FILE",
+                      "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
+        },
+        [](const Options& options, const Call& call) {
+            std::vector<LaboratoryCurve> laboratory;
+            for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
+            return draw_curves(read_runs(call.files), laboratory);
+        });
 }
 
 }  // namespace graincrack

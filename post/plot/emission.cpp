@@ -6,6 +6,10 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/cracks/export.hpp"
+#include "post/cracks/run_state.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -38,6 +42,25 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
         chart.legend(stroke, "slope b (Aki)");
     }
     return chart.finish();
+}
+
+Command emission_plot() {
+    struct Options : PlotOptions {
+        EventOptions events;
+    };
+    return make_plot<Options>(
+        "emission", "acoustic emission: number of events by magnitude, b-value",
+        {"uniaxial.h5 -o emission.png", "uniaxial.h5 --event-distance 4mm -o emission.svg"}, one_run,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_events(app, options.events);
+        },
+        [](const Options& options, const Call& call) {
+            const RunReader run(call.file());
+            const Specimen specimen = run.specimen();
+            return draw_emission(emission_of(run, specimen, read_cracks(run, specimen), options.events), test_title(run.header()),
+                                 run.name());
+        });
 }
 
 }  // namespace graincrack

@@ -5,6 +5,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -53,6 +54,11 @@ Drawing draw_energy(const RunData& run) {
         chart.legend(term.stroke, term.words);
     }
     return chart.finish();
+}
+
+Command energy_plot() {
+    return make_plot("energy", "the energy ledger over the strain", {"uniaxial.h5 -o energy.png", "brazilian.h5 -o energy.svg"},
+                     one_run, [](const Call& call) { return draw_energy(read_run_data(call.file())); });
 }
 
 }  // namespace graincrack

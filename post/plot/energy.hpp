@@ -2,6 +2,7 @@
 #pragma once
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 
 namespace graincrack {
@@ -9,5 +10,7 @@ namespace graincrack {
 /// Every term of the ledger against axial strain (time, for a run that was not loaded along its axis), per metre of
 /// thickness; the largest residual in words.
 Drawing draw_energy(const RunData& run);
+
+Command energy_plot();
 
 }  // namespace graincrack

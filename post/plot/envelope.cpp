@@ -10,6 +10,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
 
 namespace graincrack {
@@ -167,6 +168,29 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
                                  envelope.hoek_brown->mi.value));
     }
     return chart.finish();
+}
+
+Command envelope_plot() {
+    struct Options : PlotOptions {
+        CappedRuns capped_runs = CappedRuns::refuse;
+        std::vector<std::string> laboratory;  ///< tables of measured strengths
+    };
+    return make_plot<Options>(
+        "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes",
+        {"uniaxial.h5 triaxial.h5 -o envelope.png", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept -o envelope.svg"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_capped(app, options.capped_runs);
+            add_names(app, "--laboratory", options.laboratory, "FILE",
+                      "table of measured strengths: confining_pressure_MPa, strength_MPa");
+        },
+        [](const Options& options, const Call& call) {
+            const std::vector<RunData> runs = read_runs(call.files);
+            std::vector<LaboratoryStrengths> laboratory;
+            for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
+            return draw_envelope(collect_envelope_tests(runs, options.capped_runs), runs.front().header.material, laboratory);
+        });
 }
 
 }  // namespace graincrack

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "share/material.hpp"
 
 namespace graincrack {
@@ -22,5 +23,8 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
 
 /// P(z)/X = a [(ζ/z)^n − (ζ/z)^m] (Eqs 20–22) and its slope for the pairs (m, n) of Table 9's corners and middle, with b.
 Drawing draw_lennard_jones();
+
+Command law_plot();
+Command lennard_jones_plot();
 
 }  // namespace graincrack

@@ -7,6 +7,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "post/cracks/run_state.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -111,6 +114,16 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
     drawing.line({40, 631}, {92, 631}, 2.5, palette::pre_existing);
     drawing.text({{106, 640}, "the specimen's own facets", text_size});
     return drawing;
+}
+
+Command rosette_plot() {
+    return make_plot("rosette", "directions of the cracks by mode, over those of the facets",
+                     {"uniaxial.h5 -o rosette.png", "brazilian.h5 -o rosette.svg"}, one_run, [](const Call& call) {
+                         const RunReader run(call.file());
+                         const Specimen specimen = run.specimen();
+                         return draw_rosette(crack_rosette(read_cracks(run, specimen), specimen), test_title(run.header()),
+                                             run.name());
+                     });
 }
 
 }  // namespace graincrack

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/cracks/rosette.hpp"
 
 namespace graincrack {
@@ -12,5 +13,7 @@ namespace graincrack {
 /// shares of the specimen's own facets. Petals are as long as the share; a line has no head, so both halves are equal.
 /// \throws InputError without cracks
 Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run);
+
+Command rosette_plot();
 
 }  // namespace graincrack

@@ -7,6 +7,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -71,6 +72,23 @@ Drawing draw_size_effect(const std::vector<SizeSeries>& series) {
     Chart chart({"Size effect", words}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
     for (std::size_t i = 0; i < series.size(); ++i) draw_series(chart, series[i], i);
     return chart.finish();
+}
+
+Command size_effect_plot() {
+    struct Options : PlotOptions {
+        CappedRuns capped_runs = CappedRuns::refuse;
+    };
+    return make_plot<Options>(
+        "size-effect", "strength against mean edge with the power law",
+        {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --capped accept -o size.svg"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_capped(app, options.capped_runs);
+        },
+        [](const Options& options, const Call& call) {
+            return draw_size_effect(collect_sizes(read_runs(call.files), options.capped_runs));
+        });
 }
 
 }  // namespace graincrack

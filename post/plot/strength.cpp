@@ -9,6 +9,7 @@
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -78,6 +79,25 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     chart.legend(Stroke{palette::rim, 4}, "mean, 95 % interval");
     if (material) chart.legend(measured, "laboratory");
     return chart.finish();
+}
+
+Command strength_plot() {
+    struct Options : PlotOptions {
+        std::string material;
+    };
+    return make_plot<Options>(
+        "strength", "strengths by test with means and intervals, beside the laboratory's",
+        {"uniaxial.h5 brazilian.h5 -o strength.png", "uniaxial.h5 brazilian.h5 --material augig-granite -o strength.svg"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_laboratory_material(app, options.material);
+        },
+        [](const Options& options, const Call& call) {
+            std::optional<Material> material;
+            if (!options.material.empty()) material = read_material(options.material);
+            return draw_strengths(read_runs(call.files), material);
+        });
 }
 
 }  // namespace graincrack

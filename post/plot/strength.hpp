@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 #include "share/material.hpp"
 
@@ -14,5 +15,7 @@ namespace graincrack {
 /// interval, and the laboratory's value where the material has one; logarithmic, for tension and compression share it.
 /// \throws InputError if the runs are not of one material
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material);
+
+Command strength_plot();
 
 }  // namespace graincrack

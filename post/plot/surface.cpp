@@ -9,6 +9,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/contour.hpp"
 #include "post/chart/labels.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
 
@@ -150,6 +151,23 @@ Drawing draw_surface(const ccd::Problem& problem) {
     chart.legend(run, "runs");
     chart.legend(best, "optimum");
     return chart.finish();
+}
+
+Command surface_plot() {
+    struct Options : PlotOptions {
+        ccd::SolveOptions problem;
+    };
+    return make_plot<Options>(
+        "surface", "contours of response surfaces with the optimum and its joint region",
+        {"table7.csv --target C_MPa=21 --target phi_deg=53 -o surface.png",
+         "table7.csv --target C_MPa=21 --target phi_deg=53 --model backward -o surface.svg"},
+        design_table,
+        [](CLI::App& app, Options& options) {
+            add_model(app, options.problem.model);
+            add_goals(app, options.problem.goals);
+            add_picture(app, options);
+        },
+        [](const Options& options, const Call& call) { return draw_surface(ccd::solve_problem(call.file(), options.problem)); });
 }
 
 }  // namespace graincrack

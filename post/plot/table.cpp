@@ -4,7 +4,9 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
+#include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
+#include "share/command_line.hpp"
 
 namespace graincrack {
 
@@ -54,6 +56,25 @@ Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOption
         }
     }
     return chart.finish();
+}
+
+Command table_plot() {
+    struct Options : PlotOptions {
+        TablePlotOptions columns;
+    };
+    return make_plot<Options>(
+        "table", "columns of tables against each other",
+        {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --points -o table.png",
+         "strength.tsv --x strain_at_peak --y tensile_cracks --y shear_cracks --points -o table.svg"},
+        FileArguments{"tables", "tables"},
+        [](CLI::App& app, Options& options) {
+            app.add_option("--x", options.columns.x, "column along x")->required();
+            add_names(app, "--y", options.columns.y, "NAME", "column along y; may be given again");
+            app.get_option("--y")->required();
+            app.add_flag("--points", options.columns.points, "points instead of lines");
+            add_picture(app, options);
+        },
+        [](const Options& options, const Call& call) { return draw_tables(call.files, options.columns); });
 }
 
 }  // namespace graincrack

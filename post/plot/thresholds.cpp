@@ -8,6 +8,7 @@
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/measure/thresholds.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -94,6 +95,12 @@ Drawing draw_thresholds(const RunData& run) {
         chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.words, stress));
     }
     return chart.finish();
+}
+
+Command thresholds_plot() {
+    return make_plot("thresholds", "crack initiation and damage on stress and volumetric strain",
+                     {"uniaxial.h5 -o thresholds.png", "triaxial.h5 -o thresholds.svg"}, one_run,
+                     [](const Call& call) { return draw_thresholds(read_run_data(call.file())); });
 }
 
 }  // namespace graincrack

@@ -7,6 +7,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -71,6 +72,24 @@ Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& opt
         chart.legend(marker, words);
     }
     return chart.finish();
+}
+
+Command trend_plot() {
+    struct Options : PlotOptions {
+        TrendOptions trend;
+    };
+    return make_plot<Options>(
+        "trend", "columns of tables with the line or power law through them",
+        {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --power -o trend.png",
+         "strength.tsv --x contact_cohesion_MPa --y peak_compressive_stress_MPa --group test -o trend.svg"},
+        trend_tables,
+        [](CLI::App& app, Options& options) {
+            add_trend(app, options.trend);
+            add_picture(app, options);
+        },
+        [](const Options& options, const Call& call) {
+            return draw_trend(collect_trends(call.files, options.trend, call.diagnostics()), options.trend);
+        });
 }
 
 }  // namespace graincrack

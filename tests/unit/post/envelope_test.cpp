@@ -1,4 +1,4 @@
-#include "post/commands/envelope_table.hpp"
+#include "post/commands/envelope.hpp"
 
 #include <gtest/gtest.h>
 

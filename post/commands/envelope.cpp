@@ -1,8 +1,10 @@
-#include "post/commands/envelope_table.hpp"
+#include "post/commands/envelope.hpp"
 
 #include <fmt/ostream.h>
 
 #include <numbers>
+
+#include "post/option_parts.hpp"
 
 namespace graincrack {
 
@@ -88,8 +90,7 @@ void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
 
 void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format, CappedRuns capped_runs,
                           std::ostream& notes) {
-    std::vector<RunData> runs;
-    for (const std::string& path : paths) runs.push_back(read_run_data(path));
+    const std::vector<RunData> runs = read_runs(paths);
     const EnvelopeTests tests = collect_envelope_tests(runs, capped_runs);
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     RowBuilder row;
@@ -113,6 +114,23 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
             tests.capped, runs.size());
     }
     row.write(out, format);
+}
+
+Command envelope_command() {
+    struct Options {
+        TableFormat format = TableFormat::tsv;
+        CappedRuns capped_runs = CappedRuns::refuse;
+    };
+    return make_command<Options>(
+        "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals",
+        {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
+        [](CLI::App& app, Options& options) {
+            add_format(app, options.format);
+            add_capped(app, options.capped_runs);
+        },
+        [](const Options& options, const Call& call) {
+            write_envelope_table(call.out, call.files, options.format, options.capped_runs, call.diagnostics());
+        });
 }
 
 }  // namespace graincrack
