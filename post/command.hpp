@@ -11,7 +11,7 @@
 
 #include "share/progress.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): a name of CLI11
 class App;
 }
 

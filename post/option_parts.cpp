@@ -21,9 +21,10 @@ void add_output(CLI::App& app, std::string& output, const std::string& help) {
     app.add_option("-o,--output", output, help)->required();
 }
 
-void add_capped(CLI::App& app, CappedRuns& capped_runs) {
-    add_choice<CappedRuns>(app, "--capped", capped_runs, {{"refuse", CappedRuns::refuse}, {"accept", CappedRuns::accept}},
-                           "runs that the strain cap ended: refuse them, or take their largest stress for a peak and say so");
+void add_strain_limit_runs(CLI::App& app, StrainLimitRuns& strain_limit_runs) {
+    add_choice<StrainLimitRuns>(
+        app, "--capped", strain_limit_runs, {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
+        "runs stopped at the strain limit: refuse them, or take their largest stress for a peak and report it");
 }
 
 void add_names(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
@@ -45,8 +46,10 @@ void add_model(CLI::App& app, ccd::ModelOptions& options) {
 void add_goals(CLI::App& app, ccd::GoalOptions& options) {
     add_names(app, "--target", options.targets, "NAME=[LOW:]TARGET[:HIGH]",
               "wanted value of a response; limits are the measured extremes unless given");
-    add_names(app, "--maximise", options.maxima, "NAME=LOW:GOOD", "response as large as can be, useless at LOW");
-    add_names(app, "--minimise", options.minima, "NAME=GOOD:HIGH", "response as small as can be, useless at HIGH");
+    add_names(app, "--maximise", options.maxima, "NAME=LOW:GOOD",
+              "response to be as large as possible: desirability 0 at LOW, 1 at GOOD");
+    add_names(app, "--minimise", options.minima, "NAME=GOOD:HIGH",
+              "response to be as small as possible: desirability 1 at GOOD, 0 at HIGH");
 }
 
 void add_trend(CLI::App& app, TrendOptions& options) {
@@ -58,9 +61,9 @@ void add_trend(CLI::App& app, TrendOptions& options) {
 
 void add_events(CLI::App& app, EventOptions& options) {
     add_quantity(app, "--event-distance", options.distance, event_distance,
-                 "crack points so near are one acoustic event; two mean edges unless given");
+                 "crack points within this distance are one acoustic event; two mean edges unless given");
     add_quantity(app, "--event-time", options.time, event_time,
-                 "and so close in time; that distance at half the speed of shear waves unless given");
+                 "and within this time; that distance at half the speed of shear waves unless given");
 }
 
 }  // namespace graincrack

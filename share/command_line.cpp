@@ -56,7 +56,7 @@ void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
 
 // --- help ------------------------------------------------------------------------------------------------------------
 
-/// Help without the noise of environment variables; help of a subcommand shows the options of the tool as well.
+/// Help without the names of environment variables; help of a subcommand also shows the options of the tool.
 class HelpFormatter : public CLI::Formatter {
 public:
     std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
@@ -164,7 +164,7 @@ bool on_command_line(const Call& call, const CLI::Option& option) {
 
 /// "--edge" or, if the value was not on the command line, "--edge (from run.toml, line 3)".
 std::string with_origin(const Call& call, const CLI::Option& option) {
-    const std::string name = shown_name(option);
+    std::string name = shown_name(option);
     if (on_command_line(call, option)) return name;
     if (in_environment(option.get_envname())) return fmt::format("{} (from {})", name, option.get_envname());
     const ConfigurationFile* file = configuration_file(call.app);
@@ -172,7 +172,7 @@ std::string with_origin(const Call& call, const CLI::Option& option) {
     return origin.empty() ? name : fmt::format("{} (from {})", name, origin);
 }
 
-/// A message of ours that starts "--option: …", with the origin of the value after the option.
+/// A UsageError that starts "--option: …", with the origin of the value after the option.
 std::string with_origin_in(const Call& call, const std::string& message) {
     const auto end = message.find(": ");
     if (end == std::string::npos || message.find(' ') < end) return message;
@@ -211,8 +211,8 @@ std::string leftover_message(const Call& call, const std::vector<std::string>& l
     return fmt::format("unexpected argument \"{}\"; see {}", left.front(), help_command(call.app));
 }
 
-// CLI11 tells by the type of an exception what kind of thing is wrong, and only in English where. So the options themselves are
-// asked: each function below returns its message, or "" if it finds nothing of its kind.
+// The type of an exception of CLI11 says what kind of error it is; the option it concerns is only in its English text. Each
+// function below therefore finds the option by the state of all options. It returns the message, or "" without such an option.
 
 /// The first option of what runs, from the top, that fits; nullptr if there is none.
 const CLI::Option* first_option(const Call& call, const std::function<bool(const CLI::Option&)>& fits) {
@@ -302,7 +302,7 @@ bool is(const CLI::ParseError& error) {
     return dynamic_cast<const Kind*>(&error) != nullptr;
 }
 
-/// CLI11's complaint in our words.
+/// The error as one line for the user.
 std::string message_of(const Call& call, const CLI::ParseError& error) {
     std::string message;
     if (is<CLI::ExtrasError>(error) || is<CLI::RequiredError>(error)) {
@@ -445,7 +445,7 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
     for_each_app(app, [&](CLI::App& each) {
         if (each.get_parent() != nullptr) {
             each.fallthrough();
-            // only now, for a variable is no concern of subcommands that do not run
+            // only for subcommands that run: the variables do not apply to others
             each.preparse_callback([&each](std::size_t) { name_variables(each); });
         }
         for (CLI::Option* option : each.get_options()) {

@@ -88,7 +88,7 @@ struct RegionExtent {
     std::vector<double> low;
     std::vector<double> high;
     double share = 0;           ///< of the design that lies in the region
-    bool reaches_edge = false;  ///< the region goes on beyond the design
+    bool reaches_edge = false;  ///< the region extends beyond the design
 };
 
 std::optional<RegionExtent> extent_of(const Problem& problem) {
@@ -213,7 +213,7 @@ Problem solve_problem(const std::string& file, const SolveOptions& options) {
     }
     std::vector<Optimum> optima = solve(models, goals, Region(runs.coded));
     if (optima.empty()) {
-        throw InputError(input.name() + ": nowhere within the design are all goals met to any degree; widen their limits");
+        throw InputError(input.name() + ": the desirability is 0 everywhere within the design; widen the limits of the goals");
     }
     return {
         std::move(runs), std::move(goals), std::move(models), std::move(optima), {std::move(with_target), std::move(targets)}};

@@ -32,10 +32,11 @@ struct FitOptions {
     std::vector<std::string> responses;
     FitTable table = FitTable::terms;
 };
-/// Coefficients, analysis of variance, or what the model is worth, for each response. \throws UsageError without responses
+/// Coefficients, analysis of variance, or measures of the goodness of fit, for each response. \throws UsageError without
+/// responses
 void write_fit(std::ostream& out, const std::string& file, const FitOptions& options, TableFormat format);
 
-/// What is wanted of the responses: NAME=[LOW:]TARGET[:HIGH], NAME=LOW:GOOD, NAME=GOOD:HIGH.
+/// Goals for the responses: NAME=[LOW:]TARGET[:HIGH], NAME=LOW:GOOD, NAME=GOOD:HIGH.
 struct GoalOptions {
     std::vector<std::string> targets;
     std::vector<std::string> maxima;
@@ -46,7 +47,7 @@ struct SolveOptions {
     GoalOptions goals;
 };
 
-/// A problem as it is solved: models and goals of equal length, and what else the answer needs.
+/// A solved problem: a model for each goal, the optima, and the confidence region of the factors.
 struct Problem {
     Runs runs;
     std::vector<Goal> goals;
@@ -54,7 +55,7 @@ struct Problem {
     std::vector<Optimum> optima;
     ConfidenceRegion confidence;  ///< of the responses with targets
 };
-/// \throws UsageError without goals, InputError if no place within the design is of any use
+/// \throws UsageError without goals, InputError if the desirability is 0 everywhere within the design
 Problem solve_problem(const std::string& file, const SolveOptions& options);
 
 /// A row an optimum: coded and real factors, the joint region of the factors, each response with its intervals.

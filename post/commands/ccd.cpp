@@ -63,7 +63,7 @@ Command fit_command() {
 
 Command solve_command() {
     return make_command<SolutionTableOptions>(
-        "solve", "factors at which the responses are as wanted (desirability), within the design",
+        "solve", "factors at which the responses meet their goals (desirability), within the design",
         {"table7.csv --target C_MPa=21 --target phi_deg=53",
          "table7.csv --target phi_deg=53 --maximise C_MPa=10:30 --model backward --alpha 0.05"},
         design_table, add_solve_options, [](const SolutionTableOptions& options, const Call& call) {
@@ -74,7 +74,7 @@ Command solve_command() {
 }  // namespace
 
 Command ccd_command() {
-    return make_group("ccd", "central composite designs: runs to make, response surfaces, the factors wanted",
+    return make_group("ccd", "central composite designs: runs to make, response surfaces, optimal factors",
                       {design_command(), fit_command(), solve_command()});
 }
 

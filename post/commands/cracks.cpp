@@ -10,7 +10,7 @@ Command cracks_command() {
         CrackExportOptions crack_export;
     };
     return make_command<Options>(
-        "cracks", "grains and cracks as VTK series, catalogue and rosette",
+        "cracks", "grains and cracks as VTK series, crack log and rosette",
         {"uniaxial.h5 -o cracks", "brazilian.h5 --event-distance 10mm -o cracks"}, one_run,
         [](CLI::App& app, Options& options) {
             add_output(app, options.folder, "folder for grains.pvd, cracks.pvd and the tables");

@@ -11,10 +11,11 @@
 
 namespace graincrack {
 
-/// One row for the set of runs. If capped runs are accepted, their number stands in the row and a line on `notes` says so.
+/// One row for the set of runs. If runs stopped at the strain limit are accepted, the row holds their number and a line on
+/// `diagnostics` reports it.
 /// \throws InputError as collect_envelope_tests and fit_envelope
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, CappedRuns capped_runs,
-                          std::ostream& notes);
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
+                          StrainLimitRuns strain_limit_runs, std::ostream& diagnostics);
 
 Command envelope_command();
 

@@ -78,7 +78,7 @@ void write_lennard_jones(FpzWriter& table, const Rock& rock) {
     }
 }
 
-/// Appendix 2: strengths of contact and rock, for the paper's two readings of its mean edge.
+/// Appendix 2: strengths of contact and rock, for the two values of the mean edge that the paper can be read to mean.
 void write_macro_micro(FpzWriter& table, const Material& material) {
     constexpr std::array<double, 2> edges{4.0e-3, 5.13e-3};
     const Rock& rock = material.rock;

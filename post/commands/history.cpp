@@ -31,7 +31,7 @@ void write_probe(std::ostream& out, const RunReader& run, const std::string& nam
     }
 }
 
-/// stage, begin_s, end_s, ended_by: a row a stage. \throws InputError if the run is none of a program
+/// stage, begin_s, end_s, ended_by: a row a stage. \throws InputError for a run of another test than a loading program
 void write_stages(std::ostream& out, const RunReader& run, TableFormat format) {
     const std::string group = schema::program_group;
     if (!run.file().has(group)) throw InputError(run.name() + ": has no stages; a run of `graincrack-solve program` has");
@@ -45,16 +45,16 @@ void write_stages(std::ostream& out, const RunReader& run, TableFormat format) {
 
 struct HistoryOptions {
     bool follow = false;
-    std::string probe;    ///< of a program
-    bool stages = false;  ///< of a program
+    std::string probe;    ///< of a loading program
+    bool stages = false;  ///< of a loading program
     TableFormat format = TableFormat::tsv;
 };
 
 void add_options(CLI::App& app, HistoryOptions& options) {
-    app.add_flag("--follow", options.follow, "write the rows of a run in work as they appear, until it ends");
-    auto* probe = app.add_option("--probe", options.probe, "of a program: this probe instead, or what this boundary did")
+    app.add_flag("--follow", options.follow, "write the rows of a run in progress as they appear, until it ends");
+    auto* probe = app.add_option("--probe", options.probe, "of a loading program: this probe instead, or what this boundary did")
                       ->type_name("NAME");
-    auto* stages = app.add_flag("--stages", options.stages, "of a program: its stages instead, and what ended them");
+    auto* stages = app.add_flag("--stages", options.stages, "of a loading program: its stages instead, and what ended them");
     stages->excludes(probe);
     add_format(app, options.format);
 }

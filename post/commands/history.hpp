@@ -1,4 +1,4 @@
-// The command `history`: the rows of a run; of a program also its probes and stages.
+// The command `history`: the rows of a run; of a loading program also its probes and stages.
 #pragma once
 
 #include "post/command.hpp"

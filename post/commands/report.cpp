@@ -12,11 +12,11 @@ Command report_command() {
         std::string page;
     };
     return make_command<Options>(
-        "report", "a test or a set as one HTML page that needs nothing else",
+        "report", "a test or a set as one self-contained HTML page",
         {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_laboratory_material(app, options.report.material);
-            add_capped(app, options.report.capped_runs);
+            add_strain_limit_runs(app, options.report.strain_limit_runs);
             add_output(app, options.page, "page: .html");
         },
         [](const Options& options, const Call& call) {

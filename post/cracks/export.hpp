@@ -18,14 +18,14 @@ struct EventOptions {
     std::optional<double> time;      ///< s
 };
 
-/// What `cracks` may be told.
+/// Options of the export.
 struct CrackExportOptions {
     EventOptions events;
     TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
-/// counts.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that is there is whole.
+/// counts.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that exists is complete.
 /// A run whose axial stress never rises has no counts.tsv and no peak in summary.tsv.
 /// \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
@@ -34,7 +34,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
                                        const EventOptions& options);
 
-/// The catalogue, every column with its unit.
+/// The crack log, every column with its unit.
 void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format);
 
 }  // namespace graincrack

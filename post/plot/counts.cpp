@@ -35,9 +35,9 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run) {
                 Axis{"stress, MPa", 0, 1.08 * largest(stress)});
     const Stroke load{palette::outline, 3};
     chart.line(strain, stress, load, Chart::Side::right);
-    const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& words) {
+    const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& label) {
         chart.line(strain, values, stroke);
-        chart.legend(stroke, words);
+        chart.legend(stroke, label);
     };
     if (counts.pairs.size() == 1) {
         draw(column(counts, [](const Moment& m) { return m.all.tensile; }), Stroke{palette::tensile, 4}, "tensile");

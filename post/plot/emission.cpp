@@ -24,12 +24,12 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
     std::vector<double> number;
     for (std::size_t i = 0; i < magnitudes.size(); ++i) number.push_back(static_cast<double>(magnitudes.size() - i));
     const auto fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
-    std::vector<std::string> words{fmt::format("{} events", events.size())};
-    words[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
-                                  fit->completeness, fit->events)
-                    : ", too few for a slope";
+    std::vector<std::string> subtitle{fmt::format("{} events", events.size())};
+    subtitle[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
+                                     fit->completeness, fit->events)
+                       : ", too few for a slope";
     const auto [low, high] = padded_range(magnitudes, 0.08);
-    Chart chart({title, words}, Axis{"magnitude, per metre of thickness", low, high},
+    Chart chart({title, subtitle}, Axis{"magnitude, per metre of thickness", low, high},
                 Axis{"events at or above", 0.8, 1.5 * number.front(), true});
     const Marker marker{palette::series(0), MarkerShape::disc, 9};
     chart.points(magnitudes, number, marker);

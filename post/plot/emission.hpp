@@ -1,4 +1,4 @@
-// Acoustic emission: how many events are at least so large.
+// Acoustic emission: the number of events at or above each magnitude.
 #pragma once
 
 #include <string>

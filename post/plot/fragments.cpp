@@ -41,8 +41,8 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
 
 Command fragments_plot() {
     return make_plot<MapPlotOptions>(
-        "fragments", "what still hangs together", {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"},
-        one_run, add_map_options,
+        "fragments", "grains that are still connected, by fragment",
+        {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"}, one_run, add_map_options,
         [](const MapPlotOptions& options, const Call& call) { return draw_fragments(RunReader(call.file()), options.map); });
 }
 

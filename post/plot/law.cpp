@@ -100,7 +100,7 @@ std::vector<LawDescription> chosen(const std::vector<std::string>& names) {
 
 Axis up_to(const std::string& label, double high) { return {label, 0, high}; }
 
-/// Whether curves over the same displacements are one to the eye: within half a percent of the largest traction.
+/// Whether curves over the same displacements cannot be told apart in the picture: within half a percent of the largest traction.
 bool agree(const std::vector<Path>& paths) {
     double highest = 0;
     double apart = 0;
@@ -113,7 +113,7 @@ bool agree(const std::vector<Path>& paths) {
     return apart < 0.005 * highest;
 }
 
-/// Sets of curves that are one to the eye, each by the index of its first.
+/// Sets of curves that cannot be told apart, each by the index of its first.
 std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths) {
     std::vector<std::vector<std::size_t>> sets;
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -124,7 +124,7 @@ std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths
     return sets;
 }
 
-/// One curve a law, but the largest set of like ones as a single black one. Returns whether there is such a set.
+/// One curve a law; the largest set of indistinguishable ones is a single black curve. Returns whether there is such a set.
 bool draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
     const auto sets = like_curves(paths);
     const auto most =

@@ -1,4 +1,4 @@
-// The curves of the contact laws, and the potential the paper takes the thickness of a contact from (Figs 2 and 11).
+// The curves of the contact laws (Fig 2), and the potential from which the paper derives the thickness of a contact (Fig 11).
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@
 
 namespace graincrack {
 
-/// What every picture is told; a picture with options of its own derives from it.
+/// The options of every picture; a picture with options of its own derives from it.
 struct PlotOptions {
     std::string picture;  ///< .png or .svg
 };

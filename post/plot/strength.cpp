@@ -46,7 +46,7 @@ void draw_group(Chart& chart, const std::vector<RunData>& runs, const StrengthGr
         chart.points(std::vector<double>{at}, std::vector<double>{value}, marker);
     };
     const Estimate& mean = group.strength.mean;
-    // Over few runs an interval may reach below zero, where a logarithm ends.
+    // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
     if (mean.low) chart.error_bar(x + 0.12, std::max(*mean.low, 0.01 * mean.value) * mega, *mean.high * mega, palette::rim);
     chart.line(std::vector<double>{x - 0.1, x + 0.2}, std::vector<double>(2, mean.value * mega), Stroke{palette::rim, 4});
     for (const RunData& run : runs) {
@@ -69,9 +69,9 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     std::size_t without_peak = 0;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const double x = static_cast<double>(i) + 1;
-        names.emplace_back(x, series_words(groups[i].test, groups[i].confining_pressure));
+        names.emplace_back(x, series_label(groups[i].test, groups[i].confining_pressure));
         draw_group(chart, runs, groups[i], x, material);
-        without_peak += groups[i].capped;
+        without_peak += groups[i].without_peak;
     }
     chart.name_ticks(names);
     chart.legend(peak, "peak of a run");

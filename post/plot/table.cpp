@@ -13,7 +13,7 @@ namespace graincrack {
 namespace {
 
 struct Curve {
-    std::string words;
+    std::string label;
     std::vector<double> x;
     std::vector<double> y;
 };
@@ -24,8 +24,8 @@ std::vector<Curve> curves_of(const std::vector<std::string>& files, const TableP
         const TableFile table(file);
         const std::string name = std::filesystem::path(table.name()).filename().string();
         for (const std::string& y : options.y) {
-            const std::string words = files.size() == 1 ? label_words(y) : name + ": " + label_words(y);
-            curves.push_back({words, table.numbers_or_nan(options.x), table.numbers_or_nan(y)});
+            const std::string label = files.size() == 1 ? column_label(y) : name + ": " + column_label(y);
+            curves.push_back({label, table.numbers_or_nan(options.x), table.numbers_or_nan(y)});
         }
     }
     return curves;
@@ -42,17 +42,17 @@ Axis axis_over(const std::vector<Curve>& curves, const std::string& label, std::
 
 Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options) {
     const std::vector<Curve> curves = curves_of(files, options);
-    const std::string y_label = options.y.size() == 1 ? label_words(options.y[0]) : "";
-    Chart chart({}, axis_over(curves, label_words(options.x), &Curve::x), axis_over(curves, y_label, &Curve::y));
+    const std::string y_label = options.y.size() == 1 ? column_label(options.y[0]) : "";
+    Chart chart({}, axis_over(curves, column_label(options.x), &Curve::x), axis_over(curves, y_label, &Curve::y));
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Marker marker{palette::series(i), marker_shape(i)};
         const Stroke stroke{palette::series(i), 4};
         if (options.points) {
             chart.points(curves[i].x, curves[i].y, marker);
-            chart.legend(marker, curves[i].words);
+            chart.legend(marker, curves[i].label);
         } else {
             chart.line(curves[i].x, curves[i].y, stroke);
-            chart.legend(stroke, curves[i].words);
+            chart.legend(stroke, curves[i].label);
         }
     }
     return chart.finish();
