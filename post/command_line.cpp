@@ -35,14 +35,26 @@ const char* const examples =
 
 /// The commands in the order of --help.
 std::vector<Command> commands() {
+    // clang-format off
     return {
-        info_command(),     history_command(),     strength_command(), moduli_command(), toughness_command(),
-        envelope_command(), size_effect_command(), trend_command(),    fpz_command(),    ccd_command(),
-        cracks_command(),   report_command(),      plot_command(),
+        info_command(),
+        history_command(),
+        strength_command(),
+        moduli_command(),
+        toughness_command(),
+        envelope_command(),
+        size_effect_command(),
+        trend_command(),
+        fpz_command(),
+        ccd_command(),
+        cracks_command(),
+        report_command(),
+        plot_command(),
     };
+    // clang-format on
 }
 
-/// A command in the application, and what the command line says of its files.
+/// A command of the application, with the files that the command line gives it.
 struct Registered {
     std::string name;  ///< "strength", "plot curve"
     std::optional<FileArguments> arguments;
