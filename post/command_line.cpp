@@ -1,7 +1,29 @@
 #include "post/command_line.hpp"
 
-#include "post/commands/option_parts.hpp"
-#include "post/commands/plot_options.hpp"
+#include <fmt/format.h>
+#include <gsl/gsl_version.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include "post/chart/picture.hpp"
+#include "post/commands/ccd.hpp"
+#include "post/commands/cracks.hpp"
+#include "post/commands/envelope.hpp"
+#include "post/commands/fpz.hpp"
+#include "post/commands/history.hpp"
+#include "post/commands/info.hpp"
+#include "post/commands/measures.hpp"
+#include "post/commands/plot.hpp"
+#include "post/commands/report.hpp"
+#include "post/commands/size_effect.hpp"
+#include "post/commands/trend.hpp"
+#include "share/command_line.hpp"
+#include "share/error.hpp"
 
 namespace graincrack {
 
@@ -11,110 +33,123 @@ const char* const examples =
     "  graincrack-post strength uniaxial.h5 brazilian.h5\n"
     "  graincrack-post plot cracks uniaxial.h5 --frame peak -o cracks.png\n";
 
-void add_info(CLI::App& app, PostOptions& options) {
-    CLI::App* info = add_command(app, "info", "what is in a specimen or run");
-    add_files(info, options, "files", "specimens or runs");
-    info->add_flag("--check", options.check, "read every dataset and validate the specimen");
-    info->add_flag("--digest", options.digest, "print `digest  file` only: SHA-256 over the content except /provenance");
-}
-
-void add_tables(CLI::App& app, PostOptions& options) {
-    const auto table = [&](const std::string& name, const std::string& help) {
-        CLI::App* command = add_command(app, name, help);
-        add_files(command, options, "runs", "run files");
-        add_format(command, options);
-        return command;
+/// The commands in the order of --help.
+std::vector<Command> commands() {
+    // clang-format off
+    return {
+        info_command(),
+        history_command(),
+        strength_command(),
+        moduli_command(),
+        toughness_command(),
+        envelope_command(),
+        size_effect_command(),
+        trend_command(),
+        fpz_command(),
+        ccd_command(),
+        cracks_command(),
+        report_command(),
+        plot_command(),
     };
-    CLI::App* history = add_command(app, "history", "the history of a run as a table, tension positive");
-    add_files(history, options, "run", "run file");
-    history->add_flag("--follow", options.follow, "write the rows of a run in work as they appear, until it ends");
-    auto* probe = history->add_option("--probe", options.probe, "of a program: this probe instead, or what this boundary did")
-                      ->type_name("NAME");
-    auto* stages = history->add_flag("--stages", options.stages, "of a program: its stages instead, and what ended them");
-    stages->excludes(probe);
-    add_format(history, options);
-    CLI::App* strength = table("strength", "strength, strain, cracks at the peak and checks of the run, a row a run");
-    strength->add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");
-    table("moduli",
-          "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
-          "and predicted from contact compliance");
-    table("toughness", "fracture toughness K_IC from tension of rectangles with a notch through the middle, a row a run");
-    add_capped(table("envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals"), options);
-    add_capped(table("size-effect", "power law of strength against mean edge, a fit for each test and confining pressure"),
-               options);
-    CLI::App* trend = add_command(app, "trend", "line or power law of a column against another, intervals, elasticity");
-    add_trend(trend, options);
-    add_format(trend, options);
-    CLI::App* fpz = add_command(app, "fpz", "the fracture process zone of a rock, every number with its equation");
-    fpz->add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
-    add_format(fpz, options);
+    // clang-format on
 }
 
-void add_ccd(CLI::App& app, PostOptions& options) {
-    CLI::App* ccd = app.add_subcommand("ccd", "central composite designs: runs to make, response surfaces, the factors wanted");
-    ccd->require_subcommand(1);
-    CLI::App* design = add_command(*ccd, "design", "the runs of a central composite design");
-    add_names(design, "--factor", options.ccd.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, unit in its name");
-    add_choice<ccd::Star>(*design, "--star", options.ccd.star,
-                          {{"rotatable", ccd::Star::rotatable}, {"face-centred", ccd::Star::face_centred}},
-                          "star points at (2^k)^(1/4), or on the faces");
-    add_integer<std::size_t>(*design, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
-    add_format(design, options);
-    CLI::App* fit = add_command(*ccd, "fit", "quadratic response surfaces: coefficients, analysis of variance, lack of fit");
-    add_model(fit, options);
-    add_names(fit, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
-    using FitTable = ccd::Options::FitTable;
-    add_choice<FitTable>(*fit, "--table", options.ccd.fit_table,
-                         {{"terms", FitTable::terms}, {"anova", FitTable::anova}, {"summary", FitTable::summary}},
-                         "what to print");
-    add_format(fit, options);
-    CLI::App* solve =
-        add_command(*ccd, "solve", "factors at which the responses are as wanted (desirability), within the design");
-    add_model(solve, options);
-    add_goals(solve, options);
-    add_format(solve, options);
+/// A command of the application, with the files that the command line gives it.
+struct Registered {
+    std::string name;  ///< "strength", "plot curve"
+    std::optional<FileArguments> arguments;
+    std::vector<std::string> files;
+    std::string files_from;
+    Action action;
+};
+using Registry = std::map<const CLI::App*, Registered>;
+
+/// Adds a command, or a command and those it holds. \param prefix of its name: "plot " for those of `plot`
+void add(CLI::App& parent, const Command& command, const std::string& prefix, Registry& registry) {
+    CLI::App* app = parent.add_subcommand(command.name, command.help);
+    if (!command.subcommands.empty()) {
+        app->require_subcommand(1);
+        for (const Command& sub : command.subcommands) add(*app, sub, prefix + command.name + " ", registry);
+        return;
+    }
+    Registered& own = registry[app];
+    own.name = prefix + command.name;
+    own.arguments = command.files;
+    std::string lines;
+    for (const std::string& example : command.examples) lines += fmt::format("  graincrack-post {} {}\n", own.name, example);
+    app->footer("Examples:\n" + lines);
+    if (command.files) {
+        app->add_option(command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
+            ->type_name("FILE")
+            ->configurable(false);
+        app->add_option("--files-from", own.files_from, "list of files, one a line (- is stdin)")
+            ->type_name("FILE")
+            ->configurable(false);
+    }
+    own.action = command.add_options(*app);
 }
 
-void add_report(CLI::App& app, PostOptions& options) {
-    CLI::App* report = add_command(app, "report", "a test or a set as one HTML page that needs nothing else");
-    add_files(report, options, "runs", "run files");
-    report->add_option("--material", options.material, "material whose laboratory values stand beside the results");
-    add_capped(report, options);
-    add_output(report, options, "page: .html");
+/// Names of files, one a line.
+std::vector<std::string> read_list(const std::string& path) {
+    std::ifstream file;
+    if (path != "-") {
+        file.open(path);
+        if (!file) throw InputError(fmt::format("--files-from {}: cannot be read: {}", path, std::strerror(errno)));
+    }
+    std::istream& stream = path == "-" ? std::cin : file;
+    std::vector<std::string> names;
+    for (std::string line; std::getline(stream, line);) {
+        if (!line.empty()) names.push_back(line);
+    }
+    if (names.empty()) throw InputError(fmt::format("--files-from {}: no names; one file a line is needed", path));
+    return names;
 }
 
-void add_maps(CLI::App& app, PostOptions& options) {
-    CLI::App* cracks = add_command(app, "cracks", "grains and cracks as VTK series, catalogue and rosette");
-    add_files(cracks, options, "run", "run file");
-    add_output(cracks, options, "folder for grains.pvd, cracks.pvd and the tables");
-    add_events(cracks, options);
-    add_format(cracks, options);
+/// The files of a call: those in place, then those of the list.
+std::vector<std::string> files_of(const Registered& command) {
+    std::vector<std::string> files = command.files;
+    const bool stdin_is_file = std::find(files.begin(), files.end(), "-") != files.end();
+    if (!command.files_from.empty()) {
+        const std::vector<std::string> more = read_list(command.files_from);
+        if (command.files_from == "-" && stdin_is_file) {
+            throw UsageError("--files-from -: stdin holds the list and cannot be a file too");
+        }
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    if (files.empty() && command.arguments && command.arguments->needed) {
+        throw UsageError(fmt::format("{}: missing; {} needs a file, or --files-from", command.arguments->name, command.name));
+    }
+    if (std::count(files.begin(), files.end(), "-") > 1)
+        throw UsageError("-: stands for stdin, which holds one file; give it once");
+    return files;
 }
 
 }  // namespace
 
-std::optional<PostOptions> read_options(int argc, const char* const* argv) {
-    PostOptions options;
+void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     CommonOptions common;
     CLI::App app("Turns runs into tables, VTK files and pictures");
-    add_common_options(app, "graincrack-post", common, examples, post_libraries());
+    add_common_options(app, "graincrack-post", common, examples, {vtk_library_version(), std::string("GSL ") + GSL_VERSION});
     app.require_subcommand(1);
-    add_info(app, options);
-    add_tables(app, options);
-    add_ccd(app, options);
-    add_maps(app, options);
-    add_report(app, options);
-    add_plots(app, options);
-    if (!parse_command_line(app, argc, argv)) return std::nullopt;
-    const CLI::App* command = app.get_subcommands().front();
-    options.command = command->get_name();
-    if (!command->get_subcommands().empty()) {
-        command = command->get_subcommands().front();
-        options.picture = command->get_name();
-    }
-    complete_files(*command, options);
-    options.verbosity = common.verbosity;
-    return options;
+    Registry registry;
+    for (const Command& command : commands()) add(app, command, "", registry);
+    if (!parse_command_line(app, argc, argv)) return;
+    const CLI::App* called = &app;
+    while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
+    const Registered& command = registry.at(called);
+    command.action({command.name, files_of(command), out, common.verbosity});
+    out.flush();
+    if (!out) throw OutputError("stdout: could not be written whole");
+}
+
+const std::string& Call::file() const {
+    if (files.size() == 1) return files.front();
+    throw UsageError(fmt::format("{}: takes one file, not {}", command, files.size()));
+}
+
+std::ostream& Call::diagnostics() const {
+    static std::ostream nowhere(nullptr);
+    return verbosity == Verbosity::quiet ? nowhere : std::cerr;
 }
 
 }  // namespace graincrack

@@ -5,14 +5,12 @@
 #include <iostream>
 
 #include "post/command_line.hpp"
-#include "post/commands/commands.hpp"
 #include "share/error.hpp"
 
 int main(int argc, char** argv) {
     return graincrack::run_tool("graincrack-post", [&] {
         graincrack::catch_stop_signals();
-        const auto options = graincrack::read_options(argc, argv);
-        if (options) graincrack::run_command(*options, std::cout);
+        graincrack::run_command_line(argc, argv, std::cout);
         return 0;
     });
 }

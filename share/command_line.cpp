@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "share/configuration_file.hpp"
 #include "share/option_names.hpp"
@@ -20,6 +21,8 @@ namespace {
 std::string shown_name(const CLI::Option& option) {
     return option.get_lnames().empty() ? option.get_name(option.get_positional()) : "--" + option.get_lnames().front();
 }
+
+bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
 
 /// Text as part of a one-line message.
 std::string one_line(std::string text) {
@@ -53,7 +56,7 @@ void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
 
 // --- help ------------------------------------------------------------------------------------------------------------
 
-/// Help without the noise of environment variables; help of a subcommand shows the options of the tool as well.
+/// Help without the names of environment variables; help of a subcommand also shows the options of the tool.
 class HelpFormatter : public CLI::Formatter {
 public:
     std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
@@ -160,20 +163,21 @@ bool on_command_line(const Call& call, const CLI::Option& option) {
 }
 
 /// "--edge" or, if the value was not on the command line, "--edge (from run.toml, line 3)".
-std::string with_origin(const Call& call, const std::string& name) {
-    const CLI::Option* option = find_option(call, name);
-    if (option == nullptr || on_command_line(call, *option)) return name;
-    if (in_environment(option->get_envname())) return fmt::format("{} (from {})", name, option->get_envname());
+std::string with_origin(const Call& call, const CLI::Option& option) {
+    std::string name = shown_name(option);
+    if (on_command_line(call, option)) return name;
+    if (in_environment(option.get_envname())) return fmt::format("{} (from {})", name, option.get_envname());
     const ConfigurationFile* file = configuration_file(call.app);
-    const std::string origin = file == nullptr ? "" : file->origin(option);
+    const std::string origin = file == nullptr ? "" : file->origin(&option);
     return origin.empty() ? name : fmt::format("{} (from {})", name, origin);
 }
 
-/// A message that starts "--option: …", with the origin of the value after the option.
+/// A UsageError that starts "--option: …", with the origin of the value after the option.
 std::string with_origin_in(const Call& call, const std::string& message) {
     const auto end = message.find(": ");
     if (end == std::string::npos || message.find(' ') < end) return message;
-    return with_origin(call, message.substr(0, end)) + message.substr(end);
+    const CLI::Option* option = find_option(call, message.substr(0, end));
+    return option == nullptr ? message : with_origin(call, *option) + message.substr(end);
 }
 
 std::string subcommand_message(const CLI::App& app, const std::string& wrong) {
@@ -207,56 +211,115 @@ std::string leftover_message(const Call& call, const std::vector<std::string>& l
     return fmt::format("unexpected argument \"{}\"; see {}", left.front(), help_command(call.app));
 }
 
-/// CLI11's complaint in our words.
-std::string message_of(const Call& call, const CLI::ParseError& error) {
-    const std::string text = one_line(error.what());
-    const auto before = [&](const std::string& mark) { return text.substr(0, text.find(mark)); };
-    const std::vector<std::string> left = call.app.remaining(true);
+// The type of an exception of CLI11 says what kind of error it is; the option it concerns is only in its English text. Each
+// function below therefore finds the option by the state of all options. It returns the message, or "" without such an option.
 
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-        if (!left.empty()) return leftover_message(call, left);
-        if (text.find("subcommand") != std::string::npos) return subcommand_message(*running(call.app).back(), "");
-        const CLI::Option* option = find_option(call, before(" "));
-        if (option == nullptr) return fmt::format("{}; see {}", text, help_command(call.app));
-        return fmt::format("{}: missing; it is needed: {}", shown_name(*option), option->get_description());
-    }
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-        const std::string name = before(": ");
-        const CLI::Option* option = find_option(call, name);
-        if (text.find("missing") != std::string::npos) {
-            return fmt::format("{}: no value given; write {} {}", name, name,
-                               option == nullptr ? "VALUE" : option->get_type_name());
+/// The first option of what runs, from the top, that fits; nullptr if there is none.
+const CLI::Option* first_option(const Call& call, const std::function<bool(const CLI::Option&)>& fits) {
+    for (const CLI::App* each : running(call.app)) {
+        for (const CLI::Option* option : each->get_options()) {
+            if (fits(*option)) return option;
         }
-        if (text.find("At Most") != std::string::npos || text.find("At most") != std::string::npos) {
-            return fmt::format("{}: given more than once; give it once", with_origin(call, name));
+    }
+    return nullptr;
+}
+
+std::string missing_message(const Call& call) {
+    for (const CLI::App* each : running(call.app)) {
+        for (const CLI::Option* option : each->get_options()) {
+            if (!option->get_required() || option->count() > 0) continue;
+            return fmt::format("{}: missing; it is needed: {}", shown_name(*option), option->get_description());
         }
-        return with_origin_in(call, text) + "; see " + help_command(call.app);
+        if (each->get_subcommands().size() < each->get_require_subcommand_min()) return subcommand_message(*each, "");
     }
-    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-        const std::string lead = "Could not convert: ";
-        if (text.compare(0, lead.size(), lead) == 0) {
-            const std::string name = text.substr(lead.size(), text.find(" = ") - lead.size());
-            const auto value = text.find(" = ");
-            const CLI::Option* option = find_option(call, name);
-            return fmt::format("{}: \"{}\" does not fit; write {} {}", with_origin(call, name),
-                               value == std::string::npos ? "" : text.substr(value + 3), name,
-                               option == nullptr ? "VALUE" : option->get_type_name());
-        }
-        return with_origin_in(call, text) + "; see " + help_command(call.app);
+    return "";
+}
+
+/// An option with more values than it takes, or one at the end of the command line without its value.
+std::string mismatch_message(const Call& call) {
+    const CLI::Option* repeated = first_option(call, [](const CLI::Option& option) {
+        return option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
+               option.count() > static_cast<std::size_t>(std::max(option.get_items_expected_max(), 1));
+    });
+    if (repeated != nullptr) return fmt::format("{}: given more than once; give it once", with_origin(call, *repeated));
+    if (call.arguments.empty()) return "";
+    const std::string& last = call.arguments.back();
+    const bool is_short = last.size() > 1 && last[0] == '-' && last[1] != '-';  // "-o", or "-qo" for "-q -o"
+    const CLI::Option* bare = find_option(call, is_short ? std::string("-") + last.back() : last);
+    if (bare == nullptr || is_flag(*bare)) return "";
+    return fmt::format("{}: no value given; write {} {}", shown_name(*bare), shown_name(*bare), bare->get_type_name());
+}
+
+bool reads_as_flag(const CLI::Option& option) {
+    try {
+        (void)option.as<bool>();
+        return true;
+    } catch (const CLI::ConversionError&) {
+        return false;
     }
-    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
-        const auto mark = text.find(" excludes ");
-        return fmt::format("{} and {}: only one of them can be given; leave one out", with_origin(call, text.substr(0, mark)),
-                           with_origin(call, text.substr(mark + 10)));
+}
+
+/// A flag with a value that is neither true nor false; the values of other options are read by functions of ours.
+std::string conversion_message(const Call& call) {
+    const CLI::Option* flag = first_option(
+        call, [](const CLI::Option& option) { return is_flag(option) && option.count() > 0 && !reads_as_flag(option); });
+    if (flag == nullptr) return "";
+    const std::string name = shown_name(*flag);
+    return fmt::format("{}: \"{}\" does not fit; write {} alone, or {}=true or {}=false", with_origin(call, *flag),
+                       flag->results().back(), name, name, name);
+}
+
+/// The first of some options that was given (or not); nullptr if there is none.
+const CLI::Option* first_of(const std::set<CLI::Option*>& options, bool given) {
+    const auto found = std::find_if(options.begin(), options.end(), [given](auto* o) { return (o->count() > 0) == given; });
+    return found == options.end() ? nullptr : *found;
+}
+
+std::string exclusion_message(const Call& call) {
+    const CLI::Option* one = first_option(
+        call, [](const CLI::Option& option) { return option.count() > 0 && first_of(option.get_excludes(), true) != nullptr; });
+    if (one == nullptr) return "";
+    return fmt::format("{} and {}: only one of them can be given; leave one out", with_origin(call, *one),
+                       with_origin(call, *first_of(one->get_excludes(), true)));
+}
+
+std::string requirement_message(const Call& call) {
+    const CLI::Option* one = first_option(
+        call, [](const CLI::Option& option) { return option.count() > 0 && first_of(option.get_needs(), false) != nullptr; });
+    if (one == nullptr) return "";
+    return fmt::format("{}: not alone; give {} as well", with_origin(call, *one), shown_name(*first_of(one->get_needs(), false)));
+}
+
+std::string file_message(const Call& call) {
+    const CLI::Option* config = call.app.get_config_ptr();
+    return config == nullptr || config->count() == 0
+               ? ""
+               : fmt::format("{}: {} cannot be read; a TOML file is wanted", shown_name(*config), config->results().back());
+}
+
+template <class Kind>
+bool is(const CLI::ParseError& error) {
+    return dynamic_cast<const Kind*>(&error) != nullptr;
+}
+
+/// The error as one line for the user.
+std::string message_of(const Call& call, const CLI::ParseError& error) {
+    std::string message;
+    if (is<CLI::ExtrasError>(error) || is<CLI::RequiredError>(error)) {
+        const std::vector<std::string> left = call.app.remaining(true);
+        message = left.empty() ? missing_message(call) : leftover_message(call, left);
+    } else if (is<CLI::ArgumentMismatch>(error)) {
+        message = mismatch_message(call);
+    } else if (is<CLI::ConversionError>(error)) {
+        message = conversion_message(call);
+    } else if (is<CLI::ExcludesError>(error)) {
+        message = exclusion_message(call);
+    } else if (is<CLI::RequiresError>(error)) {
+        message = requirement_message(call);
+    } else if (is<CLI::FileError>(error)) {
+        message = file_message(call);
     }
-    if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) {
-        const auto mark = text.find(" requires ");
-        return fmt::format("{}: not alone; give {} as well", with_origin(call, text.substr(0, mark)), text.substr(mark + 10));
-    }
-    if (dynamic_cast<const CLI::FileError*>(&error) != nullptr) {
-        return fmt::format("--config: {} cannot be read; a TOML file is wanted", before(" was not readable"));
-    }
-    return fmt::format("{}; see {}", with_origin_in(call, text), help_command(call.app));
+    return message.empty() ? fmt::format("{}; see {}", one_line(error.what()), help_command(call.app)) : message;
 }
 
 }  // namespace
@@ -382,7 +445,7 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
     for_each_app(app, [&](CLI::App& each) {
         if (each.get_parent() != nullptr) {
             each.fallthrough();
-            // only now, for a variable is no concern of subcommands that do not run
+            // only for subcommands that run: the variables do not apply to others
             each.preparse_callback([&each](std::size_t) { name_variables(each); });
         }
         for (CLI::Option* option : each.get_options()) {

@@ -38,7 +38,7 @@ std::string toml_string(const std::string& text) {
     return out + '"';
 }
 
-/// A value as TOML: a number stands bare if it reads back as it was written.
+/// A value as TOML: a number is written without quotes if it reads back unchanged.
 std::string toml_value(const std::string& text) {
     const char* const end = text.data() + text.size();
     std::int64_t integer = 0;
@@ -61,7 +61,7 @@ std::string toml_line(const CLI::Option& option) {
     const bool many = option.get_items_expected_max() > 1;
     if (values.empty()) {
         const std::set<CLI::Option*> others = option.get_excludes();
-        // the default stands unless another option takes its place, or may do so by a default of its own
+        // the default holds unless an option that excludes this one is given, or has a default itself
         const bool replaced = std::any_of(others.begin(), others.end(), [](const CLI::Option* other) {
             return other->count() > 0 || !other->get_default_str().empty();
         });
@@ -121,7 +121,8 @@ void ConfigurationFile::check_section(const TomlFile& toml, const TomlSection& s
     }
 }
 
-/// The application or subcommand of a section (checked before) and its option; top keys belong to whatever runs.
+/// Adds the option of an entry, in the subcommand of its section (checked before); keys at the top belong to the subcommand that
+/// runs.
 void ConfigurationFile::add_item(const TomlFile& toml, const TomlEntry& entry, std::vector<CLI::ConfigItem>& loaded) const {
     const std::vector<CLI::App*> chain = running(app_);
     std::vector<std::string> parents = entry.section;

@@ -1,4 +1,4 @@
-// Configuration files of the command line: TOML by the names of options, with the rules told in command_line.hpp.
+// Configuration files of the command line: TOML with the names of options as keys, by the rules of command_line.hpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,10 +19,10 @@ public:
     std::vector<CLI::ConfigItem> from_config(std::istream& stream) const override;
     std::string to_config(const CLI::App*, bool, bool, std::string) const override;
 
-    /// "file, line n" of an option that a file gave a value, else "".
+    /// "file, line n" of an option whose value a configuration file gave, else "".
     [[nodiscard]] std::string origin(const CLI::Option* option) const;
 
-    /// Keeps how the value of an option is read, so that its default can be applied once it is known which subcommand runs.
+    /// Keeps the function that reads the value of an option: its default is applied once it is known which subcommand runs.
     void remember(const CLI::Option* option, const std::function<void(const std::string&)>& read) { readers_[option] = read; }
     void apply_default(const CLI::Option* option) const;
 
@@ -36,7 +36,7 @@ private:
     std::map<const CLI::Option*, std::function<void(const std::string&)>> readers_;
 };
 
-/// That of an application; nullptr if it has none.
+/// The configuration file of an application; nullptr if it has none.
 ConfigurationFile* configuration_file(const CLI::App& app);
 
 }  // namespace graincrack

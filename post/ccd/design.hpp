@@ -1,4 +1,4 @@
-// Central composite designs: which runs to make so that a full quadratic in k factors can be fitted.
+// Central composite designs: the runs from which a full quadratic in k factors can be fitted.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace graincrack::ccd {
 
-/// A factor with the values that stand for −1 and +1. Any unit; the same comes out again.
+/// A factor with its values at the coded levels −1 and +1, in any unit; values derived from it have the same unit.
 struct Factor {
     std::string name;
     double low = 0;

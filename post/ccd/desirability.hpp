@@ -1,4 +1,4 @@
-// Desirability of responses (Derringer & Suich 1980): how near each comes to what is wanted, and all together.
+// Desirability of responses (Derringer & Suich 1980): how near each response comes to its goal, and all of them together.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace graincrack::ccd {
 
-/// What is wanted of a response.
+/// The goal for a response.
 struct Goal {
     enum class Kind { target, maximum, minimum } kind = Kind::target;
     std::string response;
-    double low = 0;     ///< target, maximum: nothing is gained at or below
-    double target = 0;  ///< target: the best value; maximum, minimum: good enough from here on
-    double high = 0;    ///< target, minimum: nothing is gained at or above
-    /// 0 (useless) to 1 (as wanted), linear between.
+    double low = 0;     ///< target, maximum: desirability 0 at or below
+    double target = 0;  ///< target: the best value; maximum, minimum: desirability 1 from here on
+    double high = 0;    ///< target, minimum: desirability 0 at or above
+    /// 0 (useless) to 1 (goal reached), linear between.
     [[nodiscard]] double operator()(double response_value) const;
 };
 

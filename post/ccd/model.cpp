@@ -40,12 +40,12 @@ double Term::operator()(const std::vector<double>& coded) const {
 int Term::degree() const { return std::accumulate(power.begin(), power.end(), 0); }
 
 std::string Term::name() const {
-    std::string words;
+    std::string label;
     for (std::size_t k = 0; k < power.size(); ++k) {
         if (power[k] == 0) continue;
-        words += fmt::format("{}x{}{}", words.empty() ? "" : " ", k + 1, power[k] == 1 ? "" : fmt::format("^{}", power[k]));
+        label += fmt::format("{}x{}{}", label.empty() ? "" : " ", k + 1, power[k] == 1 ? "" : fmt::format("^{}", power[k]));
     }
-    return words.empty() ? "1" : words;
+    return label.empty() ? "1" : label;
 }
 
 bool Term::is_parent_of(const Term& other) const {

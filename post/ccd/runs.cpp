@@ -20,7 +20,7 @@ Factor quantity_of(const TableFile& table, const std::string& coded_name, const 
         try {
             values = table.numbers(column);
         } catch (const InputError&) {
-            continue;  // a column of words
+            continue;  // a column of text
         }
         const std::optional<Line> line = fit_line(coded, values);
         constexpr double rounding = 1e-6;

@@ -18,7 +18,7 @@ struct Runs {
 };
 
 /// Reads the columns x1, x2, …; the quantity of a factor is the column that is linear in it (as `ccd design` writes them).
-/// Given factors win: they name their columns, and code them where there is no x1.
+/// Factors in `given` have precedence: they name their columns, which are coded by them if the table has no x1.
 /// \throws InputError if there is neither
 Runs read_runs(const TableFile& table, const std::vector<Factor>& given);
 

@@ -38,7 +38,7 @@ double call_objective(const gsl_vector* x, void* pointer) {
     return (*static_cast<const Objective*>(pointer))(place);
 }
 
-/// The minimum near a start, by simplexes that begin anew from where the last one ended.
+/// The minimum near a start, by simplex searches of which each starts where the one before ended.
 Place descend(const Objective& objective, Place start, double step) {
     using Minimizer = std::unique_ptr<gsl_multimin_fminimizer, decltype(&gsl_multimin_fminimizer_free)>;
     using Vector = std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)>;
@@ -85,11 +85,11 @@ std::optional<Place> min_norm(const std::vector<Place>& jacobian, const std::vec
     return x;
 }
 
-/// The place nearest to the centre where all targets are met: of the models made straight at a place the nearest is known;
-/// from there again. Empty if that does not settle.
+/// The point nearest to the centre at which all targets are met, by iteration: for the models linearised at a point the nearest
+/// solution is known, and the next iteration linearises there. Empty if the iteration does not converge.
 std::optional<Place> nearest_to_centre(const std::vector<Model>& models, const std::vector<Goal>& goals, Place place) {
     constexpr double step = 1e-4;
-    constexpr double share = 0.3;  // of the way each time: all of it may overshoot where the models bend
+    constexpr double share = 0.3;  // of each correction: the full one may overshoot where the models are curved
     for (int round = 0; round < 500; ++round) {
         std::vector<Place> jacobian;
         std::vector<double> b;
@@ -114,7 +114,7 @@ std::optional<Place> nearest_to_centre(const std::vector<Model>& models, const s
     return std::nullopt;
 }
 
-/// What is left of optima that stand for a line of them or more.
+/// One optimum in place of the many that a search finds on a line (or a surface) of equal desirability.
 std::vector<Optimum> without_choice(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region,
                                     std::vector<Optimum> optima) {
     const auto targets = static_cast<std::size_t>(
@@ -179,7 +179,7 @@ std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<G
     std::erase_if(starts, [&](const Place& place) { return !(objective(place) < 0); });
     std::stable_sort(starts.begin(), starts.end(), [&](const Place& a, const Place& b) { return objective(a) < objective(b); });
     std::vector<Optimum> found;
-    // Starts far apart, so that a second optimum is not missed for the crowd around the first.
+    // Starts lie far apart: otherwise all would surround the first optimum, and a second one would be missed.
     const double apart = 0.4;
     std::vector<Place> used;
     for (const Place& start : starts) {

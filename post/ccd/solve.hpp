@@ -1,4 +1,4 @@
-// Factors at which the responses are as wanted: the largest desirability within the design.
+// Factors at which the responses meet their goals: the largest desirability within the design.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace graincrack::ccd {
 
-/// Where a design allows to predict: each factor within its runs, and no farther from the centre than the farthest run.
+/// The region in which a design allows predictions: each factor within the range of its runs, and no farther from the centre than
+/// the farthest run.
 class Region {
 public:
     explicit Region(const std::vector<std::vector<double>>& coded);
@@ -45,7 +46,7 @@ class ConfidenceRegion {
 public:
     /// \param models of the responses that have targets, one for each; the same runs in all
     ConfidenceRegion(std::vector<Model> models, std::vector<double> targets);
-    /// Whether there are residuals enough to tell.
+    /// Whether the residuals have enough degrees of freedom for a region.
     [[nodiscard]] bool is_known() const { return limit_ > 0; }
     /// The statistic over its limit: up to 1 within the region.
     [[nodiscard]] double operator()(const std::vector<double>& coded) const;

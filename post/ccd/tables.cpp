@@ -71,15 +71,14 @@ struct FitTableForm {
     void (*write)(TableWriter&, const std::string&, const Model&);
 };
 
-FitTableForm form_of(Options::FitTable kind) {
+FitTableForm form_of(FitTable kind) {
     switch (kind) {
-        case Options::FitTable::anova:
-            return {{"response", "source", "sum_of_squares", "freedom", "mean_square", "F", "p"}, write_anova};
-        case Options::FitTable::summary:
+        case FitTable::anova: return {{"response", "source", "sum_of_squares", "freedom", "mean_square", "F", "p"}, write_anova};
+        case FitTable::summary:
             return {{"response", "terms", "runs", "r_squared", "adjusted_r_squared", "predicted_r_squared", "press",
                      "residual_deviation", "F", "p", "lack_of_fit_F", "lack_of_fit_p"},
                     write_summary};
-        case Options::FitTable::terms: break;
+        case FitTable::terms: break;
     }
     return {{"response", "term", "coefficient", "standard_error", "t", "p", "low", "high"}, write_terms};
 }
@@ -89,7 +88,7 @@ struct RegionExtent {
     std::vector<double> low;
     std::vector<double> high;
     double share = 0;           ///< of the design that lies in the region
-    bool reaches_edge = false;  ///< the region goes on beyond the design
+    bool reaches_edge = false;  ///< the region extends beyond the design
 };
 
 std::optional<RegionExtent> extent_of(const Problem& problem) {
@@ -157,7 +156,7 @@ std::vector<Cell> solution_row(const Problem& problem, std::size_t index, const 
     return row;
 }
 
-std::vector<Goal> parse_goals(const Options& options) {
+std::vector<Goal> parse_goals(const GoalOptions& options) {
     std::vector<Goal> goals;
     for (const auto& text : options.targets) goals.push_back(parse_goal(text, Goal::Kind::target, "--target"));
     for (const auto& text : options.maxima) goals.push_back(parse_goal(text, Goal::Kind::maximum, "--maximise"));
@@ -168,7 +167,7 @@ std::vector<Goal> parse_goals(const Options& options) {
 
 }  // namespace
 
-void write_design(std::ostream& out, const Options& options, TableFormat format) {
+void write_design(std::ostream& out, const DesignOptions& options, TableFormat format) {
     const std::vector<Factor> factors = parse_factors(options.factors);
     constexpr std::size_t most = 10;
     if (factors.empty() || factors.size() > most) {
@@ -187,40 +186,40 @@ void write_design(std::ostream& out, const Options& options, TableFormat format)
     }
 }
 
-void write_fit(std::ostream& out, const std::string& file, const Options& options, TableFormat format) {
+void write_fit(std::ostream& out, const std::string& file, const FitOptions& options, TableFormat format) {
     if (options.responses.empty()) throw UsageError("ccd fit: no response; give --response NAME, a column of the table");
     const TableFile input(file);
-    const Runs runs = read_runs(input, parse_factors(options.factors));
+    const Runs runs = read_runs(input, parse_factors(options.model.factors));
     std::vector<Model> models;
-    for (const auto& response : options.responses) models.push_back(fit_response(input, runs, response, options.model));
-    const FitTableForm form = form_of(options.fit_table);
+    for (const auto& response : options.responses) models.push_back(fit_response(input, runs, response, options.model.choice));
+    const FitTableForm form = form_of(options.table);
     TableWriter table(out, form.columns, format);
     for (std::size_t i = 0; i < models.size(); ++i) form.write(table, options.responses[i], models[i]);
 }
 
-Problem solve_problem(const std::string& file, const Options& options) {
-    std::vector<Goal> goals = parse_goals(options);
+Problem solve_problem(const std::string& file, const SolveOptions& options) {
+    std::vector<Goal> goals = parse_goals(options.goals);
     const TableFile input(file);
-    Runs runs = read_runs(input, parse_factors(options.factors));
+    Runs runs = read_runs(input, parse_factors(options.model.factors));
     std::vector<Model> models;
     std::vector<Model> with_target;
     std::vector<double> targets;
     for (Goal& goal : goals) {
         set_limits(goal, input.numbers(goal.response));
-        models.push_back(fit_response(input, runs, goal.response, options.model));
+        models.push_back(fit_response(input, runs, goal.response, options.model.choice));
         if (goal.kind != Goal::Kind::target) continue;
         with_target.push_back(models.back());
         targets.push_back(goal.target);
     }
     std::vector<Optimum> optima = solve(models, goals, Region(runs.coded));
     if (optima.empty()) {
-        throw InputError(input.name() + ": nowhere within the design are all goals met to any degree; widen their limits");
+        throw InputError(input.name() + ": the desirability is 0 everywhere within the design; widen the limits of the goals");
     }
     return {
         std::move(runs), std::move(goals), std::move(models), std::move(optima), {std::move(with_target), std::move(targets)}};
 }
 
-void write_solution(std::ostream& out, const std::string& file, const Options& options, TableFormat format) {
+void write_solution(std::ostream& out, const std::string& file, const SolveOptions& options, TableFormat format) {
     const Problem problem = solve_problem(file, options);
     const std::optional<RegionExtent> extent = extent_of(problem);
     TableWriter table(out, solution_columns(problem), format);

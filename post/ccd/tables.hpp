@@ -12,26 +12,42 @@
 
 namespace graincrack::ccd {
 
-/// What a call of ccd asks for; each command uses its part.
-struct Options {
+struct DesignOptions {
     std::vector<std::string> factors;  ///< NAME=LOW:HIGH
     Star star = Star::rotatable;
     std::size_t centre_runs = 5;
+};
+/// run, x1 …, then a column for each factor. \throws UsageError without factors, or with more than ten
+void write_design(std::ostream& out, const DesignOptions& options, TableFormat format);
+
+/// How a model is fitted to the runs of a table.
+struct ModelOptions {
+    std::vector<std::string> factors;  ///< NAME=LOW:HIGH, for a table without coded factors
+    ModelChoice choice;
+};
+
+enum class FitTable { terms, anova, summary };
+struct FitOptions {
+    ModelOptions model;
     std::vector<std::string> responses;
-    ModelChoice model;
-    enum class FitTable { terms, anova, summary } fit_table = FitTable::terms;
+    FitTable table = FitTable::terms;
+};
+/// Coefficients, analysis of variance, or measures of the goodness of fit, for each response. \throws UsageError without
+/// responses
+void write_fit(std::ostream& out, const std::string& file, const FitOptions& options, TableFormat format);
+
+/// Goals for the responses: NAME=[LOW:]TARGET[:HIGH], NAME=LOW:GOOD, NAME=GOOD:HIGH.
+struct GoalOptions {
     std::vector<std::string> targets;
     std::vector<std::string> maxima;
     std::vector<std::string> minima;
 };
+struct SolveOptions {
+    ModelOptions model;
+    GoalOptions goals;
+};
 
-/// run, x1 …, then a column for each factor. \throws UsageError without factors, or with more than ten
-void write_design(std::ostream& out, const Options& options, TableFormat format);
-
-/// Coefficients, analysis of variance, or what the model is worth, for each response.
-void write_fit(std::ostream& out, const std::string& file, const Options& options, TableFormat format);
-
-/// A problem as it is solved: models and goals of equal length, and what else the answer needs.
+/// A solved problem: a model for each goal, the optima, and the confidence region of the factors.
 struct Problem {
     Runs runs;
     std::vector<Goal> goals;
@@ -39,10 +55,10 @@ struct Problem {
     std::vector<Optimum> optima;
     ConfidenceRegion confidence;  ///< of the responses with targets
 };
-/// \throws UsageError without goals, InputError if no place within the design is of any use
-Problem solve_problem(const std::string& file, const Options& options);
+/// \throws UsageError without goals, InputError if the desirability is 0 everywhere within the design
+Problem solve_problem(const std::string& file, const SolveOptions& options);
 
 /// A row an optimum: coded and real factors, the joint region of the factors, each response with its intervals.
-void write_solution(std::ostream& out, const std::string& file, const Options& options, TableFormat format);
+void write_solution(std::ostream& out, const std::string& file, const SolveOptions& options, TableFormat format);
 
 }  // namespace graincrack::ccd

@@ -68,10 +68,10 @@ std::string shortened(std::string word, double size, double room) {
     return shorter;
 }
 
-/// Words in lines that are no wider than `room`, broken at blanks.
-std::vector<std::string> broken_lines(const std::string& words, double size, double room) {
+/// Text in lines that are no wider than `room`, broken at blanks.
+std::vector<std::string> broken_lines(const std::string& text, double size, double room) {
     std::vector<std::string> lines(1);
-    std::istringstream in(words);
+    std::istringstream in(text);
     for (std::string next; in >> next;) {
         const std::string word = shortened(next, size, room);
         const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
@@ -163,9 +163,9 @@ Chart::Chart(const ChartText& text, const Axis& x, const Axis& y, const std::opt
         line += 1.35 * title_size;
         drawing_.text({{left_margin - 105, line - 10}, text.title, title_size, palette::ink, Anchor::start, true});
     }
-    for (const std::string& words : text.subtitle) {
+    for (const std::string& label : text.subtitle) {
         line += 1.35 * subtitle_size;
-        drawing_.text({{left_margin - 105, line - 8}, words, subtitle_size});
+        drawing_.text({{left_margin - 105, line - 8}, label, subtitle_size});
     }
     draw_grid();
 }
@@ -278,16 +278,16 @@ void Chart::box(double x_low, double x_high, double y_low, double y_high, Colour
     drawing_.rectangle({across(x_low), up(y_high)}, {across(x_high), up(y_low)}, colour);
 }
 
-void Chart::note(double x, double y, const std::string& words, Colour colour, Anchor anchor) {
+void Chart::note(double x, double y, const std::string& label, Colour colour, Anchor anchor) {
     const Pixel at = place(x, y);
     const double shift = anchor == Anchor::start ? 12 : anchor == Anchor::end ? -12 : 0;
-    drawing_.text({{at.x + shift, at.y - 8}, words, subtitle_size, colour, anchor});
+    drawing_.text({{at.x + shift, at.y - 8}, label, subtitle_size, colour, anchor});
 }
 
-void Chart::legend(const Stroke& stroke, const std::string& words) { legend_.push_back({stroke, std::nullopt, {}, words}); }
-void Chart::legend(const Marker& marker, const std::string& words) { legend_.push_back({std::nullopt, marker, {}, words}); }
-void Chart::legend_area(Colour colour, const std::string& words) {
-    legend_.push_back({std::nullopt, std::nullopt, colour, words});
+void Chart::legend(const Stroke& stroke, const std::string& label) { legend_.push_back({stroke, std::nullopt, {}, label}); }
+void Chart::legend(const Marker& marker, const std::string& label) { legend_.push_back({std::nullopt, marker, {}, label}); }
+void Chart::legend_area(Colour colour, const std::string& label) {
+    legend_.push_back({std::nullopt, std::nullopt, colour, label});
 }
 
 void Chart::draw_ticks() {
@@ -297,9 +297,9 @@ void Chart::draw_ticks() {
     } else {
         for (const double tick : ticks_of(x_.axis, 7)) ticks.emplace_back(tick, tick_text(tick));
     }
-    for (const auto& [tick, words] : ticks) {
+    for (const auto& [tick, label] : ticks) {
         drawing_.line({x_(tick), y_.from}, {x_(tick), y_.from + 8}, 1.6, palette::ink);
-        drawing_.text({{x_(tick), y_.from + 40}, words, named_ticks_ ? name_size : tick_size, palette::ink, Anchor::middle});
+        drawing_.text({{x_(tick), y_.from + 40}, label, named_ticks_ ? name_size : tick_size, palette::ink, Anchor::middle});
     }
     for (const double tick : ticks_of(y_.axis, 6)) {
         drawing_.line({x_.from - 8, y_(tick)}, {x_.from, y_(tick)}, 1.6, palette::ink);
@@ -339,9 +339,9 @@ void Chart::draw_legend() {
     const double left = left_margin - 105;
     Pixel at{left, y_.from + (x_.axis.label.empty() ? 96 : 140)};
     for (const Entry& entry : legend_) {
-        const double width = legend_mark + 14 + text_width(entry.words, legend_size) + 34;
+        const double width = legend_mark + 14 + text_width(entry.label, legend_size) + 34;
         if (at.x > left && at.x + width > page_width) at = {left, at.y + legend_line};
-        const auto lines = broken_lines(entry.words, legend_size, page_width - left - legend_mark - 14);
+        const auto lines = broken_lines(entry.label, legend_size, page_width - left - legend_mark - 14);
         draw_entry(entry, lines, at);
         at.x += width;
         at.y += static_cast<double>(lines.size() - 1) * legend_line;

@@ -54,14 +54,14 @@ public:
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
-    /// Words beside a place.
-    void note(double x, double y, const std::string& words, Colour colour = palette::ink, Anchor anchor = Anchor::start);
-    /// Ticks along x replaced by words at places.
+    /// Text beside a point.
+    void note(double x, double y, const std::string& label, Colour colour = palette::ink, Anchor anchor = Anchor::start);
+    /// Ticks along x replaced by texts at points.
     void name_ticks(const std::vector<std::pair<double, std::string>>& ticks) { named_ticks_ = ticks; }
 
-    void legend(const Stroke& stroke, const std::string& words);
-    void legend(const Marker& marker, const std::string& words);
-    void legend_area(Colour colour, const std::string& words);
+    void legend(const Stroke& stroke, const std::string& label);
+    void legend(const Marker& marker, const std::string& label);
+    void legend_area(Colour colour, const std::string& label);
 
     /// Frame, ticks, labels and legend over what was drawn.
     [[nodiscard]] Drawing finish();
@@ -77,7 +77,7 @@ private:
         std::optional<Stroke> stroke;
         std::optional<Marker> marker;
         Colour area;
-        std::string words;
+        std::string label;
     };
     [[nodiscard]] Pixel place(double x, double y) const { return {x_(x), y_(y)}; }
     void stroke_line(const std::vector<Pixel>& points, const Stroke& stroke);

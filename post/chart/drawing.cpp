@@ -75,9 +75,9 @@ std::size_t Drawing::n_marks() const {
     return n;
 }
 
-double text_width(const std::string& words, double size) {
+double text_width(const std::string& label, double size) {
     // Bytes that continue a UTF-8 character are not counted; DejaVu Sans, the widest of the fonts tried, has 0.58 em a letter.
-    const auto letters = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return (c & 0xC0) != 0x80; });
     return 0.58 * size * static_cast<double>(letters);
 }
 
@@ -134,7 +134,7 @@ public:
             text.at.x, text.at.y, text.size, hex(text.colour), anchors[static_cast<std::size_t>(text.anchor)],
             text.bold ? " font-weight=\"bold\"" : "",
             text.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x, text.at.y) : "",
-            escape_xml(text.words));
+            escape_xml(text.label));
     }
     void end() {
         if (!path_.empty()) fmt::format_to(std::back_inserter(body_), "<path {} d=\"{}\"/>\n", style_, path_);

@@ -1,4 +1,4 @@
-// A picture as a list of shapes, in pixels, before it becomes PNG or SVG. Knows neither VTK nor rock.
+// A picture as a list of shapes, in pixels, before it becomes PNG or SVG. Independent of VTK and of the data that are drawn.
 //
 // Origin at the top left, x to the right, y downwards. Later shapes cover earlier ones.
 #pragma once
@@ -67,7 +67,7 @@ enum class Anchor { start, middle, end };
 /// One line of text; `at` is the end of the baseline the anchor names. `upwards` turns it by 90° counter-clockwise.
 struct Text {
     Pixel at;
-    std::string words;
+    std::string label;
     double size = 24;
     Colour colour = palette::ink;
     Anchor anchor = Anchor::start;
@@ -98,7 +98,7 @@ public:
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
-    /// Number of polygons, lines and words.
+    /// Number of polygons, lines and texts.
     [[nodiscard]] std::size_t n_marks() const;
 
 private:
@@ -107,14 +107,14 @@ private:
     std::vector<Shape> shapes_;
 };
 
-/// Text as it stands in XML and HTML.
+/// Text with the characters escaped that XML and HTML reserve.
 std::string escape_xml(const std::string& text);
 
 /// The drawing as an SVG document. Neighbouring shapes of one style share a path.
 std::string to_svg(const Drawing& drawing);
 
-/// About how wide words come out, in pixels: fonts differ between machines.
-double text_width(const std::string& words, double size);
+/// Approximate width of a text, in pixels: fonts differ between machines.
+double text_width(const std::string& label, double size);
 
 /// About `wanted` round numbers (1, 2, 5 × 10^k apart) inside [low, high], for the ticks of an axis.
 std::vector<double> round_ticks(double low, double high, int wanted);

@@ -6,7 +6,7 @@
 
 namespace graincrack {
 
-std::string label_words(const std::string& column) {
+std::string column_label(const std::string& column) {
     static constexpr std::array<std::array<std::string_view, 2>, 13> units{{{"MPa", "MPa"},
                                                                             {"GPa", "GPa"},
                                                                             {"Pa", "Pa"},
@@ -20,19 +20,19 @@ std::string label_words(const std::string& column) {
                                                                             {"N", "N"},
                                                                             {"ns", "ns"},
                                                                             {"percent", "%"}}};
-    std::string words = column;
+    std::string label = column;
     std::string unit;
     const std::size_t last = column.rfind('_');
     if (last != std::string::npos) {
         const auto found =
             std::find_if(units.begin(), units.end(), [&](const auto& u) { return u[0] == column.substr(last + 1); });
         if (found != units.end()) {
-            words = column.substr(0, last);
+            label = column.substr(0, last);
             unit = ", " + std::string((*found)[1]);
         }
     }
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words + unit;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    return label + unit;
 }
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// Words for axes and legends from the names of columns.
+// Labels of axes and legends from the names of columns.
 #pragma once
 
 #include <string>
@@ -6,6 +6,6 @@
 namespace graincrack {
 
 /// "contact_cohesion_MPa" → "contact cohesion, MPa"; "friction_angle_deg" → "friction angle, °".
-std::string label_words(const std::string& column);
+std::string column_label(const std::string& column);
 
 }  // namespace graincrack

@@ -13,7 +13,7 @@ namespace graincrack {
 namespace {
 
 constexpr double platen_height = 16;
-/// Grains of shorter edges, in pixels, have no outlines: they would be a grey haze.
+/// Grains of shorter edges, in pixels, have no outlines: they would cover the map in grey.
 constexpr double min_edge = 4;
 
 struct Box {
@@ -32,7 +32,7 @@ Box bounds(const Positions& places) {
     return box;
 }
 
-/// The bounds of what moved, but no more than a tenth beyond the specimen at rest: chips that flew off are left out.
+/// The bounds of what moved, but no more than a tenth beyond the specimen at rest: fragments that were ejected are left out.
 Box view_box(const Specimen& specimen, const Positions& positions) {
     const Box rest = bounds(specimen.node_position);
     Box box = bounds(positions);
@@ -99,10 +99,10 @@ MapView::MapView(const Specimen& specimen, Positions&& positions, const std::vec
       drawing_(layout.width, layout.height) {
     double y = 20;
     bool first = true;
-    for (const std::string& words : title) {
+    for (const std::string& label : title) {
         const double size = first ? page.title_size : page.text_size;
         y += 1.35 * size;
-        drawing_.text({{page.margin, y - 6}, words, size, palette::ink, Anchor::start, first});
+        drawing_.text({{page.margin, y - 6}, label, size, palette::ink, Anchor::start, first});
         first = false;
     }
 }
@@ -189,21 +189,21 @@ void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
         } else {
             drawing_.line({x, y - 8}, {x + 40, y - 8}, entry.width, entry.colour);
         }
-        drawing_.text({{x + 52, y}, entry.words, size});
-        x += 52 + text_width(entry.words, size) + 26;
+        drawing_.text({{x + 52, y}, entry.label, size});
+        x += 52 + text_width(entry.label, size) + 26;
     }
     const double length = round_length(0.2 * (high_[0] - low_[0]));
-    const std::string words = format_quantity(length, Dimension::length);
+    const std::string label = format_quantity(length, Dimension::length);
     const double right = drawing_.width() - page_.margin;
     const double left = right - length * scale_;
-    if (left - 14 - text_width(words, size) < x) {  // no room beside the entries
+    if (left - 14 - text_width(label, size) < x) {  // no room beside the entries
         const double line = 1.6 * size;
         y += line;
         drawing_.set_height(drawing_.height() + static_cast<int>(line));
     }
     drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
     for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);
-    drawing_.text({{left - 14, y}, words, size, palette::ink, Anchor::end});
+    drawing_.text({{left - 14, y}, label, size, palette::ink, Anchor::end});
 }
 
 }  // namespace graincrack

@@ -17,14 +17,14 @@ using Positions = std::vector<std::array<double, 2>>;
 /// Where the nodes are in a frame, displacements magnified.
 Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification);
 
-/// Colours a grain: by phase unless told otherwise.
+/// The colour of a grain: by phase unless another function is given.
 using GrainColour = std::function<Colour(std::size_t grain)>;
 
 /// One entry of the legend: a stroke and what it means.
 struct LegendEntry {
     Colour colour;
     double width = 4;
-    std::string words;
+    std::string label;
 };
 
 /// How large the page of a map is, in pixels.
@@ -57,7 +57,7 @@ public:
 
     [[nodiscard]] const Positions& positions() const { return positions_; }
     [[nodiscard]] double pixels_per_metre() const { return scale_; }
-    /// The finished page, out of the map.
+    /// Moves the finished page out of the map.
     [[nodiscard]] Drawing drawing() && { return std::move(drawing_); }
 
 private:

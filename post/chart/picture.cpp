@@ -37,7 +37,7 @@ namespace graincrack {
 
 namespace {
 
-/// Pixels drawn a pixel kept, along each side: smooth edges without trust in the driver's multisampling.
+/// Pixels rendered for each pixel of the picture, along each side: edges are smooth whether or not the driver multisamples.
 constexpr int oversampling = 3;
 
 std::string ending(const std::string& path) { return std::filesystem::path(path).extension().string(); }
@@ -79,7 +79,7 @@ public:
     void operator()(const Polyline& line) { add_line(line.points, line.width, line.colour); }
     void operator()(const Text& text) {
         vtkNew<vtkTextActor> actor;
-        actor->SetInput(text.words.c_str());
+        actor->SetInput(text.label.c_str());
         vtkTextProperty* style = actor->GetTextProperty();
         set_font(style, text.bold);
         // VTK measures fonts in points of 1/72 inch at the window's dots per inch, which is set to 72.
@@ -172,7 +172,7 @@ std::vector<unsigned char> png_bytes(const Drawing& drawing) {
     OverlayBuilder overlay(renderer, drawing.height());
     for (const Drawing::Shape& shape : drawing.shapes()) std::visit(overlay, shape);
     overlay.finish();
-    // Flat shapes of equal depth: the later one wins.
+    // All shapes have the same depth: later ones cover earlier ones.
     vtkOpenGLRenderWindow::SafeDownCast(window)->GetState()->vtkglDepthFunc(GL_ALWAYS);
     window->Render();
 

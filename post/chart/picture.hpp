@@ -8,7 +8,7 @@
 
 namespace graincrack {
 
-/// Complains about a picture's name before work is done for it.
+/// Checks the file name of a picture, before the work of drawing it.
 /// \throws UsageError if it ends neither in .png nor in .svg
 void require_picture_name(const std::string& path);
 

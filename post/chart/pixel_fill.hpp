@@ -1,5 +1,5 @@
-// Fills triangles smaller than a few pixels through the pixels of the page, so that a picture is as large as its page and not as
-// its specimen.
+// Fills triangles smaller than a few pixels through the pixels of the page, so that the size of a picture is bounded by
+// its page, not by the number of grains.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "share/command_line.hpp"
 #include "share/h5_file.hpp"
 #include "share/provenance.hpp"
 #include "share/run_file.hpp"
@@ -78,8 +79,7 @@ void check_file(const H5Input& file) {
     (void)read_specimen(file);
 }
 
-}  // namespace
-
+/// For a person: kind, attributes, counts and datasets. \param check also reads every dataset and validates the specimen
 void write_info(std::ostream& out, const std::string& path, bool check) {
     const H5Input file(path);
     if (check) check_file(file);
@@ -91,10 +91,32 @@ void write_info(std::ostream& out, const std::string& path, bool check) {
     if (check) line(out, "check", "every dataset was read; the specimen is valid");
 }
 
+/// `digest  file`, as sha256sum prints it.
 void write_digest(std::ostream& out, const std::string& path, bool check) {
     const H5Input file(path);
     if (check) check_file(file);
     out << file.digest() << "  " << (path == "-" ? "-" : file.name()) << '\n';
+}
+
+struct InfoOptions {
+    bool check = false;
+    bool digest = false;
+};
+
+void add_options(CLI::App& app, InfoOptions& options) {
+    app.add_flag("--check", options.check, "read every dataset and validate the specimen");
+    app.add_flag("--digest", options.digest, "print `digest  file` only: SHA-256 over the content except /provenance");
+}
+
+void run(const InfoOptions& options, const Call& call) {
+    for (const std::string& file : call.files) (options.digest ? write_digest : write_info)(call.out, file, options.check);
+}
+
+}  // namespace
+
+Command info_command() {
+    return make_command<InfoOptions>("info", "what is in a specimen or run", {"uniaxial.h5", "disc.h5 --check"},
+                                     FileArguments{"files", "specimens or runs"}, add_options, run);
 }
 
 }  // namespace graincrack

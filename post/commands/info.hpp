@@ -1,16 +1,10 @@
-// What is in a file, for a person: kind, attributes, counts, datasets; and its digest.
+// The command `info`: what is in a file, for a person; and its digest.
 #pragma once
 
-#include <iosfwd>
-#include <string>
+#include "post/command.hpp"
 
 namespace graincrack {
 
-/// Prints kind, attributes, counts and the list of datasets of a specimen or run.
-/// \param check also reads every dataset and validates the specimen \throws InputError
-void write_info(std::ostream& out, const std::string& path, bool check);
-
-/// Prints `digest  file`, as sha256sum does. \throws InputError
-void write_digest(std::ostream& out, const std::string& path, bool check);
+Command info_command();
 
 }  // namespace graincrack

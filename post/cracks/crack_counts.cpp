@@ -41,11 +41,11 @@ Pairs pairs_of(const Specimen& specimen) {
         index[name[c]] = 0;
     }
     Pairs pairs;
-    for (auto& [words, i] : index) {
+    for (auto& [label, i] : index) {
         i = pairs.names.size();
-        pairs.names.push_back(words);
+        pairs.names.push_back(label);
     }
-    for (const std::string& words : name) pairs.of_contact.push_back(index.at(words));
+    for (const std::string& label : name) pairs.of_contact.push_back(index.at(label));
     return pairs;
 }
 

@@ -28,7 +28,7 @@ struct CrackCounts {
         ModeCounts all;
         std::vector<ModeCounts> by_pair;
     };
-    std::vector<std::string> pairs;  ///< those that touch in the specimen
+    std::vector<std::string> pairs;  ///< those with contacts in the specimen
     std::vector<Moment> moments;
 };
 

@@ -13,8 +13,8 @@ namespace graincrack {
 ///
 /// Cell data: grain, phase, fragment (0 the largest), stress (XX YY ZZ XY YZ XZ, Pa, tension positive),
 /// principal_stress_1 ≥ principal_stress_2 in the plane (Pa). Point data: displacement (m), velocity (m/s), as 3-vectors.
-/// Places and displacements are doubles, the rest floats; LZ4. \param frame is taken apart on the way, so that its arrays are not
-/// there twice \throws OutputError
+/// Places and displacements are doubles, the rest floats; LZ4. \param frame is consumed: its arrays are released as they are
+/// written \throws OutputError
 void write_grains(const std::string& path, const Specimen& specimen, Frame frame, const Fragments& fragments);
 
 /// The cracks up to the time of a frame as .vtp: a line along each failed contact point's facet, centred where it failed.

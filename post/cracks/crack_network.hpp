@@ -17,8 +17,8 @@ class CrackNetwork {
 public:
     explicit CrackNetwork(const Specimen& specimen);
 
-    /// Adds a crack; returns how far the tensile cracks among those that now hang together with it, by cracks of either
-    /// mode, reach along y (reference positions), m; 0 without any.
+    /// Adds a crack; returns the extent along y (reference positions), m, of the tensile cracks among those connected with it
+    /// by cracks of either mode; 0 without any.
     double add(const Crack& crack);
 
 private:

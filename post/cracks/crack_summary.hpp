@@ -1,4 +1,4 @@
-// What the catalogue of a run says in one row: modes, honesty of the tensile ones, separation, events, fragments.
+// The crack log of a run in one row: modes, tensile cracks that also slid, separation, events, fragments.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct CrackBalance {
 };
 CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time);
 
-/// Table: one row at the peak, if there is a curve, one at the end. Emission and fragments stand in that of the end.
+/// Table: one row at the peak, if there is a curve, one at the end. Emission and fragments are given in the row of the end only.
 void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve,
                          const std::vector<Crack>& cracks, const std::vector<EmissionEvent>& events, const Fragments& fragments,
                          TableFormat format);

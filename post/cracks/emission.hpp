@@ -30,11 +30,12 @@ struct EmissionEvent {
     double energy = 0;                 ///< fracture energy of the points until the end of the run, J per metre of thickness
     /// Σ G L √(δn² + δs²) over the points with their jump at failure: a two-dimensional moment, N·m per metre of thickness.
     double moment = 0;
-    /// (2/3) log10(moment/(N·m)) − 6.07 (Hanks & Kanamori 1979) for a metre of thickness: compares within one model only.
+    /// (2/3) log10(moment/(N·m)) − 6.07 (Hanks & Kanamori 1979) for a metre of thickness: values are comparable within one model
+    /// only.
     [[nodiscard]] double magnitude() const;
 };
 
-/// Events in the order of their first points. Links are chains: each point lies within the window of another of its event.
+/// Events in the order of their first points. Points are chained: each lies within the window of another point of its event.
 std::vector<EmissionEvent> find_events(std::vector<Crack> cracks, const Rock& rock, const EmissionWindow& window);
 
 /// Gutenberg–Richter slope of magnitudes from a completeness on: b = log10(e)/(mean − completeness), standard error b/√n
@@ -47,7 +48,7 @@ struct GutenbergRichter {
 };
 /// The magnitude at which events are most frequent, in bins of 0.1 (maximum curvature). \pre magnitudes is not empty
 double completeness_of(const std::vector<double>& magnitudes);
-/// Empty with fewer than 10 events from the completeness on: an error of a third of b is no slope.
+/// Empty with fewer than 10 events from the completeness on: the standard error would be a third of b or more.
 std::optional<GutenbergRichter> fit_gutenberg_richter(const std::vector<double>& magnitudes, double completeness);
 
 /// Table: event, time_s, duration_s, x_mm, y_mm, contacts, tensile_share, length_mm, energy_J, moment_N_m, magnitude.

@@ -91,10 +91,10 @@ void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, Tabl
 }
 
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
-                                       const CrackExportOptions& options) {
+                                       const EventOptions& options) {
     EmissionWindow window = default_window(run.header().rock, specimen.statistics.mean_edge);
-    window.distance = options.event_distance.value_or(window.distance);
-    window.time = options.event_time.value_or(window.time);
+    window.distance = options.distance.value_or(window.distance);
+    window.time = options.time.value_or(window.time);
     return find_events(cracks, run.header().rock, window);
 }
 
@@ -110,7 +110,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     for (const std::size_t frame : frames) times.push_back(all_times[frame]);
     make_folder(folder);
     const Breakup breakup = write_frames(run, frames, specimen, cracks, folder, verbosity);
-    const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options);
+    const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options.events);
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
     const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };

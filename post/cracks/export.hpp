@@ -12,24 +12,29 @@
 
 namespace graincrack {
 
-/// What `cracks` may be told; unset values are `default_window`'s.
+/// The window of an acoustic event; unset values are `default_window`'s.
+struct EventOptions {
+    std::optional<double> distance;  ///< m
+    std::optional<double> time;      ///< s
+};
+
+/// Options of the export.
 struct CrackExportOptions {
-    std::optional<double> event_distance;   ///< m
-    std::optional<double> event_time;       ///< s
+    EventOptions events;
     TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
-/// counts.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that is there is whole.
+/// counts.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that exists is complete.
 /// A run whose axial stress never rises has no counts.tsv and no peak in summary.tsv.
 /// \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
 
 /// The events of a run by its window.
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
-                                       const CrackExportOptions& options);
+                                       const EventOptions& options);
 
-/// The catalogue, every column with its unit.
+/// The crack log, every column with its unit.
 void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format);
 
 }  // namespace graincrack

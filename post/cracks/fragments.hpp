@@ -1,4 +1,4 @@
-// Fragments: grains that still hang together by contacts with some strength left.
+// Fragments: grains connected by contacts that have not lost all strength.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ struct Fragments {
     [[nodiscard]] std::size_t single_grains() const;
 };
 
-/// Two grains hang together if a contact between them has a point that is not separated. \param state of the frame, [c]
+/// Two grains are connected if a contact between them has a point that is not separated. \param state of the frame, [c]
 Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state);
 
 /// Table: fragment, grains, area_mm2, diameter_mm, share_of_area, x_mm, y_mm.
 void write_fragments(std::ostream& out, const Fragments& fragments, TableFormat format);
 
-/// How a specimen falls apart: one row a frame.
+/// Fragmentation of a specimen: one row a frame.
 struct FragmentCount {
     double time = 0;  ///< s
     std::size_t fragments = 0;

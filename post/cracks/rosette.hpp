@@ -1,4 +1,4 @@
-// Rosettes: how much length of cracks, and of the specimen's own facets, points which way.
+// Rosettes: how much length of cracks, and of the specimen's own facets, has which orientation.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Rosette {
     std::array<double, n_bins> facet{};    ///< length of grain-to-grain facets of the specimen (all contacts), m
 };
 
-/// Bin of an orientation in rad, of any size: lines have no head.
+/// Bin of an orientation in rad, of any size: an orientation and its opposite are the same.
 std::size_t rosette_bin(double orientation);
 
 Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen);

@@ -84,9 +84,9 @@ std::size_t choose_frame(const RunReader& run, const std::string& word, const st
     return index;
 }
 
-std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& words, const std::optional<double>& time) {
+std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& names, const std::optional<double>& time) {
     std::vector<std::size_t> frames;
-    std::istringstream stream(words);
+    std::istringstream stream(names);
     for (std::string word; std::getline(stream, word, ',');) {
         const std::size_t frame = choose_frame(run, word, time);
         if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);

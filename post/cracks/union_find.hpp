@@ -1,4 +1,4 @@
-// Disjoint sets with path halving: which things hang together.
+// Disjoint sets with path halving: which elements are connected.
 #pragma once
 
 #include <cstddef>

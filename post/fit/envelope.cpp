@@ -34,14 +34,15 @@ std::optional<Estimate> curvature_of(std::span<const double> confining, std::spa
     return estimate(fit->coefficients[2] * unit, std::pow(fit->standard_error(2) * unit, 2), fit->freedom);
 }
 
-/// \throws InputError if two compression tests cannot stand in one envelope
-void require_comparable(const RunData& run, const RunData& first, CappedRuns capped_runs) {
+/// \throws InputError if two compression tests do not belong to one envelope
+void require_comparable(const RunData& run, const RunData& first, StrainLimitRuns strain_limit_runs) {
     const auto refuse = [&](const std::string& what) {
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
                          "; compression tests of an envelope differ in confining pressure and seed only");
     };
     if (run.header.plane != first.header.plane) refuse("the plane condition");
-    if (capped_runs == CappedRuns::accept && run.header.max_strain != first.header.max_strain) refuse("the strain cap");
+    if (strain_limit_runs == StrainLimitRuns::accept && run.header.max_strain != first.header.max_strain)
+        refuse("the strain limit");
 }
 
 template <class Stress>
@@ -59,7 +60,7 @@ EnvelopeAt fit_reached(const EnvelopeTests& tests, const Stress& stress_of) {
     return result;
 }
 
-/// All of one seed's tests; only seeds with all of the pressures.
+/// The tests of each seed; only seeds that have tests at all pressures.
 std::vector<std::vector<EnvelopeTests::Test>> whole_seeds(const EnvelopeTests& tests) {
     std::map<std::int64_t, std::vector<EnvelopeTests::Test>> by_seed;
     std::set<double> pressures;
@@ -106,26 +107,27 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
     return envelope;
 }
 
-EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRuns capped_runs) {
+EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs) {
     EnvelopeTests tests;
     const RunData* first_compression = nullptr;
     require_same_settings(runs, "an envelope");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "an envelope");
         if (run.header.test == "program") {
-            throw InputError(run.name +
-                             ": a program's peak is of no known pressure; an envelope needs uniaxial and triaxial tests");
+            throw InputError(
+                run.name +
+                ": the confining pressure at the peak of a program is not known; an envelope needs uniaxial and triaxial tests");
         }
         const Strength strength = measure_strength(run);
         if (is_compression(run.header)) {
-            if (first_compression != nullptr) require_comparable(run, *first_compression, capped_runs);
+            if (first_compression != nullptr) require_comparable(run, *first_compression, strain_limit_runs);
             if (first_compression == nullptr) first_compression = &run;
             tests.compression.push_back({run.header.confining_pressure, strength.value(), run.specimen.seed, strength.first_yield,
                                          strength.stress_at_marks});
         } else {
             (run.header.test == "brazilian" ? tests.brazilian : tests.direct_tension).push_back(strength.value());
         }
-        if (is_capped(run, strength, capped_runs, "an envelope")) ++tests.capped;
+        if (stopped_at_strain_limit(run, strength, strain_limit_runs, "an envelope")) ++tests.at_strain_limit;
     }
     if (tests.compression.empty()) {
         throw InputError(runs.front().name +

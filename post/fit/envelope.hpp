@@ -27,13 +27,13 @@ struct Envelope {
 };
 
 /// Fits both envelopes. The interval of φ is that of the slope b, through which it is monotone; the interval of C is
-/// linearised (C and φ stand in one line, so their errors are not independent).
+/// linearised (C and φ come from the same line, so their errors are not independent).
 ///
 /// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
 /// \throws InputError unless there are strengths at two or more confining pressures
 Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength);
 
-/// What a set of runs says of the envelope of one material. Pa.
+/// The strengths of a set of runs of one material, sorted by test. Pa.
 struct EnvelopeTests {
     struct Test {
         double confining = 0;
@@ -45,7 +45,7 @@ struct EnvelopeTests {
     std::vector<Test> compression;
     std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
     std::vector<double> direct_tension;  ///< tensile strengths
-    std::size_t capped = 0;              ///< runs whose largest stress stands for a peak
+    std::size_t at_strain_limit = 0;     ///< runs whose largest stress stands for a peak
     [[nodiscard]] std::vector<double> confining() const;
     [[nodiscard]] std::vector<double> strength() const;
     /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
@@ -53,18 +53,20 @@ struct EnvelopeTests {
 };
 
 /// Sorts runs by test.
-/// \throws InputError for a run without a peak: one that the strain cap ended, unless accepted, or that was stopped; for one
+/// \throws InputError for a run without a peak: one stopped at the strain limit, unless accepted, or stopped
+///         otherwise; for one
 ///         that differs from the first in law, rock or contact parameters, or in the plane condition from the other
 ///         compression tests: one envelope is the envelope of one material
-EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, CappedRuns capped_runs);
+EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs);
 
-/// The envelope of another stress than the peak, through the tests that reached it.
+/// An envelope through stresses other than the peak, of the tests that reached them.
 struct EnvelopeAt {
     std::size_t runs = 0;              ///< tests that reached it
     std::optional<Envelope> envelope;  ///< empty unless they have two or more confining pressures
 };
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests);
-/// At an axial strain, whatever came before: hardening tests without a peak compare there. \param mark of `strain_marks`
+/// At an axial strain, before or after the peak: tests that harden without a peak are compared at equal strain. \param mark of
+/// `strain_marks`
 EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark);
 
 /// Each seed with tests at all pressures of the set gives C, φ, σci and mi of its own; samples over these seeds. Empty with

@@ -27,7 +27,7 @@ std::vector<double> scaled(std::span<const double> values, double factor) {
     return out;
 }
 
-/// (σ1 − σ3)², not below a floor that keeps the root's slope finite while the solver strays.
+/// (σ1 − σ3)², but at least a small positive value: the slope of the root stays finite when the solver tries parameters far off.
 double envelope(double sigma_ci, double mi, double confining) {
     return confining + std::sqrt(std::max(sigma_ci * (sigma_ci + mi * confining), 1e-12));
 }

@@ -22,7 +22,7 @@ struct NonlinearFit {
 /// Writes the residuals of some parameters.
 using Residuals = std::function<void(std::span<const double> parameters, std::span<double> residuals)>;
 
-/// Parameters and residuals should be of order one. Empty if the fit does not settle.
+/// Parameters and residuals should be of order one. Empty if the fit does not converge.
 /// \pre as many residuals as parameters at least
 std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vector<double> start, std::size_t n_residuals);
 

@@ -42,7 +42,7 @@ void write_row(TableWriter& table, const SizeSeries& s, const std::string& name,
     const auto [small, large] = std::minmax_element(s.edge.begin(), s.edge.end());
     const bool tensile = s.test == "brazilian" || s.test == "tension";
     table.row({s.test, s.confining_pressure * 1e-6, name, static_cast<std::int64_t>(s.edge.size()),
-               static_cast<std::int64_t>(s.capped), *small / millimetre, *large / millimetre,
+               static_cast<std::int64_t>(s.at_strain_limit), *small / millimetre, *large / millimetre,
                law ? Cell(law->exponent.value) : Cell(), law ? cell(law->exponent.low) : Cell(),
                law ? cell(law->exponent.high) : Cell(), law ? Cell(law->coefficient * 1e-6) : Cell(),
                tensile ? Cell(theory_exponent) : Cell(), s.test == "brazilian" ? Cell(paper_exponent) : Cell(),
@@ -81,13 +81,13 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std
     return PowerLaw{fit->estimate(1), fit->parameters[0] * start->coefficient};
 }
 
-std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRuns capped_runs) {
+std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs) {
     std::map<std::pair<std::string, double>, SizeSeries> series;
     require_same_settings(runs, "a size effect");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a size effect");
         if (!(run.specimen.mean_edge > 0)) {
-            throw InputError(run.name + ": the specimen tells no mean edge; a size effect needs it");
+            throw InputError(run.name + ": the specimen has no mean edge; a size effect needs it");
         }
         const Strength strength = measure_strength(run);
         const RunHeader& h = run.header;
@@ -95,7 +95,7 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRu
         s.test = h.test;
         s.confining_pressure = h.confining_pressure;
         s.contact_zone_length = fpz::contact_zone_length(h.rock, h.plane, h.contact.fracture_energy, h.contact.tensile_strength);
-        if (is_capped(run, strength, capped_runs, "a size effect")) ++s.capped;
+        if (stopped_at_strain_limit(run, strength, strain_limit_runs, "a size effect")) ++s.at_strain_limit;
         s.edge.push_back(run.specimen.mean_edge);
         s.strength.push_back(strength.value());
     }
@@ -107,8 +107,9 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRu
     return out;
 }
 
-void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format, CappedRuns capped_runs) {
-    const std::vector<SizeSeries> all = collect_sizes(runs, capped_runs);
+void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
+                             StrainLimitRuns strain_limit_runs) {
+    const std::vector<SizeSeries> all = collect_sizes(runs, strain_limit_runs);
     TableWriter table(out, columns, format);
     for (const SizeSeries& s : all) {
         write_row(table, s, "log-log", fit_power_law_log(s.edge, s.strength));

@@ -1,4 +1,4 @@
-// Strength against grain size: a power law with its interval, beside what theory and the paper say.
+// Strength against grain size: a power law with its interval, beside the exponents of theory and of the paper.
 #pragma once
 
 #include <ostream>
@@ -17,9 +17,8 @@ struct PowerLaw {
     Estimate exponent;
     double coefficient = 0;  ///< Pa: the strength at a mean edge of 1 mm
 };
-/// Straight line through logarithms: relative errors of equal size. Every run counts once, so a size weighs as its seeds.
-/// Empty unless there are two different edges.
-/// \param edge m \param strength Pa
+/// Straight line through logarithms: relative errors of equal size. Every run counts once, so the weight of a size is its number
+/// of seeds. Empty unless there are two different edges. \param edge m \param strength Pa
 std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength);
 /// Non-linear least squares: absolute errors of equal size.
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std::vector<double>& strength);
@@ -32,19 +31,20 @@ inline constexpr double paper_exponent = 0.39;
 /// Runs of one test at one confining pressure.
 struct SizeSeries {
     std::string test;
-    double confining_pressure = 0;  ///< Pa
-    std::vector<double> edge;       ///< m
-    std::vector<double> strength;   ///< Pa
-    std::size_t capped = 0;
-    double contact_zone_length = 0;  ///< (9π/32) Ẽ Gf/tc², m
+    double confining_pressure = 0;    ///< Pa
+    std::vector<double> edge;         ///< m
+    std::vector<double> strength;     ///< Pa
+    std::size_t at_strain_limit = 0;  ///< runs stopped at the strain limit, whose largest stress stands for a peak
+    double contact_zone_length = 0;   ///< (9π/32) Ẽ Gf/tc², m
 };
 /// Mean edges of seeds of one size differ by up to a percent; scatter of 4 % in the strengths over this ratio of edges is an
-/// exponent of 0.2, half of what a size effect is.
+/// exponent of 0.2, half of the exponent of a typical size effect.
 inline constexpr double min_edge_ratio = 1.2;
 /// \throws InputError for runs of different materials, without a peak, or of unknown mean edge, or for a series of one size
-std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, CappedRuns capped_runs);
+std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs);
 
 /// Two rows a series: log-log and non-linear.
-void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format, CappedRuns capped_runs);
+void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
+                             StrainLimitRuns strain_limit_runs);
 
 }  // namespace graincrack

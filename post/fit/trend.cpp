@@ -80,13 +80,13 @@ Estimate elasticity_at_mean(const Line& line, double x, double y) {
     return e;
 }
 
-/// Adds the rows of one table to the groups; returns how many have a peak_kind that is no drop.
+/// Adds the rows of one table to the groups; returns how many rows have a peak_kind other than "drop", so no peak.
 std::size_t add_rows(const TableFile& table, const TrendOptions& options, std::vector<TrendRows>& groups) {
     const std::vector<double> x = table.numbers_or_nan(options.x);
     const std::vector<double> y = table.numbers_or_nan(options.y);
     std::vector<std::vector<std::string>> keys;
-    for (const std::string& column : options.groups) keys.push_back(table.words(column));
-    const std::vector<std::string> kinds = table.has("peak_kind") ? table.words("peak_kind") : std::vector<std::string>{};
+    for (const std::string& column : options.groups) keys.push_back(table.texts(column));
+    const std::vector<std::string> kinds = table.has("peak_kind") ? table.texts("peak_kind") : std::vector<std::string>{};
     std::size_t without_peak = 0;
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
         std::string name;
@@ -151,7 +151,8 @@ std::vector<Cell> row_of(const TrendRows& rows, const TrendOptions& options) {
 
 std::size_t TrendRows::levels() const { return std::set<double>(x.begin(), x.end()).size(); }
 
-std::vector<TrendRows> collect_trends(const std::vector<std::string>& tables, const TrendOptions& options, std::ostream& notes) {
+std::vector<TrendRows> collect_trends(const std::vector<std::string>& tables, const TrendOptions& options,
+                                      std::ostream& diagnostics) {
     std::vector<TrendRows> groups;
     std::size_t without_peak = 0;
     for (const std::string& file : tables) without_peak += add_rows(TableFile(file), options, groups);
@@ -162,11 +163,12 @@ std::vector<TrendRows> collect_trends(const std::vector<std::string>& tables, co
                                      options.groups.empty() ? "" : " in any group"));
     }
     if (left_out > 0) {
-        fmt::print(notes, "graincrack-post: trend: {} rows with an empty {} or {} are left out\n", left_out, options.x,
+        fmt::print(diagnostics, "graincrack-post: trend: {} rows with an empty {} or {} are left out\n", left_out, options.x,
                    options.y);
     }
     if (without_peak > 0) {
-        fmt::print(notes, "graincrack-post: trend: {} rows are of runs without a peak; their largest stress is no strength\n",
+        fmt::print(diagnostics,
+                   "graincrack-post: trend: {} rows are of runs without a peak; their largest stress is no strength\n",
                    without_peak);
     }
     return groups;
@@ -195,8 +197,8 @@ std::optional<Trend> fit_trend(std::span<const double> x, std::span<const double
 }
 
 void write_trend_table(std::ostream& out, const std::vector<std::string>& tables, const TrendOptions& options, TableFormat format,
-                       std::ostream& notes) {
-    const std::vector<TrendRows> groups = collect_trends(tables, options, notes);
+                       std::ostream& diagnostics) {
+    const std::vector<TrendRows> groups = collect_trends(tables, options, diagnostics);
     TableWriter table(out, columns, format);
     for (const TrendRows& rows : groups) table.row(row_of(rows, options));
 }

@@ -28,20 +28,21 @@ struct TrendRows {
     std::size_t left_out = 0;                  ///< rows with an empty x or y
     [[nodiscard]] std::size_t levels() const;  ///< different x
 };
-/// \param notes gets a line each if rows are left out, or if a column peak_kind tells of runs without a peak
+/// \param diagnostics receives a line if rows are left out, and one if the column peak_kind shows runs without a peak
 /// \throws InputError for a missing column, a field that is no number, a power law through values that are not positive, or if
 ///         no group has two different x
-std::vector<TrendRows> collect_trends(const std::vector<std::string>& tables, const TrendOptions& options, std::ostream& notes);
+std::vector<TrendRows> collect_trends(const std::vector<std::string>& tables, const TrendOptions& options,
+                                      std::ostream& diagnostics);
 
-/// Least squares; every row counts once, so that a level weighs as its seeds. The intervals follow from the scatter about the
-/// line: equal absolute errors (line) or equal relative ones (power law: a line through logarithms).
+/// Least squares; every row counts once, so that the weight of a level is its number of seeds. The intervals follow from the
+/// scatter about the line: equal absolute errors (line) or equal relative ones (power law: a line through logarithms).
 struct Trend {
     bool power = false;
     Line line;             ///< through logarithms for a power law
     Estimate coefficient;  ///< a: y at x = 0, or of a power law at x = 1
     Estimate slope;        ///< b: dy/dx, or the exponent
     /// d ln y/d ln x: the exponent, or b x/y at the mean of the rows. There its interval is Fieller's (1954), exact for a ratio
-    /// of two normal values; empty if the mean of y is not surely other than zero.
+    /// of two normal values; empty if the mean of y does not differ significantly from zero.
     Estimate elasticity;
     double mean_x = 0;
     std::optional<LackOfFit> lack_of_fit;  ///< of the straight line, against the scatter at equal x
@@ -53,6 +54,6 @@ std::optional<Trend> fit_trend(std::span<const double> x, std::span<const double
 
 /// Table `trend`: a row a group.
 void write_trend_table(std::ostream& out, const std::vector<std::string>& tables, const TrendOptions& options, TableFormat format,
-                       std::ostream& notes);
+                       std::ostream& diagnostics);
 
 }  // namespace graincrack

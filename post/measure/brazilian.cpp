@@ -39,8 +39,8 @@ std::optional<double> radius_of_first(const Specimen& specimen, const std::vecto
 }
 
 std::string warning(const BrazilianSplit& split, double peak) {
-    std::string words;
-    const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+    std::string label;
+    const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
     if (!split.spanning_stress) {
         add(fmt::format("tensile cracks never span {:.2g} D", spanning_share));
     } else if (const double off = 1 - *split.spanning_stress / peak; std::abs(off) > 0.05) {
@@ -49,7 +49,7 @@ std::string warning(const BrazilianSplit& split, double peak) {
     if (split.first_crack_radius && *split.first_crack_radius > 0.5) {
         add(fmt::format("first cracks at {:.2f} R, not inside 0.5 R", *split.first_crack_radius));
     }
-    return words;
+    return label;
 }
 
 }  // namespace

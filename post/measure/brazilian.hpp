@@ -1,4 +1,4 @@
-// Where and when a Brazilian disc splits: whether the largest load is that of the split, and whether it began inside.
+// Splitting of a Brazilian disc: whether the largest load is that of the split, and whether the split began near the centre.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct BrazilianSplit {
     /// Mean distance of the first tensile cracks (the first 5 % of those at the peak, two points at least) from the centre
     /// over the radius; empty without any.
     std::optional<double> first_crack_radius;
-    /// What is wrong with taking 2Fmax/(π t D) for the tensile strength; empty if nothing is.
+    /// Why 2Fmax/(π t D) may not be the tensile strength; empty if there is no objection.
     std::string warning;
 };
 inline constexpr double spanning_share = 0.8;

@@ -8,7 +8,8 @@
 namespace graincrack {
 namespace {
 
-/// Derived in each plane condition from other numbers, the same strength differs in its last digits.
+/// Relative difference below which two values are equal: the same strength, derived from other numbers in each plane
+/// condition, differs in its last digits.
 bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
 
 }  // namespace
@@ -40,14 +41,14 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
 
 std::string setting_difference(const RunHeader& a, const RunHeader& b) {
     if (a.plane != b.plane) return "the plane condition";
-    // The mean speed of an automatic rate is a result.
+    // With an automatic rate the mean platen speed is a result, not a setting.
     if (a.rate != b.rate || a.rate_tolerance != b.rate_tolerance || (a.rate != "auto" && a.platen_speed != b.platen_speed)) {
         return "the rate";
     }
     if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";
     if (a.damping != b.damping) return "the damping";
     if (a.damping_form != b.damping_form) return "the form of the damping";
-    // Its factor follows the specimen.
+    // The factor of mass scaling depends on the specimen, so that only its kind is compared.
     if (a.mass_scaling != b.mass_scaling) return "the mass scaling";
     if (a.platen_friction != b.platen_friction) return "the friction of the platens";
     return "";

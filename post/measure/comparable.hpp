@@ -1,4 +1,4 @@
-// Whether runs may stand in one table of means or one fit.
+// Whether runs may be combined in one mean or one fit.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ namespace graincrack {
 /// compared in one plane condition only.
 std::string material_difference(const RunHeader& a, const RunHeader& b);
 
-/// What two runs of one test at one confining pressure differ in beside their seeds, so that their mean has no meaning: plane
+/// What two runs of one test at one confining pressure differ apart from their seeds, so that their mean has no meaning: plane
 /// condition, rate, peak drop, damping, mass scaling, friction of the platens; "" if nothing.
 std::string setting_difference(const RunHeader& a, const RunHeader& b);
 /// \throws InputError if a run of a test at one pressure differs in its settings from an earlier one of that test
 void require_same_settings(const std::vector<RunData>& runs, const std::string& what);
 
-/// \param what needs it, with an article: "an envelope" \throws InputError if the materials differ
+/// \param what requires equal materials, with an article: "an envelope" \throws InputError if the materials differ
 void require_same_material(const RunData& run, const RunData& first, const std::string& what);
 
 }  // namespace graincrack

@@ -23,7 +23,7 @@ std::vector<std::string> history_columns() {
     return columns;
 }
 
-/// What was flushed so far; empty where the file is between two flushes, or gone.
+/// The rows flushed so far; empty if the file is being flushed, or no longer exists.
 std::optional<History> peek(const std::string& part) {
     std::ifstream file(part, std::ios::binary);
     const std::vector<char> image{std::istreambuf_iterator<char>(file), {}};
@@ -57,21 +57,21 @@ void write_history(std::ostream& out, const RunReader& run, TableFormat format) 
 void follow_history(std::ostream& out, const std::string& name, TableFormat format, std::chrono::milliseconds pause) {
     const std::string part = name + ".part";
     const auto there = [](const std::string& file) { return std::filesystem::exists(file); };
-    if (!there(name) && !there(part)) throw InputError(name + ": no such file, nor " + part + " of a run in work");
+    if (!there(name) && !there(part)) throw InputError(name + ": no such file, nor " + part + " of a run in progress");
     HistoryTable table(out, format);
     std::size_t written = 0;
     const auto write = [&](const History& history) {
         for (; written < history.size(); ++written) table.row(history, written);
         out.flush();
     };
-    // The name of a run in work may belong to an older file that it is about to replace: the part goes first.
+    // A file NAME beside NAME.part is an older run that is about to be replaced: NAME.part is read first.
     while (there(part)) {
         if (const std::optional<History> history = peek(part)) write(*history);
         throw_if_interrupted();
         if (!out) return;
         std::this_thread::sleep_for(pause);
     }
-    if (!there(name)) throw InputError(name + ": the run was given up; " + part + " is gone without a result");
+    if (!there(name)) throw InputError(name + ": the run was abandoned; " + part + " was removed without a result");
     write(RunReader(name).history());
 }
 

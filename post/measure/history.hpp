@@ -22,10 +22,10 @@ private:
 
 void write_history(std::ostream& out, const RunReader& run, TableFormat format);
 
-/// Writes the rows of a run as they appear, and ends when the run does. A run in work is NAME.part until it is finished;
+/// Writes the rows of a run as they appear, and ends when the run does. A run in progress is NAME.part until it is finished;
 /// a finished one is written at once.
-/// \param pause between two looks
-/// \throws InputError if there is neither, or if the run was given up; Interrupted
+/// \param pause between two reads of the file
+/// \throws InputError if there is neither, or if the run was abandoned; Interrupted
 void follow_history(std::ostream& out, const std::string& name, TableFormat format,
                     std::chrono::milliseconds pause = std::chrono::milliseconds(500));
 

@@ -31,12 +31,12 @@ std::vector<double> brazilian_stress(const History& history, double diameter) {
     return stress;
 }
 
-/// A NaN would hide the peak behind it. \throws InputError
+/// A NaN in the stress would make the search for the largest stress end there. \throws InputError
 void require_numbers(const LoadCurve& curve, const std::string& name) {
     for (std::size_t row = 0; row < curve.stress.size(); ++row) {
         if (std::isfinite(curve.stress[row]) && std::isfinite(curve.axial_strain[row])) continue;
         throw InputError(name + ": row " + std::to_string(row) +
-                         " of /history has a stress or strain that is no number; the run went wrong there");
+                         " of /history has a stress or strain that is no number; the run failed there");
     }
 }
 
@@ -59,6 +59,13 @@ RunData run_data(const RunReader& run) {
 
 RunData read_run_data(const std::string& path) { return run_data(RunReader(path)); }
 
+std::vector<RunData> read_runs(const std::vector<std::string>& paths) {
+    std::vector<RunData> runs;
+    runs.reserve(paths.size());
+    for (const std::string& path : paths) runs.push_back(read_run_data(path));
+    return runs;
+}
+
 LoadCurve load_curve(const RunData& run) {
     const History& history = run.history;
     if (history.size() < 3) {
@@ -79,7 +86,7 @@ LoadCurve load_curve(const RunData& run) {
     const auto begin = std::lower_bound(times.begin(), times.end(), run.header.isotropic_end_time * (1 - 1e-12));
     curve.start = static_cast<std::size_t>(begin - times.begin());
     if (curve.start + 2 > history.size()) {
-        throw InputError(run.name + ": the history ends before axial loading begins; let the solver run on");
+        throw InputError(run.name + ": the history ends before axial loading begins; run the test further");
     }
     const auto from = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.start);
     const auto peak = std::max_element(from, curve.stress.end());
@@ -138,7 +145,7 @@ std::optional<double> stress_at_strain(const LoadCurve& curve, double strain) {
 bool is_compression(const RunHeader& header) { return header.test == "uniaxial" || header.test == "triaxial"; }
 
 double decisive_drop(const RunHeader& header) {
-    // A test that was told to go on far beyond the peak has a peak all the same.
+    // A test may be continued far beyond the drop that makes its largest stress a peak.
     constexpr double usual_drop = 0.3;
     return header.peak_drop > 0 ? std::min(header.peak_drop, usual_drop) : usual_drop;
 }

@@ -1,4 +1,4 @@
-// The curve of a test in the sense of its loading, and the points that every table takes from it.
+// The stress–strain curve of a test with signs in the sense of its loading, and the points that all tables take from it.
 //
 // Here, unlike in files, stress and axial strain are positive in the sense of the test: compression for uniaxial,
 // triaxial and brazilian, tension for tension. For brazilian the stress is 2 F/(π t D) (Eq 18), t = 1 m, F the mean of
@@ -14,7 +14,7 @@
 
 namespace graincrack {
 
-/// What tables need to know of the specimen without reading its arrays; NaN for what the file does not tell.
+/// Attributes of the specimen that tables need, without its arrays; NaN for those that the file does not hold.
 struct SpecimenSummary {
     double width = 0;   ///< m
     double height = 0;  ///< m
@@ -24,7 +24,7 @@ struct SpecimenSummary {
 };
 SpecimenSummary specimen_summary(const H5Input& file);
 
-/// What is known of a test once it ran, without frames and catalogue.
+/// A finished test without its frames and its crack log.
 struct RunData {
     std::string name;  ///< file, for messages and tables
     RunHeader header;
@@ -34,6 +34,8 @@ struct RunData {
 };
 /// \param path a run file or "-" \throws InputError
 RunData read_run_data(const std::string& path);
+/// The same for each of several, in their order.
+std::vector<RunData> read_runs(const std::vector<std::string>& paths);
 RunData run_data(const RunReader& run);
 
 struct LoadCurve {
@@ -51,7 +53,7 @@ struct LoadCurve {
 /// \throws InputError if the history is too short, or never loads the specimen in the sense of its test
 LoadCurve load_curve(const RunData& run);
 
-/// A place between two rows: share 0 is `row`, share 1 is `row + 1`.
+/// A point between two rows: share 0 is `row`, share 1 is `row + 1`.
 struct CurvePoint {
     std::size_t row = 0;
     double share = 0;
@@ -60,7 +62,7 @@ struct CurvePoint {
 /// Where the stress, before the peak, first reaches a share of its way from `start` to the peak. \pre 0 < share ≤ 1
 CurvePoint share_of_peak(const LoadCurve& curve, double share);
 inline CurvePoint half_peak(const LoadCurve& curve) { return share_of_peak(curve, 0.5); }
-/// Rows [begin, end) between two such places; the rows that frame them belong to it, so that there are two at least.
+/// Rows [begin, end) between two such points; the rows on either side are included, so that there are two at least.
 struct RowRange {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -81,8 +83,8 @@ bool is_compression(const RunHeader& header);
 /// The fall behind the largest stress, as a share of it, that makes it a peak: that which ends the test, at most 0.3.
 double decisive_drop(const RunHeader& header);
 
-/// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the strain cap ended the test before
-/// that; "" for a test that was stopped otherwise, whose largest stress is no peak.
+/// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the test was stopped at the strain limit
+/// before that; "" for a test that was stopped otherwise, whose largest stress is no peak.
 std::string peak_kind(const RunData& run, const LoadCurve& curve);
 
 }  // namespace graincrack

@@ -54,7 +54,7 @@ void append(std::vector<Cell>& row, const ElasticPair& pair) {
 
 Cell megapascal(const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); }
 
-/// Thresholds of a compression test that had a peak, by both meanings of volume, with the words that go with them.
+/// Thresholds of a compression test that had a peak, by both definitions of volumetric strain, with the name of each definition.
 void append_thresholds(std::vector<Cell>& row, const RunData& run, const LoadCurve& curve) {
     for (const VolumeKind kind : {VolumeKind::plane, VolumeKind::pseudo_3d}) {
         const Thresholds thresholds = measure_thresholds(curve, kind);
@@ -67,17 +67,17 @@ void append_thresholds(std::vector<Cell>& row, const RunData& run, const LoadCur
                      ": thresholds by 2D strains do not compare with laboratory ones directly");
 }
 
-/// What speaks against the moduli of a run.
+/// Objections to the moduli of a run; empty if there are none.
 std::string warning(const Moduli& moduli, const std::string& kind) {
-    std::string words;
-    const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+    std::string label;
+    const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
     if (kind != "drop") add("no peak: shares are of the largest stress");
     const double difference = moduli.chord.young_modulus / moduli.platen_young_modulus - 1;
     if (std::abs(difference) > gauge_tolerance) {
         add(fmt::format("by the gauges E is {:.0f} % {} than by the platens: not at rest, or not uniform",
                         100 * std::abs(difference), difference > 0 ? "larger" : "smaller"));
     }
-    return words;
+    return label;
 }
 
 std::vector<Cell> moduli_row(const std::string& path) {

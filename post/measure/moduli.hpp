@@ -1,4 +1,5 @@
-// Young's modulus and Poisson's ratio of a test by the conventions that laboratories use, and what the contacts predict.
+// Young's modulus and Poisson's ratio of a test by the conventions that laboratories use, and the moduli that the contact
+// compliance predicts.
 #pragma once
 
 #include <iosfwd>
@@ -21,10 +22,10 @@ struct ElasticPair {
     double plane_poisson_ratio = 0;
 };
 
-/// Moduli of one run. Strains are those of the gauges over the central half; shares are those of the way from the start to
+/// Moduli of one run. Strains are those of the gauges over the central half; shares are those of the stress from the start to
 /// the peak. In triaxial tests the start is the end of the isotropic stage, so that the confinement is held.
 struct Moduli {
-    ElasticPair chord;                ///< from the start to half the peak: the paper's
+    ElasticPair chord;                ///< from the start to half the peak: the convention of the paper
     ElasticPair tangent;              ///< least squares between 40 and 60 % (ISRM 1979: tangent at half the strength)
     ElasticPair average;              ///< least squares between 20 and 80 % (ISRM 1979: average of the straight part)
     ElasticPair secant;               ///< from the start to the peak: the deformation modulus, failure included
@@ -34,19 +35,19 @@ struct Moduli {
     std::optional<double> post_peak_slope_ratio;
 };
 
-/// Gauges and platens see the same modulus in a specimen at rest, but for what its ends do: 1 % in rectangles of 1,122 grains. A
-/// wave that is still on its way through the specimen makes it another.
+/// Largest difference between the moduli by gauges and by platens. In equilibrium they are equal but for end effects (1 % in
+/// rectangles of 1,122 grains); a stress wave that still travels through the specimen makes them differ.
 inline constexpr double gauge_tolerance = 0.03;
 
 /// Empty for a brazilian test, whose stress is not uniform. \throws InputError if the curve has no elastic part
 std::optional<Moduli> measure_moduli(const RunData& run);
 
-/// What the rock and its contacts' compliance predict for this assemblage (fpz::assemblage_moduli).
+/// The moduli that the rock and the compliance of its contacts predict for this assemblage (fpz::assemblage_moduli).
 fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& specimen);
 /// Length of all contacts over the area of all grains, 1/m.
 double contact_length_per_area(const Specimen& specimen);
 
-/// Writes the table `moduli`, DESIGN's columns and the thresholds; see share/doc/tables.md.
+/// Writes the table `moduli`; its columns are those of share/doc/tables.md.
 void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
 
 }  // namespace graincrack

@@ -119,15 +119,16 @@ Strength measure_strength(const RunData& run) {
     return strength;
 }
 
-bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs, const std::string& what) {
+bool stopped_at_strain_limit(const RunData& run, const Strength& strength, StrainLimitRuns strain_limit_runs,
+                             const std::string& what) {
     if (strength.peak_kind == "drop") return false;
     if (strength.peak_kind != "cap") {
         throw InputError(run.name + ": was stopped (" + run.header.stop_reason + ") before a peak; " + what +
                          " needs runs that fell behind their peak");
     }
-    if (capped_runs == CappedRuns::refuse) {
+    if (strain_limit_runs == StrainLimitRuns::refuse) {
         throw InputError(
-            fmt::format("{}: ended by the strain cap ({:.3g} %) without a peak, its largest stress is no strength; "
+            fmt::format("{}: stopped at the strain limit ({:.3g} %) without a peak, its largest stress is no strength; "
                         "run it further (--max-strain), or take it as it is with --capped accept",
                         run.name, 100 * run.header.max_strain));
     }

@@ -1,4 +1,4 @@
-// Strength of a test and what a reader needs to trust it: one row a run.
+// Strength of a test with the checks of its run: one row a run.
 #pragma once
 
 #include <array>
@@ -16,32 +16,35 @@ namespace graincrack {
 struct Strength {
     std::optional<double> peak_compressive_stress;  ///< uniaxial, triaxial: σ1 at the peak, confinement included
     std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
-    /// The one that the test measures.
+    /// Whichever of the two the test measures.
     [[nodiscard]] double value() const { return peak_compressive_stress ? *peak_compressive_stress : tensile_strength.value(); }
     double strain_at_peak = 0;          ///< platen approach over height since the start of the test
     std::string peak_kind;              ///< see `peak_kind`
     std::optional<double> first_yield;  ///< see `first_yield`
-    /// Stress where the platen strain first reaches `strain_marks`, whatever came before; empty if the test ended earlier.
+    /// Stress where the platen strain first reaches `strain_marks`, before or after the peak; empty if the test ended earlier.
     std::array<std::optional<double>, 3> stress_at_marks;
     double tensile_cracks = 0;  ///< contacts (points ÷ 2) failed by the time of the peak
     double shear_cracks = 0;
 };
 
-/// Axial strains at which the stress is told: strengths of tests that harden are compared at equal strain.
+/// Axial strains at which the stress is reported: strengths of tests that harden are compared at equal strain.
 inline constexpr std::array<double, 3> strain_marks{0.01, 0.02, 0.03};
 
 /// \throws InputError if the run has no usable curve
 Strength measure_strength(const RunData& run);
 
-/// What to do with a run that the strain cap ended: its largest stress is no peak, and a fit through such values depends on
-/// where the tests were told to end.
-enum class CappedRuns { refuse, accept };
-/// Whether the run ended by the strain cap.
-/// \param what needs a peak, with an article: "an envelope"
-/// \throws InputError if it has no peak and may not stand here: a capped run unless accepted, a stopped one always
-bool is_capped(const RunData& run, const Strength& strength, CappedRuns capped_runs, const std::string& what);
+/// What to do with a run stopped at the strain limit: its largest stress is no peak, and a fit through such values depends on
+/// the strain limit that was chosen.
+enum class StrainLimitRuns { refuse, accept };
+/// Whether the run was stopped at the strain limit.
+/// \param what requires a peak, with an article: "an envelope"
+/// \throws InputError if the run has no peak and is not accepted without one: stopped at the strain limit unless
+///         accepted, stopped otherwise always
+bool stopped_at_strain_limit(const RunData& run, const Strength& strength, StrainLimitRuns strain_limit_runs,
+                             const std::string& what);
 
-/// Writes the table `strength`, DESIGN's columns; all runs are measured before the first row is written.
+/// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
+/// written.
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
 
 }  // namespace graincrack

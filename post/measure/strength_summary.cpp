@@ -13,7 +13,7 @@ namespace {
 
 struct Members {
     std::vector<double> strengths;
-    std::size_t capped = 0;
+    std::size_t without_peak = 0;
 };
 
 using Key = std::tuple<int, double, std::string>;  // order, confining pressure, test
@@ -33,12 +33,12 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
         const Strength strength = measure_strength(run);
         Members& members = sets[key_of(run.header)];
         members.strengths.push_back(strength.value());
-        if (strength.peak_kind != "drop") ++members.capped;
+        if (strength.peak_kind != "drop") ++members.without_peak;
     }
     std::vector<StrengthGroup> groups;
     std::optional<double> brazilian;
     for (const auto& [key, members] : sets) {
-        StrengthGroup group{std::get<2>(key), std::get<1>(key), sample(members.strengths), members.capped, std::nullopt};
+        StrengthGroup group{std::get<2>(key), std::get<1>(key), sample(members.strengths), members.without_peak, std::nullopt};
         if (group.test == "brazilian") {
             brazilian = group.strength.mean.value;
         } else if (brazilian) {
@@ -50,9 +50,7 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
 }
 
 void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format) {
-    std::vector<RunData> runs;
-    for (const std::string& path : paths) runs.push_back(read_run_data(path));
-    const std::vector<StrengthGroup> groups = group_strengths(runs);
+    const std::vector<StrengthGroup> groups = group_strengths(read_runs(paths));
     TableWriter table(out,
                       {"test", "confining_pressure_MPa", "runs", "runs_without_peak", "strength_MPa", "strength_deviation_MPa",
                        "strength_low_MPa", "strength_high_MPa", "ratio_to_brazilian"},
@@ -60,7 +58,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
     const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
     for (const StrengthGroup& g : groups) {
         table.row({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
-                   static_cast<std::int64_t>(g.capped), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
+                   static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
                    megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian)});
     }
 }

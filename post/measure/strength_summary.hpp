@@ -15,9 +15,9 @@ namespace graincrack {
 struct StrengthGroup {
     std::string test;
     double confining_pressure = 0;  ///< Pa
-    Sample strength;                ///< Pa; largest stresses, of capped runs too
-    std::size_t capped = 0;         ///< runs without a peak
-    /// Mean over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
+    Sample strength;                ///< Pa; largest stresses, also of runs without a peak
+    std::size_t without_peak = 0;   ///< number of runs
+    /// Mean strength over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
     std::optional<double> ratio_to_brazilian;
 };
 

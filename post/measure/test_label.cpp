@@ -13,13 +13,13 @@ std::string test_title(const RunHeader& header) {
     return header.material.empty() ? test : test + ", " + header.material;
 }
 
-std::string series_words(const std::string& test, double confining_pressure) {
+std::string series_label(const std::string& test, double confining_pressure) {
     if (test == "triaxial") return fmt::format("σ3 = {:.4g} MPa", confining_pressure * 1e-6);
     if (test == "brazilian") return "Brazilian";
     if (test == "tension") return "direct tension";
     return test;
 }
 
-std::string peak_words(const RunData& run) { return peak_kind(run, load_curve(run)) == "drop" ? "peak" : "largest stress"; }
+std::string peak_label(const RunData& run) { return peak_kind(run, load_curve(run)) == "drop" ? "peak" : "largest stress"; }
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// Words for tests and states in titles.
+// Labels of tests and states in titles and tables.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace graincrack {
 std::string test_title(const RunHeader& header);
 
 /// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension".
-std::string series_words(const std::string& test, double confining_pressure);
+std::string series_label(const std::string& test, double confining_pressure);
 
 /// "peak", or for a run without one "largest stress".
-std::string peak_words(const RunData& run);
+std::string peak_label(const RunData& run);
 
 }  // namespace graincrack

@@ -61,7 +61,7 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
                          "(graincrack-mesh rectangle --notch)");
     }
     const Strength strength = measure_strength(run);
-    is_capped(run, strength, CappedRuns::refuse, "a toughness");
+    stopped_at_strain_limit(run, strength, StrainLimitRuns::refuse, "a toughness");
     Toughness toughness;
     toughness.notch_length = right - left;
     toughness.strength = strength.value();

@@ -19,8 +19,8 @@ struct Toughness {
         0;  ///< Pa √m: √(E' Gf) of a straight crack along a contact, E' of the assemblage, E/(1 − ν²) in plane strain
 };
 
-/// Stress intensity K_I, Pa √m, of a plate of this width, pulled by this mean stress, with a crack of this length in its middle:
-/// σ √(π a) √sec(π a/W), a half the length (Feddersen 1966; within 0.3 % for 2a ≤ 0.7 W in a long plate).
+/// Stress intensity K_I, Pa √m, of a plate of this width under this mean tensile stress, with a crack of this length in its
+/// middle: σ √(π a) √sec(π a/W), a half the length (Feddersen 1966; within 0.3 % for 2a ≤ 0.7 W in a long plate).
 double centre_crack_intensity(double stress, double length, double width);
 
 /// \throws InputError if the run is no tension test of a rectangle with a notch in its middle, or has no peak

@@ -4,7 +4,9 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/cracks/run_state.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -33,9 +35,9 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run) {
                 Axis{"stress, MPa", 0, 1.08 * largest(stress)});
     const Stroke load{palette::outline, 3};
     chart.line(strain, stress, load, Chart::Side::right);
-    const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& words) {
+    const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& label) {
         chart.line(strain, values, stroke);
-        chart.legend(stroke, words);
+        chart.legend(stroke, label);
     };
     if (counts.pairs.size() == 1) {
         draw(column(counts, [](const Moment& m) { return m.all.tensile; }), Stroke{palette::tensile, 4}, "tensile");
@@ -51,6 +53,16 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run) {
     }
     chart.legend(load, "stress");
     return chart.finish();
+}
+
+Command counts_plot() {
+    return make_plot("counts", "micro-cracks over the loading by mode and pair of minerals",
+                     {"uniaxial.h5 -o counts.png", "brazilian.h5 -o counts.svg"}, one_run, [](const Call& call) {
+                         const RunReader run(call.file());
+                         const RunData data = run_data(run);
+                         const Specimen specimen = run.specimen();
+                         return draw_counts(count_cracks(data, load_curve(data), specimen, read_cracks(run, specimen)), data);
+                     });
 }
 
 }  // namespace graincrack

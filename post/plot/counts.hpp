@@ -2,6 +2,7 @@
 #pragma once
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/cracks/crack_counts.hpp"
 
 namespace graincrack {
@@ -9,5 +10,7 @@ namespace graincrack {
 /// Counts against axial strain, stress behind them on a scale of its own. With one pair: tensile red, shear black; with
 /// several: a colour a pair, shear dashed.
 Drawing draw_counts(const CrackCounts& counts, const RunData& run);
+
+Command counts_plot();
 
 }  // namespace graincrack

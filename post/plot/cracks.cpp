@@ -4,18 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "post/chart/map_view.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/measure/test_label.hpp"
+#include "share/command_line.hpp"
 
 namespace graincrack {
 
 namespace {
 
-/// Where the test stands at the time of the frame; also the platens' approach for drawing them.
+/// Strain and stress of the test at the time of the frame; also the platens' approach for drawing them.
 struct Standing {
     double strain = 0;        ///< positive in the sense of the test
     double stress = 0;        ///< Pa
@@ -24,7 +26,7 @@ struct Standing {
     double axial_strain = 0;  ///< elongation positive
     std::string peak;         ///< what the largest stress is called
     [[nodiscard]] bool at_peak() const { return share > 0.9995; }
-    [[nodiscard]] std::string share_words() const {
+    [[nodiscard]] std::string share_label() const {
         if (at_peak()) return peak;
         return fmt::format("{}, {:.0f} %", before ? "before" : "after", 100 * share);
     }
@@ -39,17 +41,18 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
             curve.stress[row] / curve.peak_stress(),
             row < curve.peak,
             run.history[HistoryColumn::axial_strain][row],
-            peak_words(run)};
+            peak_label(run)};
 }
 
-std::string standing_words(const Standing& now, bool disc, double magnification) {
-    std::string words = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, disc ? "2F/(πtD)" : "stress",
-                                    now.stress * 1e-6, now.at_peak() ? now.peak : now.share_words() + " of the " + now.peak);
-    if (magnification != 1) words += fmt::format("; displacements × {:.3g}", magnification);
-    return words;
+std::string standing_label(const Standing& now, bool disc, double magnification) {
+    std::string label = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, disc ? "2F/(πtD)" : "stress",
+                                    now.stress * 1e-6, now.at_peak() ? now.peak : now.share_label() + " of the " + now.peak);
+    if (magnification != 1) label += fmt::format("; displacements × {:.3g}", magnification);
+    return label;
 }
 
-/// Draws the half facet of a failed contact point: one line midway between its two sides, or, where they gape, one on each.
+/// Draws the half facet of a failed contact point: one line midway between its two sides, or, where the crack is open, one on
+/// each.
 void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, double width) {
     const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
     const auto at = [&](std::size_t k) { return map.positions()[static_cast<std::size_t>(nodes[k])]; };
@@ -111,7 +114,7 @@ bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     return cracked_before;
 }
 
-/// What a map shows of a frame; the frame itself is let go.
+/// What a map shows of a frame; the frame itself is released.
 struct Snapshot {
     double time;
     Positions places;
@@ -131,7 +134,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
                 {test_title(header),
                  fmt::format("seed {}, {} grains, mean edge {:.3g} mm; law {}, {}", specimen.seed, specimen.n_grains(),
                              specimen.statistics.mean_edge * 1e3, header.contact_law, header.fracture_energy_choice),
-                 standing_words(now, header.test == "brazilian", scene.options.magnification)});
+                 standing_label(now, header.test == "brazilian", scene.options.magnification)});
     std::vector<LegendEntry> legend{{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
                                     {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({palette::pre_existing, 6, "pre-existing"});
@@ -144,7 +147,7 @@ Drawing panel(const Scene& scene, Snapshot shot, double width, char letter) {
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     MapPage page{width, 1000, 14, 27, 23, 0};
     MapView map(scene.specimen, std::move(shot.places),
-                {fmt::format("({}) {}", letter, now.share_words()),
+                {fmt::format("({}) {}", letter, now.share_label()),
                  fmt::format("{:.3f} %, {:.1f} MPa", 100 * now.strain, now.stress * 1e-6),
                  fmt::format("tensile {}, shear {}", contacts_of(count(present, CrackMode::tensile)),
                              contacts_of(count(present, CrackMode::shear)))},
@@ -184,6 +187,26 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
     const Scene scene{run, specimen, read_cracks(run, specimen), run_data(run), options};
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
+}
+
+void add_map_options(CLI::App& app, MapPlotOptions& options) {
+    constexpr Quantity frame_time{"time", Dimension::time, 0, std::numeric_limits<double>::infinity(), "simulated time"};
+    constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
+    add_picture(app, options);
+    app.add_option("--frame", options.map.frame,
+                   "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
+                   "several with commas stand side by side, once where they mean the same")
+        ->capture_default_str();
+    add_quantity(app, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
+    add_quantity(app, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
+}
+
+Command cracks_plot() {
+    return make_plot<MapPlotOptions>(
+        "cracks", "crack map: tensile red, shear black",
+        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --magnify 10 -o cracks.svg"}, one_run,
+        add_map_options,
+        [](const MapPlotOptions& options, const Call& call) { return draw_cracks(RunReader(call.file()), options.map); });
 }
 
 }  // namespace graincrack

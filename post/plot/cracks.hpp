@@ -5,6 +5,7 @@
 #include <string>
 
 #include "post/chart/drawing.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {
@@ -18,5 +19,13 @@ struct CrackMapOptions {
 
 /// \throws InputError, UsageError as `choose_frames`
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options);
+
+/// Options of a map of one or several frames.
+struct MapPlotOptions : PlotOptions {
+    CrackMapOptions map;
+};
+void add_map_options(CLI::App& app, MapPlotOptions& options);
+
+Command cracks_plot();
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
 #include "share/error.hpp"
 
@@ -57,7 +58,7 @@ double max_cracks(const RunData& run) {
     return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
 }
 
-ChartText words(const std::vector<Run>& runs) {
+ChartText heading(const std::vector<Run>& runs) {
     const RunData& run = *runs[0].data;
     if (runs.size() > 1) {
         return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
@@ -65,18 +66,18 @@ ChartText words(const std::vector<Run>& runs) {
     return {test_title(run.header),
             {fmt::format("seed {}, {} grains, mean edge {:.3g} mm", run.specimen.seed, run.specimen.grains,
                          run.specimen.mean_edge * 1e3),
-             fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_words(run), 1e-6 * runs[0].curve.peak_stress(),
+             fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
                          100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
 }
 
 Chart page(const std::vector<Run>& runs, const Extent& extent, bool counts) {
-    // Rims that burst after the peak would squeeze the part that matters.
+    // Rims that burst after the peak have large lateral strains, which would compress the part of the curve before it.
     const double lateral = std::max(extent.lateral, -0.75 * extent.strain);
     const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (counts) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
-    return {words(runs), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
+    return {heading(runs), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
 }
 
 /// Counts of cracks against axial strain, on a scale of their own at the right.
@@ -105,9 +106,9 @@ void draw_laboratory(Chart& chart, const LaboratoryCurve& curve, Colour colour) 
     chart.legend(Stroke{colour, 4, true}, "laboratory: " + curve.name);
 }
 
-std::string legend_words(const Run& run) {
+std::string legend_label(const Run& run) {
     const std::string name = std::filesystem::path(run.data->name).filename().string();
-    std::string text = fmt::format("{}: {} {:.4g} MPa", name, peak_words(*run.data), 1e-6 * run.curve.peak_stress());
+    std::string text = fmt::format("{}: {} {:.4g} MPa", name, peak_label(*run.data), 1e-6 * run.curve.peak_stress());
     if (run.data->header.test == "triaxial") text += fmt::format(" at {:.4g} MPa", 1e-6 * run.data->header.confining_pressure);
     return text + fmt::format(", seed {}", run.data->specimen.seed);
 }
@@ -139,10 +140,29 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         draw_run(chart, runs[i], palette::series(i));
-        chart.legend(Stroke{palette::series(i), 4.5}, runs.size() == 1 ? "stress" : legend_words(runs[i]));
+        chart.legend(Stroke{palette::series(i), 4.5}, runs.size() == 1 ? "stress" : legend_label(runs[i]));
     }
     for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], palette::series(runs.size() + i));
     return chart.finish();
+}
+
+Command curve_plot() {
+    struct Options : PlotOptions {
+        std::vector<std::string> laboratory;  ///< tables of measured curves
+    };
+    return make_plot<Options>(
+        "curve", "stress against axial and lateral strain, several runs on one plot",
+        {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv -o curve.svg"}, several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_names(app, "--laboratory", options.laboratory, "FILE",
+                      "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
+        },
+        [](const Options& options, const Call& call) {
+            std::vector<LaboratoryCurve> laboratory;
+            for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
+            return draw_curves(read_runs(call.files), laboratory);
+        });
 }
 
 }  // namespace graincrack

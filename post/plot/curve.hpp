@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 
 namespace graincrack {
@@ -26,5 +27,7 @@ LaboratoryCurve read_laboratory_curve(const std::string& path);
 /// strain to the left, both from platens and rim. One run: the counts of its micro-cracks on a second scale.
 /// \throws InputError if brazilian, tension and compression runs are mixed: their stresses do not mean the same
 Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory = {});
+
+Command curve_plot();
 
 }  // namespace graincrack

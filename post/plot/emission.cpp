@@ -6,6 +6,10 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/cracks/export.hpp"
+#include "post/cracks/run_state.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -20,12 +24,12 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
     std::vector<double> number;
     for (std::size_t i = 0; i < magnitudes.size(); ++i) number.push_back(static_cast<double>(magnitudes.size() - i));
     const auto fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
-    std::vector<std::string> words{fmt::format("{} events", events.size())};
-    words[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
-                                  fit->completeness, fit->events)
-                    : ", too few for a slope";
+    std::vector<std::string> subtitle{fmt::format("{} events", events.size())};
+    subtitle[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
+                                     fit->completeness, fit->events)
+                       : ", too few for a slope";
     const auto [low, high] = padded_range(magnitudes, 0.08);
-    Chart chart({title, words}, Axis{"magnitude, per metre of thickness", low, high},
+    Chart chart({title, subtitle}, Axis{"magnitude, per metre of thickness", low, high},
                 Axis{"events at or above", 0.8, 1.5 * number.front(), true});
     const Marker marker{palette::series(0), MarkerShape::disc, 9};
     chart.points(magnitudes, number, marker);
@@ -38,6 +42,25 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
         chart.legend(stroke, "slope b (Aki)");
     }
     return chart.finish();
+}
+
+Command emission_plot() {
+    struct Options : PlotOptions {
+        EventOptions events;
+    };
+    return make_plot<Options>(
+        "emission", "acoustic emission: number of events by magnitude, b-value",
+        {"uniaxial.h5 -o emission.png", "uniaxial.h5 --event-distance 4mm -o emission.svg"}, one_run,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_events(app, options.events);
+        },
+        [](const Options& options, const Call& call) {
+            const RunReader run(call.file());
+            const Specimen specimen = run.specimen();
+            return draw_emission(emission_of(run, specimen, read_cracks(run, specimen), options.events), test_title(run.header()),
+                                 run.name());
+        });
 }
 
 }  // namespace graincrack

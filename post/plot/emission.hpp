@@ -1,10 +1,11 @@
-// Acoustic emission: how many events are at least so large.
+// Acoustic emission: the number of events at or above each magnitude.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/cracks/emission.hpp"
 
 namespace graincrack {
@@ -12,5 +13,7 @@ namespace graincrack {
 /// log10 of the number of events at or above a magnitude, with the slope b from the completeness on.
 /// \throws InputError without events
 Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run);
+
+Command emission_plot();
 
 }  // namespace graincrack

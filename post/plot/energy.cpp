@@ -5,6 +5,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -12,7 +13,7 @@ namespace {
 
 struct Term {
     HistoryColumn column;
-    const char* words;
+    const char* label;
     Stroke stroke;
 };
 
@@ -27,7 +28,7 @@ const std::vector<Term>& terms() {
                                        {energy_damping, "damping", {palette::series(3), 4}},
                                        {energy_platen, "platens", {palette::series(5), 3, true}},
                                        {energy_kinetic, "kinetic", {palette::series(6), 3, true}},
-                                       {law_mismatch, "law mismatch", {palette::rim, 2.5, true}}};
+                                       {law_mismatch, "non-conservative work", {palette::rim, 2.5, true}}};
     return all;
 }
 
@@ -42,17 +43,22 @@ Drawing draw_energy(const RunData& run) {
     for (const Term& term : terms()) all.insert(all.end(), run.history[term.column].begin(), run.history[term.column].end());
     Chart chart(
         {test_title(run.header),
-         {fmt::format("energy ledger, J per metre of thickness; largest residual {:.2g} % of", 100 * run.header.ledger_residual),
-          fmt::format("the peak stored energy, damping took {:.2g} % of the work", 100 * run.header.damping_share)}},
+         {fmt::format("energy balance, J per metre of thickness; largest residual {:.2g} %", 100 * run.header.ledger_residual),
+          fmt::format("of the peak stored energy; damping took {:.2g} % of the work", 100 * run.header.damping_share)}},
         Axis{loaded ? "axial strain, %" : "time, s", std::min(0.0, smallest(x)), 1.03 * largest(x)},
         Axis{"energy, J", padded_range(all, 0.04).first, padded_range(all, 0.04).second});
     for (const Term& term : terms()) {
         const std::vector<double>& values = run.history[term.column];
         if (largest(values) == 0 && smallest(values) == 0) continue;
         chart.line(x, values, term.stroke);
-        chart.legend(term.stroke, term.words);
+        chart.legend(term.stroke, term.label);
     }
     return chart.finish();
+}
+
+Command energy_plot() {
+    return make_plot("energy", "the energy balance over the strain", {"uniaxial.h5 -o energy.png", "brazilian.h5 -o energy.svg"},
+                     one_run, [](const Call& call) { return draw_energy(read_run_data(call.file())); });
 }
 
 }  // namespace graincrack

@@ -10,6 +10,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
 
 namespace graincrack {
@@ -49,7 +50,7 @@ Points line_of(const Envelope& envelope, double high) {
     return points;
 }
 
-/// Where the circles of the curve σ1(σ3) touch their hull: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s = dσ1/dσ3.
+/// Where the circles of the curve σ1(σ3) touch their envelope: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s = dσ1/dσ3.
 Points hull_of(const HoekBrown& fit, double largest) {
     Points points;
     const double lowest = -fit.tensile_strength();
@@ -71,16 +72,16 @@ double largest_confining(const EnvelopeTests& tests) {
     return largest;
 }
 
-std::string interval_words(const Estimate& e, double factor) {
+std::string interval_label(const Estimate& e, double factor) {
     return e.low ? fmt::format(" [{:.1f}, {:.1f}]", *e.low * factor, *e.high * factor) : std::string();
 }
 
-std::string line_words(const Envelope& envelope) {
+std::string line_label(const Envelope& envelope) {
     const auto& c = envelope.cohesion;
     const auto& phi = envelope.friction_angle;
     if (!std::isfinite(c.value)) return "no Mohr–Coulomb line: the strength falls with the confining pressure";
-    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * mega, interval_words(c, mega),
-                       phi.value * degrees, interval_words(phi, degrees), envelope.line.r_squared);
+    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * mega, interval_label(c, mega),
+                       phi.value * degrees, interval_label(phi, degrees), envelope.line.r_squared);
 }
 
 Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
@@ -99,9 +100,10 @@ Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::stri
     for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
         for (const double strength : *strengths) left = std::max(left, 1.3 * strength * mega);
     }
-    std::vector<std::string> words{line_words(envelope)};
-    if (tests.capped > 0) words.push_back(fmt::format("{} of the tests ended by the strain cap, not by a peak", tests.capped));
-    return {ChartText{title, words}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
+    std::vector<std::string> subtitle{line_label(envelope)};
+    if (tests.at_strain_limit > 0)
+        subtitle.push_back(fmt::format("{} of the tests stopped at the strain limit, without a peak", tests.at_strain_limit));
+    return {ChartText{title, subtitle}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
             Axis{"shear stress, MPa", 0, 1.3 * radius}, std::nullopt, true};
 }
 
@@ -117,12 +119,12 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
         const Points points = circle(test.confining, test.strength);
         chart.line(points.x, points.y, Stroke{palette::series(colours.at(test.confining)), 2.5});
     }
-    const auto tensile = [&](const std::vector<double>& strengths, double high, Colour colour, const std::string& words) {
+    const auto tensile = [&](const std::vector<double>& strengths, double high, Colour colour, const std::string& label) {
         for (const double strength : strengths) {
             const Points points = circle(-strength, high * strength);
             chart.line(points.x, points.y, Stroke{colour, 2.5});
         }
-        if (!strengths.empty()) chart.legend(Stroke{colour, 4}, words);
+        if (!strengths.empty()) chart.legend(Stroke{colour, 4}, label);
     };
     tensile(tests.brazilian, 3, palette::rim, "Brazilian, centre of the disc");
     tensile(tests.direct_tension, 0, palette::tensile, "direct tension");
@@ -167,6 +169,30 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
                                  envelope.hoek_brown->mi.value));
     }
     return chart.finish();
+}
+
+Command envelope_plot() {
+    struct Options : PlotOptions {
+        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        std::vector<std::string> laboratory;  ///< tables of measured strengths
+    };
+    return make_plot<Options>(
+        "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes",
+        {"uniaxial.h5 triaxial.h5 -o envelope.png", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept -o envelope.svg"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_strain_limit_runs(app, options.strain_limit_runs);
+            add_names(app, "--laboratory", options.laboratory, "FILE",
+                      "table of measured strengths: confining_pressure_MPa, strength_MPa");
+        },
+        [](const Options& options, const Call& call) {
+            const std::vector<RunData> runs = read_runs(call.files);
+            std::vector<LaboratoryStrengths> laboratory;
+            for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
+            return draw_envelope(collect_envelope_tests(runs, options.strain_limit_runs), runs.front().header.material,
+                                 laboratory);
+        });
 }
 
 }  // namespace graincrack

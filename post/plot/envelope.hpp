@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/fit/envelope.hpp"
 
 namespace graincrack {
@@ -23,5 +24,7 @@ LaboratoryStrengths read_laboratory_strengths(const std::string& path);
 /// strengths as dashed circles.
 Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title,
                       const std::vector<LaboratoryStrengths>& laboratory = {});
+
+Command envelope_plot();
 
 }  // namespace graincrack

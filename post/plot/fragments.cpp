@@ -8,6 +8,7 @@
 #include "post/cracks/fragments.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -36,6 +37,13 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
     map.draw_legend({{palette::grain, 22, "largest fragment"}, {fragment_colour(1), 22, "others"}});
     return std::move(map).drawing();
+}
+
+Command fragments_plot() {
+    return make_plot<MapPlotOptions>(
+        "fragments", "grains that are still connected, by fragment",
+        {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"}, one_run, add_map_options,
+        [](const MapPlotOptions& options, const Call& call) { return draw_fragments(RunReader(call.file()), options.map); });
 }
 
 }  // namespace graincrack

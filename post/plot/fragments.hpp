@@ -1,11 +1,14 @@
 // Map of the fragments of a frame.
 #pragma once
 
+#include "post/command.hpp"
 #include "post/plot/cracks.hpp"
 
 namespace graincrack {
 
 /// The largest fragment pale, the others coloured, where they moved to. \throws InputError, UsageError as `choose_frame`
 Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options);
+
+Command fragments_plot();
 
 }  // namespace graincrack

@@ -10,7 +10,10 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/plot/make_plot.hpp"
+#include "share/command_line.hpp"
 #include "share/error.hpp"
+#include "share/run_file.hpp"
 #include "solver/law/contact_law.hpp"
 
 namespace graincrack {
@@ -97,7 +100,7 @@ std::vector<LawDescription> chosen(const std::vector<std::string>& names) {
 
 Axis up_to(const std::string& label, double high) { return {label, 0, high}; }
 
-/// Whether curves over the same displacements are one to the eye: within half a percent of the largest traction.
+/// Whether curves over the same displacements cannot be told apart in the picture: within half a percent of the largest traction.
 bool agree(const std::vector<Path>& paths) {
     double highest = 0;
     double apart = 0;
@@ -110,7 +113,7 @@ bool agree(const std::vector<Path>& paths) {
     return apart < 0.005 * highest;
 }
 
-/// Sets of curves that are one to the eye, each by the index of its first.
+/// Sets of curves that cannot be told apart, each by the index of its first.
 std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths) {
     std::vector<std::vector<std::size_t>> sets;
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -121,7 +124,7 @@ std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths
     return sets;
 }
 
-/// One curve a law, but the largest set of like ones as a single black one. Returns whether there is such a set.
+/// One curve a law; the largest set of indistinguishable ones is a single black curve. Returns whether there is such a set.
 bool draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
     const auto sets = like_curves(paths);
     const auto most =
@@ -206,6 +209,58 @@ Drawing draw_lennard_jones() {
         chart.legend(stroke, fmt::format("m {}, n {}: b = {:.3f}", m, n, fpz::lennard_jones_b(m, n)));
     }
     return chart.finish();
+}
+
+namespace {
+
+struct LawOptions : PlotOptions {
+    std::string material;
+    PlaneCondition plane = PlaneCondition::strain;
+    std::optional<FractureEnergyChoice> fracture_energy;
+    LawPlotOptions law;
+};
+
+void add_options(CLI::App& app, LawOptions& options) {
+    constexpr Quantity normal_stress{"normal_stress", Dimension::stress, 0, 1e12, "compression across a contact"};
+    app.add_option("--material", options.material, "material: a name of share/materials or a TOML file");
+    add_names(app, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; all unless given");
+    add_choice(app, "--coupling", options.law.coupling, {"full", "none"}, "whether failure in one mode takes the other");
+    add_choice<PlaneCondition>(app, "--plane", options.plane,
+                               {{"strain", PlaneCondition::strain}, {"stress", PlaneCondition::stress}}, "plane condition");
+    add_fracture_energy(app, options.fracture_energy, "fracture energy of the contacts: mixed (Eq 32), mode-i or a value");
+    add_quantity(app, "--normal-stress", options.law.normal_stress, normal_stress, "compression for the curve of shear", "20MPa");
+    add_picture(app, options);
+}
+
+Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
+    LawPlotOptions law = options.law;
+    if (law.laws.empty()) law.laws = {run.header().contact_law};
+    law.coupling = run.header().coupling;
+    return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law);
+}
+
+Drawing draw_laws_of_material(const LawOptions& options) {
+    const Material material = read_material(options.material);
+    const ContactParameters contact = contact_parameters(material, options.plane, options.fracture_energy);
+    return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), options.law);
+}
+
+}  // namespace
+
+Command law_plot() {
+    return make_plot<LawOptions>(
+        "law", "curves of the contact laws, by a material or as in a run",
+        {"--material augig-granite -o law.png", "uniaxial.h5 --normal-stress 50MPa -o law.svg"},
+        FileArguments{"run", "run file", false}, add_options, [](const LawOptions& options, const Call& call) {
+            if (!call.files.empty()) return draw_laws_of_run(options, RunReader(call.file()));
+            if (!options.material.empty()) return draw_laws_of_material(options);
+            throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
+        });
+}
+
+Command lennard_jones_plot() {
+    return make_plot("lennard-jones", "the potential of Eqs 20-22 (Fig 11)", {"-o potential.png", "-o potential.svg"},
+                     std::nullopt, [](const Call&) { return draw_lennard_jones(); });
 }
 
 }  // namespace graincrack

@@ -1,10 +1,11 @@
-// The curves of the contact laws, and the potential the paper takes the thickness of a contact from (Figs 2 and 11).
+// The curves of the contact laws (Fig 2), and the potential from which the paper derives the thickness of a contact (Fig 11).
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "share/material.hpp"
 
 namespace graincrack {
@@ -22,5 +23,8 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
 
 /// P(z)/X = a [(ζ/z)^n − (ζ/z)^m] (Eqs 20–22) and its slope for the pairs (m, n) of Table 9's corners and middle, with b.
 Drawing draw_lennard_jones();
+
+Command law_plot();
+Command lennard_jones_plot();
 
 }  // namespace graincrack

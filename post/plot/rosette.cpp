@@ -7,6 +7,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "post/cracks/run_state.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -39,16 +42,16 @@ public:
         }
         for (int i = 0; i < 12; ++i) drawing_.line(centre_, at(std::numbers::pi * i / 6, scale_), 1, palette::faint);
     }
-    /// What the rings mean, over everything: across the load, where the fewest cracks go.
-    void scale_words() {
+    /// The labels of the rings, drawn last: perpendicular to the load, where the fewest cracks are.
+    void scale_labels() {
         constexpr double size = 21;
         for (const double ring : round_ticks(0, scale_, 3)) {
             if (ring == 0) continue;
-            const std::string words = fmt::format("{:.0f} %", 100 * ring);
+            const std::string percent = fmt::format("{:.0f} %", 100 * ring);
             const Pixel label = at(0, ring);
-            const double half = text_width(words, size) / 2;
+            const double half = text_width(percent, size) / 2;
             drawing_.rectangle({label.x - half, label.y - 0.6 * size}, {label.x + half, label.y + 0.6 * size}, palette::white);
-            drawing_.text({{label.x, label.y + 0.35 * size}, words, size, palette::rim, Anchor::middle});
+            drawing_.text({{label.x, label.y + 0.35 * size}, percent, size, palette::rim, Anchor::middle});
         }
     }
     void petals(const Bins& share, Colour colour) {
@@ -66,7 +69,7 @@ public:
         line.push_back(line.front());
         drawing_.polyline(line, 2.5, palette::pre_existing);
     }
-    void words(const std::string& text) {
+    void caption(const std::string& text) {
         drawing_.text({{centre_.x, centre_.y + radius + 50}, text, text_size, palette::ink, Anchor::middle});
     }
 
@@ -104,13 +107,23 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
         rose.rings();
         rose.petals(shares(lengths), tensile ? palette::tensile : palette::shear);
         rose.outline(facet);
-        rose.scale_words();
-        rose.words(fmt::format("{}: {:.4g} mm", tensile ? "tensile" : "shear", 1e3 * total(lengths)));
+        rose.scale_labels();
+        rose.caption(fmt::format("{}: {:.4g} mm", tensile ? "tensile" : "shear", 1e3 * total(lengths)));
         x += 480;
     }
     drawing.line({40, 631}, {92, 631}, 2.5, palette::pre_existing);
     drawing.text({{106, 640}, "the specimen's own facets", text_size});
     return drawing;
+}
+
+Command rosette_plot() {
+    return make_plot("rosette", "directions of the cracks by mode, over those of the facets",
+                     {"uniaxial.h5 -o rosette.png", "brazilian.h5 -o rosette.svg"}, one_run, [](const Call& call) {
+                         const RunReader run(call.file());
+                         const Specimen specimen = run.specimen();
+                         return draw_rosette(crack_rosette(read_cracks(run, specimen), specimen), test_title(run.header()),
+                                             run.name());
+                     });
 }
 
 }  // namespace graincrack

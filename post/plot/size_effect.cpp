@@ -7,12 +7,13 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
 namespace {
 
-/// Values with a tenth of a decade to spare on both sides.
+/// The range of the values with a tenth of a decade on both sides.
 Axis logarithmic(const std::string& label, const std::vector<double>& values) {
     const auto [low, high] = padded_range(values, 0);
     return {label, low / 1.25, high * 1.25, true};
@@ -28,7 +29,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const std::vector<double> edge = times(s.edge, 1e3);
     const Marker marker{colour, marker_shape(index)};
     chart.points(edge, times(s.strength, 1e-6), marker);
-    const std::string name = series_words(s.test, s.confining_pressure);
+    const std::string name = series_label(s.test, s.confining_pressure);
     const auto law = fit_power_law_log(s.edge, s.strength);
     chart.legend(marker, name);
     if (!law) return;
@@ -36,9 +37,9 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const double low = range.first / 1.1;
     const double high = range.second * 1.1;
     draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, Stroke{colour, 4});
-    std::string words = fmt::format("n = {:.2f}", law->exponent.value);
-    if (law->exponent.low) words += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
-    chart.legend(Stroke{colour, 4}, words);
+    std::string label = fmt::format("n = {:.2f}", law->exponent.value);
+    if (law->exponent.low) label += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
+    chart.legend(Stroke{colour, 4}, label);
     if (s.test != "brazilian" && s.test != "tension") return;
     // The slopes of theory and paper through the middle of the points.
     double x = 0;
@@ -60,17 +61,35 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
 Drawing draw_size_effect(const std::vector<SizeSeries>& series) {
     std::vector<double> edges;
     std::vector<double> strengths;
-    std::size_t capped = 0;
+    std::size_t at_strain_limit = 0;
     for (const SizeSeries& s : series) {
         for (const double edge : s.edge) edges.push_back(edge * 1e3);
         for (const double strength : s.strength) strengths.push_back(strength * 1e-6);
-        capped += s.capped;
+        at_strain_limit += s.at_strain_limit;
     }
-    std::vector<std::string> words{"strength ∝ (mean edge)ⁿ by logarithms, 95 % interval of n"};
-    if (capped > 0) words.push_back(fmt::format("{} of the runs ended by the strain cap, not by a peak", capped));
-    Chart chart({"Size effect", words}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
+    std::vector<std::string> subtitle{"strength ∝ (mean edge)ⁿ by logarithms, 95 % interval of n"};
+    if (at_strain_limit > 0)
+        subtitle.push_back(fmt::format("{} of the runs stopped at the strain limit, without a peak", at_strain_limit));
+    Chart chart({"Size effect", subtitle}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
     for (std::size_t i = 0; i < series.size(); ++i) draw_series(chart, series[i], i);
     return chart.finish();
+}
+
+Command size_effect_plot() {
+    struct Options : PlotOptions {
+        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+    };
+    return make_plot<Options>(
+        "size-effect", "strength against mean edge with the power law",
+        {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --capped accept -o size.svg"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_strain_limit_runs(app, options.strain_limit_runs);
+        },
+        [](const Options& options, const Call& call) {
+            return draw_size_effect(collect_sizes(read_runs(call.files), options.strain_limit_runs));
+        });
 }
 
 }  // namespace graincrack

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "post/chart/map_view.hpp"
+#include "post/plot/make_plot.hpp"
+#include "share/h5_file.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -39,6 +41,12 @@ Drawing draw_specimen(const Specimen& specimen) {
     if (cracked) legend.push_back({palette::pre_existing, 4, "pre-existing crack"});
     map.draw_legend(legend);
     return std::move(map).drawing();
+}
+
+Command specimen_plot() {
+    return make_plot("specimen", "the grains of a specimen", {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
+                     FileArguments{"file", "specimen or run"},
+                     [](const Call& call) { return draw_specimen(read_specimen(H5Input(call.file()))); });
 }
 
 }  // namespace graincrack

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "share/specimen.hpp"
 
 namespace graincrack {
 
 Drawing draw_specimen(const Specimen& specimen);
+
+Command specimen_plot();
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -45,7 +46,7 @@ void draw_group(Chart& chart, const std::vector<RunData>& runs, const StrengthGr
         chart.points(std::vector<double>{at}, std::vector<double>{value}, marker);
     };
     const Estimate& mean = group.strength.mean;
-    // Over few runs an interval may reach below zero, where a logarithm ends.
+    // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
     if (mean.low) chart.error_bar(x + 0.12, std::max(*mean.low, 0.01 * mean.value) * mega, *mean.high * mega, palette::rim);
     chart.line(std::vector<double>{x - 0.1, x + 0.2}, std::vector<double>(2, mean.value * mega), Stroke{palette::rim, 4});
     for (const RunData& run : runs) {
@@ -68,9 +69,9 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     std::size_t without_peak = 0;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const double x = static_cast<double>(i) + 1;
-        names.emplace_back(x, series_words(groups[i].test, groups[i].confining_pressure));
+        names.emplace_back(x, series_label(groups[i].test, groups[i].confining_pressure));
         draw_group(chart, runs, groups[i], x, material);
-        without_peak += groups[i].capped;
+        without_peak += groups[i].without_peak;
     }
     chart.name_ticks(names);
     chart.legend(peak, "peak of a run");
@@ -78,6 +79,25 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     chart.legend(Stroke{palette::rim, 4}, "mean, 95 % interval");
     if (material) chart.legend(measured, "laboratory");
     return chart.finish();
+}
+
+Command strength_plot() {
+    struct Options : PlotOptions {
+        std::string material;
+    };
+    return make_plot<Options>(
+        "strength", "strengths by test with means and intervals, beside the laboratory's",
+        {"uniaxial.h5 brazilian.h5 -o strength.png", "uniaxial.h5 brazilian.h5 --material augig-granite -o strength.svg"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_laboratory_material(app, options.material);
+        },
+        [](const Options& options, const Call& call) {
+            std::optional<Material> material;
+            if (!options.material.empty()) material = read_material(options.material);
+            return draw_strengths(read_runs(call.files), material);
+        });
 }
 
 }  // namespace graincrack

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 #include "share/material.hpp"
 
 namespace graincrack {
 
 /// Every run as a point (a cross if it reached no peak), the mean of each test and confining pressure with its 95 %
-/// interval, and the laboratory's value where the material has one; logarithmic, for tension and compression share it.
+/// interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the axis.
 /// \throws InputError if the runs are not of one material
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material);
+
+Command strength_plot();
 
 }  // namespace graincrack

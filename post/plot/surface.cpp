@@ -9,6 +9,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/contour.hpp"
 #include "post/chart/labels.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
 
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] Axis axis(std::size_t k) const {
         const ccd::Factor& factor = problem_.runs.factors[k];
         const double pad = 0.08 * (design_.high(k) - design_.low(k));
-        return {label_words(factor.name), factor.value(design_.low(k) - pad), factor.value(design_.high(k) + pad)};
+        return {column_label(factor.name), factor.value(design_.low(k) - pad), factor.value(design_.high(k) + pad)};
     }
 
 private:
@@ -106,20 +107,20 @@ void draw_response(Chart& chart, const Plane& plane, const ccd::Model& model, co
         const auto end = far_end(grid, level, right);
         if (end) chart.note((*end)[0], (*end)[1], format_number(level, 6), colour, right ? Anchor::start : Anchor::end);
     }
-    chart.legend(Stroke{colour, 1.6}, label_words(goal.response));
+    chart.legend(Stroke{colour, 1.6}, column_label(goal.response));
     if (goal.kind != ccd::Goal::Kind::target) return;
     draw_contour(chart, grid, goal.target, Stroke{colour, 5});
     chart.legend(Stroke{colour, 5}, "wanted: " + format_number(goal.target, 6));
 }
 
-std::string optimum_words(const ccd::Problem& problem) {
-    std::string words = "Optimum";
+std::string optimum_label(const ccd::Problem& problem) {
+    std::string label = "Optimum";
     for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) {
         const ccd::Factor& factor = problem.runs.factors[k];
-        words +=
-            fmt::format("{} {} {:.4g}", k == 0 ? ":" : ";", label_words(factor.name), factor.value(problem.optima[0].coded[k]));
+        label +=
+            fmt::format("{} {} {:.4g}", k == 0 ? ":" : ";", column_label(factor.name), factor.value(problem.optima[0].coded[k]));
     }
-    return words;
+    return label;
 }
 
 }  // namespace
@@ -127,14 +128,14 @@ std::string optimum_words(const ccd::Problem& problem) {
 Drawing draw_surface(const ccd::Problem& problem) {
     if (problem.runs.factors.size() < 2) throw InputError("plot surface: one factor; contours need two");
     const Plane plane(problem);
-    std::vector<std::string> words{fmt::format("desirability {:.4g} by the quadratic models of {} runs",
-                                               problem.optima[0].desirability, problem.runs.coded.size())};
+    std::vector<std::string> subtitle{fmt::format("desirability {:.4g} by the quadratic models of {} runs",
+                                                  problem.optima[0].desirability, problem.runs.coded.size())};
     if (problem.optima[0].free_factors > 0) {
-        words.push_back(
+        subtitle.push_back(
             fmt::format("the goals leave {} of the factors free: nearest to the centre", problem.optima[0].free_factors));
     }
-    if (problem.runs.factors.size() > 2) words.emplace_back("further factors are held at the optimum");
-    Chart chart({optimum_words(problem), words}, plane.axis(0), plane.axis(1));
+    if (problem.runs.factors.size() > 2) subtitle.emplace_back("further factors are held at the optimum");
+    Chart chart({optimum_label(problem), subtitle}, plane.axis(0), plane.axis(1));
     draw_region(chart, plane, problem);
     for (std::size_t i = 0; i < problem.models.size(); ++i) {
         draw_response(chart, plane, problem.models[i], problem.goals[i], i);
@@ -150,6 +151,23 @@ Drawing draw_surface(const ccd::Problem& problem) {
     chart.legend(run, "runs");
     chart.legend(best, "optimum");
     return chart.finish();
+}
+
+Command surface_plot() {
+    struct Options : PlotOptions {
+        ccd::SolveOptions problem;
+    };
+    return make_plot<Options>(
+        "surface", "contours of response surfaces with the optimum and its joint region",
+        {"table7.csv --target C_MPa=21 --target phi_deg=53 -o surface.png",
+         "table7.csv --target C_MPa=21 --target phi_deg=53 --model backward -o surface.svg"},
+        design_table,
+        [](CLI::App& app, Options& options) {
+            add_model(app, options.problem.model);
+            add_goals(app, options.problem.goals);
+            add_picture(app, options);
+        },
+        [](const Options& options, const Call& call) { return draw_surface(ccd::solve_problem(call.file(), options.problem)); });
 }
 
 }  // namespace graincrack

@@ -3,10 +3,13 @@
 
 #include "post/ccd/tables.hpp"
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 
 namespace graincrack {
 
 /// The first two factors; further ones are held at the optimum. \throws InputError with one factor
 Drawing draw_surface(const ccd::Problem& problem);
+
+Command surface_plot();
 
 }  // namespace graincrack

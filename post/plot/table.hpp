@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 
 namespace graincrack {
 
@@ -16,5 +17,7 @@ struct TablePlotOptions {
 
 /// One curve for each column y of each table. \throws InputError for a missing column or one without numbers
 Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options);
+
+Command table_plot();
 
 }  // namespace graincrack

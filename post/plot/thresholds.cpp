@@ -8,6 +8,7 @@
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/measure/thresholds.hpp"
+#include "post/plot/make_plot.hpp"
 #include "share/error.hpp"
 
 namespace graincrack {
@@ -43,7 +44,7 @@ double strain_at(const Strains& s, double stress) {
 }
 
 struct Mark {
-    const char* words;
+    const char* label;
     std::optional<double> stress;  ///< Pa
     Marker marker;
 };
@@ -72,7 +73,7 @@ Drawing draw_thresholds(const RunData& run) {
     std::vector<double> volumes = s.plane;
     volumes.insert(volumes.end(), s.pseudo_3d.begin(), s.pseudo_3d.end());
     const auto [low, high] = padded_range(volumes, 0.05);
-    const double floor = std::max(low, -0.4 * high);  // a burst after the peak would squeeze the part that matters
+    const double floor = std::max(low, -0.4 * high);  // bursting after the peak would compress the part of interest
     const double top = 1.1 * largest(s.stress);
     Chart chart({test_title(run.header),
                  {"plane " + std::string(name_of(run.header.plane)) + ": 2D values do not compare with laboratory ones"}},
@@ -91,9 +92,15 @@ Drawing draw_thresholds(const RunData& run) {
         if (!mark.stress) continue;
         const double stress = *mark.stress * 1e-6;
         chart.points(std::vector<double>{strain_at(s, stress)}, std::vector<double>{stress}, mark.marker);
-        chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.words, stress));
+        chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.label, stress));
     }
     return chart.finish();
+}
+
+Command thresholds_plot() {
+    return make_plot("thresholds", "crack initiation and damage on stress and volumetric strain",
+                     {"uniaxial.h5 -o thresholds.png", "triaxial.h5 -o thresholds.svg"}, one_run,
+                     [](const Call& call) { return draw_thresholds(read_run_data(call.file())); });
 }
 
 }  // namespace graincrack

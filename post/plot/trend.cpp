@@ -7,6 +7,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
+#include "post/plot/make_plot.hpp"
 
 namespace graincrack {
 
@@ -25,10 +26,10 @@ Axis axis_over(const std::vector<double>& values, const std::string& label, bool
     return {label, least / 1.15, most * 1.15, true};
 }
 
-std::string interval_words(const std::string& name, const Estimate& e) {
-    std::string words = fmt::format("{} = {:.3g}", name, e.value);
-    if (e.low && e.high) words += fmt::format(" [{:.3g}, {:.3g}]", *e.low, *e.high);
-    return words;
+std::string interval_label(const std::string& name, const Estimate& e) {
+    std::string label = fmt::format("{} = {:.3g}", name, e.value);
+    if (e.low && e.high) label += fmt::format(" [{:.3g}, {:.3g}]", *e.low, *e.high);
+    return label;
 }
 
 /// The line and the bounds of its mean, over the range of the group.
@@ -54,8 +55,8 @@ void draw_fit(Chart& chart, const TrendRows& rows, const Trend& trend, Colour co
 Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options) {
     const std::string what = options.power ? "y = a xᵇ through logarithms" : "y = a + b x by least squares";
     Chart chart({"", {what + "; dashed: 95 % interval of the mean"}},
-                axis_over(all_of(groups, &TrendRows::x), label_words(options.x), options.power),
-                axis_over(all_of(groups, &TrendRows::y), label_words(options.y), options.power));
+                axis_over(all_of(groups, &TrendRows::x), column_label(options.x), options.power),
+                axis_over(all_of(groups, &TrendRows::y), column_label(options.y), options.power));
     std::size_t drawn = 0;
     for (const TrendRows& rows : groups) {
         if (rows.x.empty()) continue;
@@ -65,12 +66,30 @@ Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& opt
         const auto trend = fit_trend(rows.x, rows.y, options.power);
         if (trend) draw_fit(chart, rows, *trend, colour);
         chart.points(rows.x, rows.y, marker);
-        std::string words = rows.group.empty() ? "" : rows.group + ": ";
-        words += trend ? interval_words("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)
+        std::string label = rows.group.empty() ? "" : rows.group + ": ";
+        label += trend ? interval_label("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)
                        : fmt::format("{} rows at one x", rows.x.size());
-        chart.legend(marker, words);
+        chart.legend(marker, label);
     }
     return chart.finish();
+}
+
+Command trend_plot() {
+    struct Options : PlotOptions {
+        TrendOptions trend;
+    };
+    return make_plot<Options>(
+        "trend", "columns of tables with the line or power law through them",
+        {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --power -o trend.png",
+         "strength.tsv --x contact_cohesion_MPa --y peak_compressive_stress_MPa --group test -o trend.svg"},
+        trend_tables,
+        [](CLI::App& app, Options& options) {
+            add_trend(app, options.trend);
+            add_picture(app, options);
+        },
+        [](const Options& options, const Call& call) {
+            return draw_trend(collect_trends(call.files, options.trend, call.diagnostics()), options.trend);
+        });
 }
 
 }  // namespace graincrack

@@ -4,11 +4,14 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/command.hpp"
 #include "post/fit/trend.hpp"
 
 namespace graincrack {
 
 /// Points, line and 95 % interval of the mean for each group; both scales logarithmic for a power law.
 Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options);
+
+Command trend_plot();
 
 }  // namespace graincrack

@@ -33,16 +33,16 @@ public:
           table_({"quantity", "model\u00a0(s.d.;\u00a0n)\n95\u00a0%\u00a0interval", "laboratory", "difference"}) {}
 
     /// A sample over runs. \param key of [laboratory], "" for none \param factor from SI to the unit of the row
-    void add(const std::string& words, const std::vector<double>& values, const std::string& key, double factor) {
+    void add(const std::string& label, const std::vector<double>& values, const std::string& key, double factor) {
         if (values.empty()) return;
         const Sample s = sample(values);
         std::string mean = number(s.mean.value * factor);
         mean += s.deviation ? fmt::format(" ({}; {})", number(*s.deviation * factor, 2), s.n) : " (1 run)";
-        row(words, mean, s.mean, key, factor);
+        row(label, mean, s.mean, key, factor);
     }
     /// A fit over the set.
-    void add(const std::string& words, const Estimate& value, const std::string& key, double factor) {
-        row(words, number(value.value * factor), value, key, factor);
+    void add(const std::string& label, const Estimate& value, const std::string& key, double factor) {
+        row(label, number(value.value * factor), value, key, factor);
     }
     [[nodiscard]] std::string str(const std::string& heading) const {
         return "<div><h3>" + html::escaped(heading) + "</h3>" +
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    void row(const std::string& words, std::string mean, const Estimate& value, const std::string& key, double factor) {
+    void row(const std::string& label, std::string mean, const Estimate& value, const std::string& key, double factor) {
         if (value.low) mean += "\n" + number(*value.low * factor, 4) + " to " + number(*value.high * factor, 4);
         std::string laboratory;
         std::string difference;
@@ -59,7 +59,7 @@ private:
             laboratory = number(measured * factor);
             difference = fmt::format("{:+.1f} %", 100 * (value.value / measured - 1));
         }
-        table_.row({words, mean, laboratory, difference});
+        table_.row({label, mean, laboratory, difference});
     }
     const std::optional<Material>& material_;
     html::Table table_;

@@ -27,17 +27,17 @@ table { border-collapse: collapse; margin: 10px 0 18px; font-size: 14px; font-va
 th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; }
 td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; white-space: nowrap; }
 .long td:last-child { white-space: normal; overflow-wrap: anywhere; }
-.trust td, .columns td, .columns th { white-space: pre-line; }
+.checks td, .columns td, .columns th { white-space: pre-line; }
 .columns > div { flex: 1 1 0; min-width: 430px; }
 .wide { overflow-x: auto; }
-.trust { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
+.checks { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
 .figures { display: flex; flex-wrap: wrap; gap: 20px; align-items: flex-start; }
 figure { margin: 10px 0; width: 500px; max-width: 100%; }
 figure.wide { width: 760px; }
 figure svg, figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 .columns { display: flex; flex-wrap: wrap; gap: 0 40px; }
-.columns th, .columns td, .trust th, .trust td { padding-right: 10px; }
+.columns th, .columns td, .checks th, .checks td { padding-right: 10px; }
 @media print { h2 { break-after: avoid; } figure, table { break-inside: avoid; } body { max-width: none; } nav { display: none; } }
 )css";
 
@@ -65,7 +65,7 @@ std::string image(const Drawing& drawing, const std::string& caption) {
     if (drawing.n_marks() < many_marks) return inline_svg(drawing);
     try {
         return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(caption), base64(png_bytes(drawing)));
-    } catch (const OutputError&) {  // no OpenGL on this machine: longer, but the same picture
+    } catch (const OutputError&) {  // no OpenGL on this machine: the same picture as SVG, which is longer
         return inline_svg(drawing);
     }
 }
@@ -107,7 +107,7 @@ std::string page(const std::string& title, const std::string& body) {
 
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) return "";
-    // No powers of ten for a deviation of 113 at two digits.
+    // Plain decimals, no powers of ten, also for a large number of few digits such as a deviation of 113 at two digits.
     if (std::abs(value) >= std::pow(10, digits) && std::abs(value) < 1e7) return fmt::format("{:.0f}", value);
     return format_number(value == 0 ? 0.0 : value, digits);
 }

@@ -20,10 +20,10 @@ using html::number;
 
 std::string percent(double share) { return number(100 * share, 3) + "\u00a0%"; }
 
-/// Names of the tests for the heads of columns: files of a set differ in what matters.
+/// Names of the tests for the heads of columns: the names of files of a set show in what they differ.
 std::string short_name(const TestReport& t) { return std::filesystem::path(t.data.name).stem().string(); }
 
-std::string law_words(const RunHeader& header) {
+std::string law_label(const RunHeader& header) {
     const auto& laws = all_contact_laws();
     const auto law =
         std::find_if(laws.begin(), laws.end(), [&](const LawDescription& d) { return d.name == header.contact_law; });
@@ -38,29 +38,29 @@ double mismatch_percent(const TestReport& t) {
     return scale > 0 ? 100 * t.data.history[HistoryColumn::law_mismatch].back() / scale : std::nan("");
 }
 
-std::string confinement_words(const TestReport& t) {
+std::string confinement_label(const TestReport& t) {
     const RunHeader& h = t.data.header;
     if (h.test != "triaxial") return "";
     return fmt::format("{} ± {} MPa of {}", number(h.confinement_mean * 1e-6), number(h.confinement_deviation * 1e-6, 2),
                        number(h.confining_pressure * 1e-6));
 }
 
-std::string ending_words(const TestReport& t) {
+std::string ending_label(const TestReport& t) {
     return t.strength.peak_kind.empty() ? "stopped (" + t.data.header.stop_reason + ")" : t.strength.peak_kind;
 }
 
-std::string sliding_words(const CrackBalance& b) {
+std::string sliding_label(const CrackBalance& b) {
     const auto share = b.share_more_sliding();
     return share ? fmt::format("{} of {} ({})", b.tensile_more_sliding, b.tensile, percent(*share)) : "no tensile cracks";
 }
 
-std::string rate_words(const RunHeader& h) {
+std::string rate_label(const RunHeader& h) {
     const std::string speed = number(h.platen_speed * 1e3) + " mm/s";
     if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance) + ", mean " + speed;
     return h.rate == "blocks" ? "blocks, " + speed + " within" : speed;
 }
 
-std::string damping_words(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
+std::string damping_label(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
 
 std::string damping_load_warning(const TestReport& t) {
     const double load = t.data.header.damping_load;
@@ -69,40 +69,40 @@ std::string damping_load_warning(const TestReport& t) {
                                        : "";
 }
 
-std::string scaling_words(const RunHeader& header) {
+std::string scaling_label(const RunHeader& header) {
     if (header.mass_scaling == "none") return "none";
     return header.mass_scaling + ", " + number(header.mass_scaling_factor) + "; mass added " + number(100 * header.added_mass) +
            " %";
 }
 
-/// What moves the peak most, if the run was asked.
-std::string sensitivity_words(const TestReport& t) {
-    std::string words;
+/// The settings that change the peak most, if the run was made with --sensitivity.
+std::string sensitivity_label(const TestReport& t) {
+    std::string label;
     for (std::size_t i = 1; i < t.sensitivity.size(); ++i) {
         const SensitivityRow& row = t.sensitivity[i];
         const double change = row.peak_axial_stress / t.sensitivity[0].peak_axial_stress - 1;
-        words += (words.empty() ? "" : "; ") + row.changed + " " +
+        label += (label.empty() ? "" : "; ") + row.changed + " " +
                  (std::isfinite(change) ? fmt::format("{:+.1f} %", 100 * change) : std::string("failed"));
     }
-    return words.empty() ? "not asked for (--sensitivity)" : words;
+    return label.empty() ? "not asked for (--sensitivity)" : label;
 }
 
-/// A line of the block: words, or a number with its unit, of each run. NaN: does not apply.
+/// A row of the checks: a text, or a number with its unit, of each run. NaN: does not apply.
 struct Check {
     const char* name;
-    std::function<std::string(const TestReport&)> words;
+    std::function<std::string(const TestReport&)> label;
     std::function<double(const TestReport&)> value = nullptr;
     const char* unit = "";
 };
 
-std::string numbers_words(double low, double high, const std::string& unit) {
+std::string range_label(double low, double high, const std::string& unit) {
     const std::string least = number(low, 3);
     const std::string most = number(high, 3);
     if (most.empty()) return "";
     return (least == most ? most : least + " to " + most) + unit;
 }
 
-/// What a check says of some runs: the range of a number, or the different words, a line each.
+/// The result of a check over some runs: the range of a number, or the different texts, a line each.
 std::string cell_of(const Check& check, const std::vector<const TestReport*>& runs) {
     if (check.value) {
         double low = std::nan("");
@@ -111,12 +111,12 @@ std::string cell_of(const Check& check, const std::vector<const TestReport*>& ru
             low = std::fmin(low, check.value(*run));
             high = std::fmax(high, check.value(*run));
         }
-        return numbers_words(low, high, check.unit);
+        return range_label(low, high, check.unit);
     }
     std::vector<std::string> lines;
     for (const TestReport* run : runs) {
-        const std::string words = check.words(*run);
-        if (!words.empty() && std::find(lines.begin(), lines.end(), words) == lines.end()) lines.push_back(words);
+        const std::string label = check.label(*run);
+        if (!label.empty() && std::find(lines.begin(), lines.end(), label) == lines.end()) lines.push_back(label);
     }
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
@@ -126,22 +126,22 @@ const std::vector<Check>& checks() {
         return [share](const TestReport& t) { return 100 * t.data.header.*share; };
     };
     static const std::vector<Check> all{
-        {"test", [](const TestReport& t) { return series_words(t.data.header.test, t.data.header.confining_pressure); }},
-        {"the curve ended by", ending_words},
-        {"contact law", [](const TestReport& t) { return law_words(t.data.header); }},
+        {"test", [](const TestReport& t) { return series_label(t.data.header.test, t.data.header.confining_pressure); }},
+        {"the curve ended by", ending_label},
+        {"contact law", [](const TestReport& t) { return law_label(t.data.header); }},
         {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
-        {"ledger residual, of peak stored energy", nullptr, percent_of(&RunHeader::ledger_residual), "\u00a0%"},
-        {"law mismatch, of peak stored energy", nullptr, mismatch_percent, "\u00a0%"},
+        {"energy balance residual, of peak stored energy", nullptr, percent_of(&RunHeader::ledger_residual), "\u00a0%"},
+        {"non-conservative work of the law, of peak stored energy", nullptr, mismatch_percent, "\u00a0%"},
         {"share of the work that damping took", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
         {"load that damping carries before the peak", nullptr, percent_of(&RunHeader::damping_load), "\u00a0%"},
         {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
-        {"confinement achieved, mean ± s.d.", confinement_words},
+        {"confinement achieved, mean ± s.d.", confinement_label},
         {"contact zone over mean edge", nullptr,
          [](const TestReport& t) { return t.contact_zone_length / t.data.specimen.mean_edge; }},
         {"tensile : shear cracks at the peak",
          [](const TestReport& t) { return fmt::format("{} : {}", t.at_peak.tensile, t.at_peak.shear); }},
         {"tensile cracks with more sliding than opening, at the peak",
-         [](const TestReport& t) { return sliding_words(t.at_peak); }},
+         [](const TestReport& t) { return sliding_label(t.at_peak); }},
         {"failed open : closed, by the end",
          [](const TestReport& t) { return fmt::format("{} : {}", t.branches.open, t.branches.closed); }},
         {"by traction angle < 45° : 45–90° : compressed",
@@ -149,10 +149,10 @@ const std::vector<Check>& checks() {
              return fmt::format("{} : {} : {}", t.branches.by_tension, t.branches.by_shear, t.branches.compressed);
          }},
         {"separated by the end", nullptr, [](const TestReport& t) { return t.branches.separated; }},
-        {"platen speed", [](const TestReport& t) { return rate_words(t.data.header); }},
-        {"damping", [](const TestReport& t) { return damping_words(t.data.header); }},
-        {"mass scaling", [](const TestReport& t) { return scaling_words(t.data.header); }},
-        {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_words(t); }},
+        {"platen speed", [](const TestReport& t) { return rate_label(t.data.header); }},
+        {"damping", [](const TestReport& t) { return damping_label(t.data.header); }},
+        {"mass scaling", [](const TestReport& t) { return scaling_label(t.data.header); }},
+        {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
         {"warning", damping_load_warning},
         {"warning", [](const TestReport& t) {
              return t.split && !t.split->warning.empty() ? short_name(t) + ": " + t.split->warning : std::string();
@@ -160,13 +160,13 @@ const std::vector<Check>& checks() {
     return all;
 }
 
-/// Columns of the block: runs, or, where these are many, runs of one test and confining pressure.
+/// Columns of the checks: runs, or, where these are many, runs of one test and confining pressure.
 std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns_of(const std::vector<TestReport>& tests) {
     constexpr std::size_t max_runs = 4;  // beside the names of the checks within the width of the page
     std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns;
     for (const TestReport& t : tests) {
         const RunHeader& h = t.data.header;
-        const std::string head = tests.size() <= max_runs ? short_name(t) : series_words(h.test, h.confining_pressure);
+        const std::string head = tests.size() <= max_runs ? short_name(t) : series_label(h.test, h.confining_pressure);
         auto column = columns.end();
         if (tests.size() > max_runs) {
             column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == head; });
@@ -180,24 +180,24 @@ std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns_of(c
     return columns;
 }
 
-std::string common_words(const std::vector<TestReport>& tests) {
+std::string common_paragraphs(const std::vector<TestReport>& tests) {
     const Rock& rock = tests.front().data.header.rock;
     const auto without_peak =
         std::count_if(tests.begin(), tests.end(), [](const TestReport& t) { return t.strength.peak_kind != "drop"; });
-    std::string words = html::paragraph(
+    std::string paragraphs = html::paragraph(
         fmt::format("Density {} kg/m³ is an input of the material file; plane models 1 m thick; grains are elastic and do not "
                     "crush; platens are rigid.",
                     number(rock.density)));
     if (without_peak > 0) {
-        words += html::paragraph(
+        paragraphs += html::paragraph(
             fmt::format("{} of {} runs reached no peak: their largest stress is no strength.", without_peak, tests.size()));
     }
-    return words;
+    return paragraphs;
 }
 
 }  // namespace
 
-std::string trust_block(const std::vector<TestReport>& tests) {
+std::string quality_checks(const std::vector<TestReport>& tests) {
     const auto columns = columns_of(tests);
     std::vector<std::string> head{"check"};
     for (const auto& [name, runs] : columns) head.push_back(name);
@@ -208,7 +208,7 @@ std::string trust_block(const std::vector<TestReport>& tests) {
         const bool any = std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) { return !cell.empty(); });
         if (any) table.row(std::move(row));
     }
-    return "<div class=\"trust\">\n" + common_words(tests) + table.str() + "</div>\n";
+    return "<div class=\"checks\">\n" + common_paragraphs(tests) + table.str() + "</div>\n";
 }
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// The trust block of a report: what a reader needs to know before believing a strength.
+// The quality checks of a report: whether the strengths of its runs can be relied on.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace graincrack {
 
-/// Checks of each run side by side, of many runs by test with the range over its seeds, and in words what holds for all.
-std::string trust_block(const std::vector<TestReport>& tests);
+/// Checks of each run side by side, of many runs by test with the range over its seeds, and what holds for all as text.
+std::string quality_checks(const std::vector<TestReport>& tests);
 
 }  // namespace graincrack

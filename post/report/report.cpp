@@ -44,7 +44,7 @@ struct Content {
 };
 
 std::string map_figures(const RunReader& run, const TestReport& t, const Specimen& specimen) {
-    const std::string name = series_words(t.data.header.test, t.data.header.confining_pressure);
+    const std::string name = series_label(t.data.header.test, t.data.header.confining_pressure);
     std::string figures;
     if (run.n_frames() > 0) {
         figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1}),
@@ -55,17 +55,17 @@ std::string map_figures(const RunReader& run, const TestReport& t, const Specime
         figures += html::figure(draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name),
                                 name + ": directions of the cracks by the end");
     }
-    figures += html::figure(draw_energy(t.data), name + ": energy ledger");
+    figures += html::figure(draw_energy(t.data), name + ": energy balance");
     if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data), name + ": thresholds");
     return figures;
 }
 
 /// The envelope of the compression tests, if they are there and have peaks; else why not.
-void add_envelope(Content& content, CappedRuns capped_runs) {
+void add_envelope(Content& content, StrainLimitRuns strain_limit_runs) {
     std::vector<RunData> runs;
     for (const TestReport& t : content.tests) runs.push_back(t.data);
     try {
-        EnvelopeTests tests = collect_envelope_tests(runs, capped_runs);
+        EnvelopeTests tests = collect_envelope_tests(runs, strain_limit_runs);
         content.envelope = fit_envelope(tests.confining(), tests.strength());
         content.envelope_tests = std::move(tests);
     } catch (const InputError& error) {
@@ -88,7 +88,7 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
             seen[specimen.shape] = true;
             content.mesh += html::figure(draw_specimen(specimen), specimen.shape + " of " + t.data.name);
         }
-        const std::string series = series_words(t.data.header.test, t.data.header.confining_pressure);
+        const std::string series = series_label(t.data.header.test, t.data.header.confining_pressure);
         if (!seen[series]) {
             seen[series] = true;
             content.maps += map_figures(run, t, specimen);
@@ -96,7 +96,7 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }
     progress.finish();
-    add_envelope(content, options.capped_runs);
+    add_envelope(content, options.strain_limit_runs);
     return content;
 }
 
@@ -110,9 +110,9 @@ std::string key_figures(const Content& content) {
     html::Table table({"test", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
     for (const StrengthGroup& g : group_strengths(data_of(content))) {
         const Estimate& mean = g.strength.mean;
-        table.row({series_words(g.test, g.confining_pressure), std::to_string(g.strength.n),
+        table.row({series_label(g.test, g.confining_pressure), std::to_string(g.strength.n),
                    number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
-                   mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.capped),
+                   mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.without_peak),
                    g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});
     }
     return table.str();
@@ -122,7 +122,7 @@ std::string run_table(const Content& content) {
     html::Table table({"run", "test", "seed", "grains", "mean edge, mm", "strength, MPa", "ended by", "strain at peak, %",
                        "first yield, MPa", "E, GPa", "ν", "E predicted", "ν predicted"});
     for (const TestReport& t : content.tests) {
-        table.row({t.data.name, series_words(t.data.header.test, t.data.header.confining_pressure),
+        table.row({t.data.name, series_label(t.data.header.test, t.data.header.confining_pressure),
                    std::to_string(t.data.specimen.seed), std::to_string(t.data.specimen.grains),
                    number(t.data.specimen.mean_edge * 1e3, 3), number(t.strength.value() * 1e-6), t.strength.peak_kind,
                    number(100 * t.strength.strain_at_peak, 3),
@@ -153,8 +153,8 @@ std::string envelope_section(const Content& content) {
 
 std::string parameter_table(const RunHeader& h) {
     html::Table table({"parameter", "value"});
-    const auto add = [&](const char* words, double value, Dimension dimension) {
-        table.row({words, format_quantity(value, dimension)});
+    const auto add = [&](const char* label, double value, Dimension dimension) {
+        table.row({label, format_quantity(value, dimension)});
     };
     add("E of the grains", h.rock.young_modulus, Dimension::stress);
     add("ν of the grains", h.rock.poisson_ratio, Dimension::one);
@@ -218,7 +218,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                           key_figures(content) + html::figure(draw_strengths(data_of(content), material), "strengths by test") +
                               run_table(content));
     body += html::section("columns", "Fitted and predicted", comparison_columns(content.tests, content.envelope, material));
-    body += html::section("trust", "What to trust", trust_block(content.tests));
+    body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("curves", "Curves", figures(curve_figures(content)));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", figures(content.maps));

@@ -14,21 +14,21 @@ namespace graincrack {
 
 namespace {
 
-ProvenanceWords provenance_of(const H5Input& file) {
+ProvenanceEntries provenance_of(const H5Input& file) {
     const char* group = schema::provenance_group;
-    ProvenanceWords words;
-    if (!file.has(group)) return words;
+    ProvenanceEntries entries;
+    if (!file.has(group)) return entries;
     const auto text = [&](const char* name) {
-        if (file.has_attribute(group, name)) words.emplace_back(name, file.attribute<std::string>(group, name));
+        if (file.has_attribute(group, name)) entries.emplace_back(name, file.attribute<std::string>(group, name));
     };
     const auto list = [&](const char* name) {
         if (!file.has_attribute(group, name)) return;
-        words.emplace_back(name, fmt::format("{}", fmt::join(file.attribute<std::vector<std::string>>(group, name), " ")));
+        entries.emplace_back(name, fmt::format("{}", fmt::join(file.attribute<std::vector<std::string>>(group, name), " ")));
     };
     for (const char* name : {"tool", "version", "commit", "utc_time", "input_digest"}) text(name);
     list("command_line");
     list("libraries");
-    return words;
+    return entries;
 }
 
 }  // namespace

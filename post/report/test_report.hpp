@@ -1,4 +1,4 @@
-// What a report knows of one run after a single pass over its file.
+// The data of one run that a report uses, read in a single pass over its file.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace graincrack {
 
-/// Contacts (points ÷ 2) failed by the end, by branch of the law and by what drove them.
+/// Contacts (points ÷ 2) failed by the end, by branch of the law and by mode angle.
 struct FailureBranches {
     double open = 0;        ///< failed while open (mode tensile)
     double closed = 0;      ///< failed while closed (mode shear)
@@ -26,8 +26,8 @@ struct FailureBranches {
 };
 FailureBranches count_branches(const std::vector<Crack>& cracks);
 
-/// Where a file comes from, as it says itself; empty for what it does not tell.
-using ProvenanceWords = std::vector<std::pair<std::string, std::string>>;
+/// The provenance that a file records, as names and values.
+using ProvenanceEntries = std::vector<std::pair<std::string, std::string>>;
 
 struct TestReport {
     RunData data;
@@ -41,9 +41,9 @@ struct TestReport {
     CrackBalance at_peak;
     CrackBalance at_end;
     FailureBranches branches;
-    std::vector<SensitivityRow> sensitivity;  ///< empty if the run was not asked for it
+    std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
-    ProvenanceWords provenance;
+    ProvenanceEntries provenance;
 };
 
 /// \throws InputError as its parts

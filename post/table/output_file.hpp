@@ -6,7 +6,7 @@
 
 namespace graincrack {
 
-/// A file some writer fills at `part()`; `commit` gives it its name. Without a commit nothing is left.
+/// A file that is written at the path `part()`; `commit` gives it its name. Without a commit the part is removed.
 class OutputFile {
 public:
     /// \throws OutputError if nothing can be written there

@@ -42,7 +42,7 @@ Cell::Cell(double value) : is_number_(true) {
     if (std::isfinite(value)) text_ = format_number(value == 0 ? 0.0 : value, digits);
 }
 Cell::Cell(std::int64_t value) : text_(std::to_string(value)), is_number_(true) {}
-Cell::Cell(std::string words) : text_(std::move(words)) {}
+Cell::Cell(std::string text) : text_(std::move(text)) {}
 
 Cell cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 

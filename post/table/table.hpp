@@ -15,14 +15,14 @@ enum class TableFormat { tsv, jsonl };
 /// \throws UsageError for anything but "tsv" and "jsonl"
 TableFormat table_format(std::string_view name);
 
-/// One entry: nothing, a number or a word. Nothing, NaN and infinity are written empty (TSV) or null (JSON): the value
+/// One entry: empty, a number or a text. Empty, NaN and infinity are written empty (TSV) or null (JSON): the value
 /// does not apply. Reals carry 7 significant digits.
 class Cell {
 public:
     Cell() = default;
     Cell(double value);
     Cell(std::int64_t value);
-    Cell(std::string words);
+    Cell(std::string text);
     [[nodiscard]] bool empty() const { return text_.empty(); }
     [[nodiscard]] bool is_number() const { return is_number_; }
     [[nodiscard]] const std::string& text() const { return text_; }

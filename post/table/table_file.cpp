@@ -104,7 +104,7 @@ std::vector<double> TableFile::numbers(const std::string& column) const {
     return values;
 }
 
-std::vector<std::string> TableFile::words(const std::string& column) const {
+std::vector<std::string> TableFile::texts(const std::string& column) const {
     const std::size_t at = index(column);
     std::vector<std::string> out;
     for (const auto& row : rows_) out.push_back(row[at]);

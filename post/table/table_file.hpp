@@ -21,8 +21,8 @@ public:
     [[nodiscard]] std::vector<double> numbers(const std::string& column) const;
     /// The same with NaN for empty fields.
     [[nodiscard]] std::vector<double> numbers_or_nan(const std::string& column) const;
-    /// A column as it stands. \throws InputError if it is missing
-    [[nodiscard]] std::vector<std::string> words(const std::string& column) const;
+    /// A column as text. \throws InputError if it is missing
+    [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
 
 private:
     [[nodiscard]] std::size_t index(const std::string& column) const;

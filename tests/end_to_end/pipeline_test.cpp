@@ -54,7 +54,7 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
     shell.must(
         "ls uniaxial.h5 triaxial.h5 | graincrack-post strength --summary --files-from - >summary.tsv\n"
         "graincrack-post report --quiet uniaxial.h5 triaxial.h5 --capped accept -o page.html");
-    EXPECT_NE(content_of(shell.file("page.html")).find("What to trust"), std::string::npos);
+    EXPECT_NE(content_of(shell.file("page.html")).find("Quality checks"), std::string::npos);
     EXPECT_EQ(n_lines(content_of(shell.file("summary.tsv"))), 3);
     for (const char* name : {"grains.pvd", "cracks.pvd", "cracks.tsv", "rosette.tsv", "summary.tsv", "counts.tsv", "events.tsv",
                              "fragments.tsv", "fragment-counts.tsv"}) {

@@ -103,13 +103,13 @@ TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
     double lowest = 0;
     for (const Drawing::Shape& shape : page.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
-        if (text == nullptr || text->words.find("several") == std::string::npos) continue;
-        EXPECT_LE(text->at.x + text_width(text->words, text->size), page.width());
+        if (text == nullptr || text->label.find("several") == std::string::npos) continue;
+        EXPECT_LE(text->at.x + text_width(text->label, text->size), page.width());
         lowest = std::max(lowest, text->at.y);
     }
     for (const Drawing::Shape& shape : page.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
-        if (text != nullptr && text->words == "after") {
+        if (text != nullptr && text->label == "after") {
             EXPECT_GT(text->at.y, lowest);
         }
     }
@@ -124,12 +124,12 @@ TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
     const Drawing page = chart.finish();
     for (const Drawing::Shape& shape : page.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
-        if (text == nullptr || text->words.find("several") == std::string::npos) continue;
+        if (text == nullptr || text->label.find("several") == std::string::npos) continue;
         ++found;
-        EXPECT_LE(text->at.x + text_width(text->words, text->size), page.width());
-        EXPECT_EQ(text->words.find("φ-first_"), 0U) << text->words;
-        EXPECT_NE(text->words.find("…"), std::string::npos) << text->words;
-        EXPECT_NE(text->words.find("_last.h5:"), std::string::npos) << text->words;
+        EXPECT_LE(text->at.x + text_width(text->label, text->size), page.width());
+        EXPECT_EQ(text->label.find("φ-first_"), 0U) << text->label;
+        EXPECT_NE(text->label.find("…"), std::string::npos) << text->label;
+        EXPECT_NE(text->label.find("_last.h5:"), std::string::npos) << text->label;
     }
     EXPECT_EQ(found, 1);
 }

@@ -1,4 +1,4 @@
-#include "post/commands/commands.hpp"
+#include "post/command_line.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,6 +9,7 @@
 
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -21,48 +22,42 @@ protected:
         write_specimen(file, test::grid_specimen(2, 2, 0.1, 0.1));
         file.commit();
     }
-    std::string output_of(PostOptions options) {
+    /// What a call without the name of the tool writes to stdout.
+    std::string output_of(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"graincrack-post", "--quiet"});
+        std::vector<const char*> argv;
+        for (const std::string& argument : arguments) argv.push_back(argument.c_str());
         std::ostringstream out;
-        run_command(options, out);
+        run_command_line(static_cast<int>(argv.size()), argv.data(), out);
         return out.str();
-    }
-    PostOptions call(const std::string& command, const std::vector<std::string>& files) {
-        PostOptions options;
-        options.command = command;
-        options.verbosity = Verbosity::quiet;
-        for (const std::string& file : files) options.files.push_back(file == "-" ? file : folder_.file(file));
-        return options;
     }
     test::TemporaryFolder folder_;
 };
 
 TEST_F(Commands, InfoNamesKindCountsAndDatasets) {
-    const std::string run = output_of(call("info", {"run.h5"}));
+    const std::string run = output_of({"info", folder_.file("run.h5")});
     for (const char* words : {"run, schema 1", "uniaxial", "Augig granite", "/contacts/nodes", "/history/axial_stress"}) {
         EXPECT_NE(run.find(words), std::string::npos) << words;
     }
-    PostOptions options = call("info", {"specimen.h5"});
-    options.check = true;
-    const std::string specimen = output_of(options);
+    const std::string specimen = output_of({"info", folder_.file("specimen.h5"), "--check"});
     EXPECT_NE(specimen.find("specimen, schema 1"), std::string::npos);
     EXPECT_NE(specimen.find("every dataset was read"), std::string::npos);
 }
 
 TEST_F(Commands, DigestIsThatOfTheContent) {
-    PostOptions options = call("info", {"run.h5"});
-    options.digest = true;
-    const std::string first = output_of(options);
+    const std::vector<std::string> call{"info", folder_.file("run.h5"), "--digest"};
+    const std::string first = output_of(call);
     EXPECT_EQ(first.find("  "), 64U);
     test::write_run(folder_.file("run.h5"), {});
-    EXPECT_EQ(output_of(options), first);
+    EXPECT_EQ(output_of(call), first);
     test::Recipe other;
     other.peak *= 1.0000001;
     test::write_run(folder_.file("run.h5"), other);
-    EXPECT_NE(output_of(options), first);
+    EXPECT_NE(output_of(call), first);
 }
 
 TEST_F(Commands, HistoryHasUnitsAndTheSignsOfTheFile) {
-    const std::string table = output_of(call("history", {"run.h5"}));
+    const std::string table = output_of({"history", folder_.file("run.h5")});
     EXPECT_EQ(test::parse_tsv(table).size(), 112U);
     EXPECT_EQ(test::field(table, "time_s", 100), "1");
     EXPECT_EQ(test::field(table, "axial_stress_Pa", 100), "-1.25e+08");  // compression is negative here
@@ -70,10 +65,8 @@ TEST_F(Commands, HistoryHasUnitsAndTheSignsOfTheFile) {
 }
 
 TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
-    PostOptions options;
-    options.command = "fpz";
-    options.material = std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml";
-    const auto rows = test::parse_tsv(output_of(options));
+    const std::string material = std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml";
+    const auto rows = test::parse_tsv(output_of({"fpz", "--material", material}));
     ASSERT_EQ(rows[0], (std::vector<std::string>{"quantity", "plane", "value", "unit", "equation"}));
     const auto value = [&](const std::string& quantity, const std::string& plane) {
         for (const auto& row : rows) {
@@ -102,59 +95,52 @@ TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
 }
 
 TEST_F(Commands, DesignFitAndSolveByTheirTables) {
-    PostOptions options;
-    options.command = "ccd";
-    options.picture = "design";
-    options.ccd.factors = {"contact_cohesion_MPa=30.525:91.575", "contact_friction_angle_deg=45.05:60.95"};
-    const std::string design = output_of(options);
+    const std::string design = output_of({"ccd", "design", "--factor", "contact_cohesion_MPa=30.525:91.575", "--factor",
+                                          "contact_friction_angle_deg=45.05:60.95"});
     EXPECT_EQ(test::parse_tsv(design).size(), 14U);
     EXPECT_EQ(design.substr(0, design.find('\n')), "run\tx1\tx2\tcontact_cohesion_MPa\tcontact_friction_angle_deg");
     EXPECT_EQ(test::field(design, "contact_cohesion_MPa", 4), "17.88113");
 
-    options.ccd = {};
-    options.files = {std::string(GRAINCRACK_TEST_DATA) + "/table7.csv"};
-    options.picture = "fit";
-    options.ccd.responses = {"C_MPa", "phi_deg"};
-    const std::string terms = output_of(options);
+    const std::string runs = std::string(GRAINCRACK_TEST_DATA) + "/table7.csv";
+    const auto fit = [&](const std::string& table) {
+        return output_of({"ccd", "fit", runs, "--response", "C_MPa", "--response", "phi_deg", "--table", table});
+    };
+    const std::string terms = fit("terms");
     EXPECT_EQ(test::field(terms, "term", 3), "x1 x2");
     EXPECT_NEAR(std::stod(test::field(terms, "coefficient", 3)), -7.48, 0.006);  // Eq 19
-    options.ccd.fit_table = ccd::Options::FitTable::anova;
-    const std::string anova = output_of(options);
+    const std::string anova = fit("anova");
     double parts = 0;  // model and residual make up the total
     for (std::size_t row : {0U, 6U}) parts += std::stod(test::field(anova, "sum_of_squares", row));
     EXPECT_NEAR(parts, std::stod(test::field(anova, "sum_of_squares", 9)), 1e-3);
     EXPECT_EQ(test::field(anova, "source", 7), "lack of fit");
-    options.ccd.fit_table = ccd::Options::FitTable::summary;
-    EXPECT_NEAR(std::stod(test::field(output_of(options), "r_squared", 1)), 0.944, 0.0005);
+    EXPECT_NEAR(std::stod(test::field(fit("summary"), "r_squared", 1)), 0.944, 0.0005);
 
-    options.picture = "solve";
-    options.ccd.targets = {"C_MPa=21", "phi_deg=53"};
-    const std::string solution = output_of(options);
+    const std::string solution = output_of({"ccd", "solve", runs, "--target", "C_MPa=21", "--target", "phi_deg=53"});
     EXPECT_NEAR(std::stod(test::field(solution, "cc_MPa")), 74.57, 0.02);
     EXPECT_NEAR(std::stod(test::field(solution, "phic_deg")), 48.76, 0.01);
     EXPECT_LT(std::stod(test::field(solution, "cc_MPa_region_low")), 72);
     EXPECT_GT(std::stod(test::field(solution, "cc_MPa_region_high")), 77);
     EXPECT_EQ(test::field(solution, "region_reaches_edge"), "no");
 
-    options.command = "plot";
-    options.picture = "surface";
-    options.output = folder_.file("surface.svg");
-    (void)output_of(options);
-    EXPECT_NE(test::read_text(options.output).find("cc, MPa 74.57"), std::string::npos);
-    options.command = "ccd";
-    options.picture = "solve";
-    options.ccd.targets = {};
-    EXPECT_THROW((void)output_of(options), UsageError);
+    const std::string picture = folder_.file("surface.svg");
+    (void)output_of({"plot", "surface", runs, "--target", "C_MPa=21", "--target", "phi_deg=53", "-o", picture});
+    EXPECT_NE(test::read_text(picture).find("cc, MPa 74.57"), std::string::npos);
+    EXPECT_THROW((void)output_of({"ccd", "solve", runs}), UsageError);
 }
 
 TEST_F(Commands, WrongUseIsRefused) {
-    EXPECT_THROW((void)output_of(call("strength", {"-", "-"})), UsageError);
-    EXPECT_THROW((void)output_of(call("history", {"run.h5", "run.h5"})), UsageError);
-    EXPECT_THROW((void)output_of(call("strength", {"specimen.h5"})), InputError);
-    PostOptions options = call("plot", {"run.h5"});
-    options.picture = "curve";
-    options.output = folder_.file("curve.gif");
-    EXPECT_THROW((void)output_of(options), UsageError);
+    const std::string run = folder_.file("run.h5");
+    EXPECT_THROW((void)output_of({"strength", "-", "-"}), UsageError);
+    EXPECT_THROW((void)output_of({"history", run, run}), UsageError);
+    EXPECT_THROW((void)output_of({"strength", folder_.file("specimen.h5")}), InputError);
+    EXPECT_THROW((void)output_of({"plot", "curve", run, "-o", folder_.file("curve.gif")}), UsageError);
+    test::expect_one_line<UsageError>([&] { (void)output_of({"strength"}); },
+                                      {"runs: missing; strength needs a file, or --files-from"});
+    test::expect_one_line<UsageError>(
+        [&] {
+            (void)output_of({"plot", "energy", run, run, "-o", folder_.file("a.svg")});
+        },
+        {"plot energy: takes one file, not 2"});
 }
 
 /// Runs the built tool; stdout and stderr end up in one text.

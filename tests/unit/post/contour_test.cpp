@@ -37,10 +37,10 @@ TEST(Contour, NothingWhereTheLevelIsNotOrTheValueIsUnknown) {
 }
 
 TEST(Labels, UnitsComeBehindACommaAndUnderscoresGo) {
-    EXPECT_EQ(label_words("contact_cohesion_MPa"), "contact cohesion, MPa");
-    EXPECT_EQ(label_words("phi_deg"), "phi, °");
-    EXPECT_EQ(label_words("x1"), "x1");
-    EXPECT_EQ(label_words("strain_at_peak"), "strain at peak");
+    EXPECT_EQ(column_label("contact_cohesion_MPa"), "contact cohesion, MPa");
+    EXPECT_EQ(column_label("phi_deg"), "phi, °");
+    EXPECT_EQ(column_label("x1"), "x1");
+    EXPECT_EQ(column_label("strain_at_peak"), "strain at peak");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "post/commands/envelope_table.hpp"
+#include "post/commands/envelope.hpp"
 
 #include <gtest/gtest.h>
 
@@ -150,14 +150,14 @@ TEST_F(EnvelopeTable, RunsEndedByTheStrainCapAreRefusedUnlessAccepted) {
     const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain cap"),
                                         run("8", 8e6, "", 0, 0, "strain cap")};
     std::ostringstream out;
-    test::expect_one_line<InputError>([&] { write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::refuse, notes_); },
-                                      {runs[1], "strain cap (1.5 %)", "--capped accept"});
+    test::expect_one_line<InputError>([&] { write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes_); },
+                                      {runs[1], "strain limit (1.5 %)", "--capped accept"});
     EXPECT_EQ(out.str(), "");
     EXPECT_EQ(notes_.str(), "");
-    write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::accept, notes_);
+    write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::accept, notes_);
     EXPECT_EQ(field(out.str(), "capped_runs"), "2");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
-    EXPECT_NE(notes_.str().find("2 of 3 runs ended by the strain cap"), std::string::npos) << notes_.str();
+    EXPECT_NE(notes_.str().find("2 of 3 runs were stopped at the strain limit"), std::string::npos) << notes_.str();
     const std::string notes = notes_.str();
     EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 1);
 }
@@ -165,13 +165,13 @@ TEST_F(EnvelopeTable, RunsEndedByTheStrainCapAreRefusedUnlessAccepted) {
 TEST_F(EnvelopeTable, AStoppedRunHasNoStrengthAtAll) {
     std::ostringstream out;
     const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0, "signal")};
-    EXPECT_THROW(write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::accept, notes_), InputError);
+    EXPECT_THROW(write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::accept, notes_), InputError);
     EXPECT_EQ(out.str(), "");
 }
 
 TEST_F(EnvelopeTable, RowOfThreeRuns) {
     std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv, CappedRuns::refuse, notes_);
+    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv, StrainLimitRuns::refuse, notes_);
     EXPECT_EQ(field(out.str(), "runs"), "3");
     EXPECT_EQ(field(out.str(), "capped_runs"), "0");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
@@ -195,7 +195,7 @@ TEST_F(EnvelopeTable, OtherStressesThanThePeakHaveTheirEnvelopes) {
         test::write_run(runs.back(), recipe);
     }
     std::ostringstream out;
-    write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::refuse, notes_);
+    write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes_);
     EXPECT_EQ(field(out.str(), "runs_at_1_percent"), "3");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_at_1_percent_MPa")), 15, 1e-4);
     EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_at_1_percent_deg")), 40, 1e-4);
@@ -214,7 +214,7 @@ TEST_F(EnvelopeTable, TensileTestsStandBesideWhatTheEnvelopesImply) {
     test::write_run(folder_.file("disc"), disc);
     const std::vector<std::string> runs{run("0", 0), run("4", 4e6), run("8", 8e6), folder_.file("disc"),
                                         run("t", 0, "tension", 6e6)};
-    write_envelope_table(out, runs, TableFormat::tsv, CappedRuns::refuse, notes_);
+    write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes_);
     EXPECT_EQ(field(out.str(), "runs"), "3");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
     EXPECT_EQ(field(out.str(), "brazilian_tensile_strength_MPa"), "8.8");
@@ -226,10 +226,11 @@ TEST_F(EnvelopeTable, TensileTestsStandBesideWhatTheEnvelopesImply) {
 
 TEST_F(EnvelopeTable, OtherTestsAndOneConfiningPressureAreRefused) {
     std::ostringstream out;
-    EXPECT_THROW(
-        write_envelope_table(out, {run("0", 0), run("b", 0, "brazilian", 8e6)}, TableFormat::tsv, CappedRuns::refuse, notes_),
-        InputError);
-    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("1", 0)}, TableFormat::tsv, CappedRuns::refuse, notes_), InputError);
+    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("b", 0, "brazilian", 8e6)}, TableFormat::tsv,
+                                      StrainLimitRuns::refuse, notes_),
+                 InputError);
+    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("1", 0)}, TableFormat::tsv, StrainLimitRuns::refuse, notes_),
+                 InputError);
     EXPECT_EQ(out.str(), "");
 }
 
@@ -241,7 +242,7 @@ TEST_F(EnvelopeTable, AnotherPlaneConditionIsRefused) {
     test::write_run(folder_.file("stress"), recipe);
     std::ostringstream out;
     try {
-        write_envelope_table(out, {run("0", 0), folder_.file("stress")}, TableFormat::tsv, CappedRuns::refuse, notes_);
+        write_envelope_table(out, {run("0", 0), folder_.file("stress")}, TableFormat::tsv, StrainLimitRuns::refuse, notes_);
         FAIL() << "was accepted";
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("plane condition"), std::string::npos) << error.what();

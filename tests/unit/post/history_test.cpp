@@ -50,7 +50,7 @@ TEST(HistoryFollow, AFinishedRunIsWrittenAtOnce) {
     EXPECT_EQ(test::parse_tsv(out.str()).size(), 112U);
 }
 
-TEST(HistoryFollow, NothingThereAndGivenUpAreOneLine) {
+TEST(HistoryFollow, NothingThereAndAbandonedAreOneLine) {
     const test::TemporaryFolder folder;
     std::ostringstream out;
     test::expect_one_line<InputError>([&] { follow_history(out, folder.file("none.h5"), TableFormat::tsv, 1ms); },
@@ -61,7 +61,7 @@ TEST(HistoryFollow, NothingThereAndGivenUpAreOneLine) {
         std::filesystem::remove(folder.file("dead.h5.part"));
     });
     test::expect_one_line<InputError>([&] { follow_history(out, folder.file("dead.h5"), TableFormat::tsv, 5ms); },
-                                      {"dead.h5", "given up"});
+                                      {"dead.h5", "abandoned"});
     killer.join();
 }
 

@@ -77,10 +77,10 @@ TEST(Moduli, BrittlenessIsTheFallOverTheChord) {
     EXPECT_EQ(field(table, "peak_kind"), "drop");
     // Both slopes are by the platens: (0.5 · 125)/(0.2 · ε_peak) over 125/ε_peak
     EXPECT_NEAR(value(table, "post_peak_slope_over_young_modulus"), 2.5, 1e-6);
-    Recipe capped;
-    capped.drop = 0.1;
-    capped.stop_reason = "strain cap";
-    EXPECT_EQ(field(table_of(capped), "post_peak_slope_over_young_modulus"), "");
+    Recipe at_strain_limit;
+    at_strain_limit.drop = 0.1;
+    at_strain_limit.stop_reason = "strain cap";
+    EXPECT_EQ(field(table_of(at_strain_limit), "post_peak_slope_over_young_modulus"), "");
 }
 
 TEST(Moduli, PlaneStressIsNot) {

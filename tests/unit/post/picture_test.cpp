@@ -51,12 +51,12 @@ void expect_words_fit(const Drawing& drawing, const std::string& what) {
     for (const Drawing::Shape& shape : drawing.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
         if (text == nullptr) continue;
-        const double width = text_width(text->words, text->size);
+        const double width = text_width(text->label, text->size);
         const double before = text->anchor == Anchor::start ? 0 : text->anchor == Anchor::middle ? 0.5 : 1;
         const double along = text->upwards ? drawing.height() - text->at.y : text->at.x;
         const double page = text->upwards ? drawing.height() : drawing.width();
-        EXPECT_GE(along - before * width, 0) << what << ": " << text->words;
-        EXPECT_LE(along + (1 - before) * width, page) << what << ": " << text->words;
+        EXPECT_GE(along - before * width, 0) << what << ": " << text->label;
+        EXPECT_LE(along + (1 - before) * width, page) << what << ": " << text->label;
     }
 }
 
@@ -137,7 +137,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data), {"tensile", "shear", "stress"});
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
     expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragments", "100.0 % of the area"});
-    expect(draw_energy(data), {"energy ledger", "largest residual 0.2 %"});
+    expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
     expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});

@@ -29,7 +29,7 @@ protected:
     std::string page(const std::vector<std::string>& runs, const ReportOptions& options = {}) {
         return make_report(runs, options, Verbosity::quiet);
     }
-    static void expect_words(const std::string& page, const std::vector<std::string>& words) {
+    static void expect_texts(const std::string& page, const std::vector<std::string>& words) {
         for (const std::string& each : words) EXPECT_NE(page.find(each), std::string::npos) << each;
     }
     /// Each attribute points into the page or carries its data.
@@ -45,9 +45,10 @@ protected:
 TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
-                                  {"augig-granite", CappedRuns::refuse});
-    for (const char* id : {"figures", "columns", "trust", "curves", "envelope", "maps", "mesh", "inputs", "provenance"}) {
-        expect_words(html, {"<h2 id=\"" + std::string(id) + "\">"});
+                                  {"augig-granite", StrainLimitRuns::refuse});
+    for (const char* id :
+         {"figures", "columns", "quality-checks", "curves", "envelope", "maps", "mesh", "inputs", "provenance"}) {
+        expect_texts(html, {"<h2 id=\"" + std::string(id) + "\">"});
     }
     // Namespaces of SVG are names, not addresses that are fetched.
     expect_own_references(html, "src=\"");
@@ -55,7 +56,7 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     EXPECT_EQ(html.find("<script"), std::string::npos);
     EXPECT_EQ(html.find("@import"), std::string::npos);
     // Laboratory: σt 8.8, UCS 122 MPa.
-    expect_words(html, {"<td>8.8</td><td>+2.3 %</td>", "<td>122</td><td>-1.6 %</td>", "Mohr–Coulomb", "13.3", "no potential",
+    expect_texts(html, {"<td>8.8</td><td>+2.3 %</td>", "<td>122</td><td>-1.6 %</td>", "Mohr–Coulomb", "13.3", "no potential",
                         "0.2\u00a0%", "Density 2650 kg/m³"});
     EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
     EXPECT_EQ(html.find(">nan"), std::string::npos);
@@ -68,24 +69,24 @@ TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
     few.resize(8);
     test::write_run(runs.back(), recipe("brazilian", 13e6), few);
     const std::string html = page(runs);
-    // The ledger residual is the same in all, separated contacts are half of the cracks; a warning names its run.
-    expect_words(html,
+    // The energy balance residual is the same in all, separated contacts are half of the cracks; a warning names its run.
+    expect_texts(html,
                  {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ", "b4: tensile cracks never span"});
     EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
     runs.resize(2);
-    expect_words(page(runs), {"<th>b0</th><th>b1</th>"});
+    expect_texts(page(runs), {"<th>b0</th><th>b1</th>"});
 }
 
 TEST_F(Report, OneTestHasNoEnvelopeAndSaysWhy) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6))});
-    expect_words(html, {"<h1>Uniaxial compression, Augig granite</h1>", "No envelope: ", "one confining pressure"});
+    expect_texts(html, {"<h1>Uniaxial compression, Augig granite</h1>", "No envelope: ", "one confining pressure"});
 }
 
 TEST_F(Report, RunsWithoutAPeakAreNamedSo) {
-    test::Recipe capped = recipe("uniaxial", 120e6);
-    capped.drop = 0;
-    capped.stop_reason = "strain cap";
-    expect_words(page({run("u.h5", capped)}), {"1 of 1 runs reached no peak", "<td>cap</td>"});
+    test::Recipe at_strain_limit = recipe("uniaxial", 120e6);
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain cap";
+    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 runs reached no peak", "<td>cap</td>"});
 }
 
 TEST_F(Report, AMissingFileIsOneLine) {

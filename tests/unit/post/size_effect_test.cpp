@@ -55,7 +55,7 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
         runs.push_back(run_of(edge, 120e6, "uniaxial"));
     }
     std::ostringstream out;
-    write_size_effect_table(out, runs, TableFormat::tsv, CappedRuns::refuse);
+    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse);
     const std::string table = out.str();
     EXPECT_EQ(test::parse_tsv(table).size(), 5U);
     EXPECT_EQ(test::field(table, "test"), "brazilian");
@@ -68,7 +68,7 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
     EXPECT_NEAR(std::stod(test::field(table, "zone_over_smallest_edge")), zone / 2e-3, 1e-5);
     EXPECT_NEAR(std::stod(test::field(table, "exponent", 2)), 0, 1e-9);
     EXPECT_EQ(test::field(table, "paper_exponent", 2), "");
-    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, CappedRuns::refuse)));
+    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)));
     EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
     EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
     EXPECT_NE(svg.find("paper, n = 0.39"), std::string::npos);
@@ -78,18 +78,18 @@ TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
     std::ostringstream out;
     // Seeds of one size differ by half a percent in their mean edge: no line goes through them.
     const std::vector<RunData> one{run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)};
-    test::expect_one_line<InputError>([&] { write_size_effect_table(out, one, TableFormat::tsv, CappedRuns::refuse); },
+    test::expect_one_line<InputError>([&] { write_size_effect_table(out, one, TableFormat::tsv, StrainLimitRuns::refuse); },
                                       {"one mean edge (2 mm)"});
-    std::vector<RunData> capped{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
-    capped[1].header.stop_reason = "strain cap";
-    capped[1].history = [] {
+    std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
+    at_strain_limit[1].header.stop_reason = "strain cap";
+    at_strain_limit[1].history = [] {
         test::Recipe recipe;
         recipe.test = "brazilian";
         recipe.drop = 0;
         return test::synthetic_history(recipe);
     }();
-    test::expect_one_line<InputError>([&] { write_size_effect_table(out, capped, TableFormat::tsv, CappedRuns::refuse); },
-                                      {"strain cap"});
+    test::expect_one_line<InputError>(
+        [&] { write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::refuse); }, {"strain limit"});
     EXPECT_EQ(out.str(), "");
 }
 

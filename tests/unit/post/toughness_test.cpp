@@ -71,10 +71,10 @@ TEST_F(ToughnessTable, OtherRunsAreRefused) {
     Recipe pressed = notched_tension(-0.02, 0.02);
     pressed.test = "uniaxial";
     EXPECT_NE(refused(pressed).find("toughness needs a tension test"), std::string::npos);
-    Recipe capped = notched_tension(-0.02, 0.02);
-    capped.drop = 0;
-    capped.stop_reason = "strain cap";
-    EXPECT_NE(refused(capped).find("without a peak"), std::string::npos);
+    Recipe at_strain_limit = notched_tension(-0.02, 0.02);
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain cap";
+    EXPECT_NE(refused(at_strain_limit).find("without a peak"), std::string::npos);
 }
 
 }  // namespace

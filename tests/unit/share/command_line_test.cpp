@@ -232,6 +232,55 @@ TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/"}), "--config: / cannot be read; a TOML file is wanted");
 }
 
+TEST_F(CommandLine, ValuesTooManyOrNone) {
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "c"}), "--output: given more than once; give it once");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config", "a.toml", "--config", "b.toml"}),
+              "--config: given more than once; give it once");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o"}), "--output: no value given; write --output TEXT");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-qo"}), "--output: no value given; write --output TEXT");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config"}), "--config: no value given; write --config FILE");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "--edge"}),  // the last word is a value here
+              "--output: given more than once; give it once");
+}
+
+TEST_F(CommandLine, FlagsTakeTrueAndFalseOnly) {
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep=perhaps"}),
+              "--deep: \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep", "--quiet=no-idea"}),
+              "--quiet: \"no-idea\" does not fit; write --quiet alone, or --quiet=true or --quiet=false");
+    set("GRAINCRACK_DEEP", "perhaps");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b"}),
+              "--deep (from GRAINCRACK_DEEP): \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
+}
+
+TEST_F(CommandLine, WhatIsMissingIsSaidInTheOrderOfTheCall) {
+    Tool nested;
+    CLI::App* group = nested.app.add_subcommand("group", "holds others");
+    group->require_subcommand(1);
+    group->add_subcommand("member", "one of them");
+    try {
+        nested.parse({"group"});
+        FAIL() << "nothing wrong";
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "no subcommand given; one of member fits");
+    }
+    // an argument left over is told before an option that is missing: it may be that option, spelled wrong
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--outptu"}),
+              "--outptu: unknown option; did you mean --output? see graincrack-try uniaxial --help");
+}
+
+TEST_F(CommandLine, AnOptionThatNeedsAnother) {
+    Tool tool;
+    CLI::App* uniaxial = tool.app.get_subcommand("uniaxial");
+    uniaxial->get_option("--seed")->needs(uniaxial->get_option("--spread"));
+    try {
+        tool.parse({"uniaxial", "a.h5", "-o", "b", "--seed", "2"});
+        FAIL() << "nothing wrong";
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "--seed: not alone; give --spread as well");
+    }
+}
+
 TEST_F(CommandLine, FlagsWinOverEnvironmentOverFile) {
     const std::string file = write("edge = '1mm'\nframes = 11\ndamping = 0.1\n");
     set("GRAINCRACK_EDGE", "2mm");

@@ -1,10 +1,14 @@
-#include "post/commands/fpz_table.hpp"
+#include "post/commands/fpz.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "post/option_parts.hpp"
+#include "share/command_line.hpp"
+#include "share/material.hpp"
 
 namespace graincrack {
 
@@ -74,7 +78,7 @@ void write_lennard_jones(FpzWriter& table, const Rock& rock) {
     }
 }
 
-/// Appendix 2: strengths of contact and rock, for the paper's two readings of its mean edge.
+/// Appendix 2: strengths of contact and rock, for the two values of the mean edge that the paper can be read to mean.
 void write_macro_micro(FpzWriter& table, const Material& material) {
     constexpr std::array<double, 2> edges{4.0e-3, 5.13e-3};
     const Rock& rock = material.rock;
@@ -96,8 +100,8 @@ void write_macro_micro(FpzWriter& table, const Material& material) {
               "43");
 }
 
-}  // namespace
-
+/// Table quantity, plane, value, unit, equation (of Kazerani & Zhao 2014): Eqs 3–6, 8, 11, 14–17 and 30–44. `plane` is
+/// "strain" or "stress", empty for what does not depend on it.
 void write_fpz_table(std::ostream& out, const Material& material, TableFormat format) {
     FpzWriter table(out, format);
     table.row("shear_modulus", "", fpz::shear_modulus(material.rock) * 1e-9, "GPa", "3-6");
@@ -106,6 +110,25 @@ void write_fpz_table(std::ostream& out, const Material& material, TableFormat fo
     write_grain_size(table, material.rock);
     write_lennard_jones(table, material.rock);
     write_macro_micro(table, material);
+}
+
+}  // namespace
+
+Command fpz_command() {
+    struct Options {
+        std::string material;
+        TableFormat format = TableFormat::tsv;
+    };
+    return make_command<Options>(
+        "fpz", "the fracture process zone of a rock, every number with its equation",
+        {"--material augig-granite", "--material augig-granite --format jsonl"}, std::nullopt,
+        [](CLI::App& app, Options& options) {
+            app.add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
+            add_format(app, options.format);
+        },
+        [](const Options& options, const Call& call) {
+            write_fpz_table(call.out, read_material(options.material), options.format);
+        });
 }
 
 }  // namespace graincrack

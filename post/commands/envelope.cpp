@@ -1,8 +1,10 @@
-#include "post/commands/envelope_table.hpp"
+#include "post/commands/envelope.hpp"
 
 #include <fmt/ostream.h>
 
 #include <numbers>
+
+#include "post/option_parts.hpp"
 
 namespace graincrack {
 
@@ -76,7 +78,7 @@ void add_at(RowBuilder& row, const std::string& place, const EnvelopeAt& at) {
                      degrees);
 }
 
-/// Envelopes of the stresses that strength tells beside the peak.
+/// Envelopes of the other stresses of the table `strength`: at first yield and at given strains.
 void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
     add_at(row, "first_yield", fit_envelope_at_first_yield(tests));
     for (std::size_t mark = 0; mark < strain_marks.size(); ++mark) {
@@ -86,15 +88,14 @@ void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
 
 }  // namespace
 
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format, CappedRuns capped_runs,
-                          std::ostream& notes) {
-    std::vector<RunData> runs;
-    for (const std::string& path : paths) runs.push_back(read_run_data(path));
-    const EnvelopeTests tests = collect_envelope_tests(runs, capped_runs);
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
+                          StrainLimitRuns strain_limit_runs, std::ostream& diagnostics) {
+    const std::vector<RunData> runs = read_runs(paths);
+    const EnvelopeTests tests = collect_envelope_tests(runs, strain_limit_runs);
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     RowBuilder row;
     row.add("runs", static_cast<std::int64_t>(tests.compression.size()));
-    row.add("capped_runs", static_cast<std::int64_t>(tests.capped));
+    row.add("capped_runs", static_cast<std::int64_t>(tests.at_strain_limit));
     row.add_interval("cohesion", "MPa", envelope.cohesion, mega);
     row.add_interval("friction_angle", "deg", envelope.friction_angle, degrees);
     row.add("r_squared", envelope.line.r_squared);
@@ -105,14 +106,31 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     add_tension(row, envelope, tests);
     add_seeds(row, fit_seed_envelopes(tests));
     add_other_stresses(row, tests);
-    if (tests.capped > 0) {
-        fmt::print(
-            notes,
-            "graincrack-post: envelope: {} of {} runs ended by the strain cap; their largest stress stands for a peak, so C "
-            "and phi depend on where the tests were told to end\n",
-            tests.capped, runs.size());
+    if (tests.at_strain_limit > 0) {
+        fmt::print(diagnostics,
+                   "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress stands for a "
+                   "peak, so C "
+                   "and phi depend on that limit\n",
+                   tests.at_strain_limit, runs.size());
     }
     row.write(out, format);
+}
+
+Command envelope_command() {
+    struct Options {
+        TableFormat format = TableFormat::tsv;
+        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+    };
+    return make_command<Options>(
+        "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals",
+        {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
+        [](CLI::App& app, Options& options) {
+            add_format(app, options.format);
+            add_strain_limit_runs(app, options.strain_limit_runs);
+        },
+        [](const Options& options, const Call& call) {
+            write_envelope_table(call.out, call.files, options.format, options.strain_limit_runs, call.diagnostics());
+        });
 }
 
 }  // namespace graincrack

@@ -1,0 +1,81 @@
+#include "post/commands/ccd.hpp"
+
+#include "post/ccd/tables.hpp"
+#include "post/option_parts.hpp"
+#include "share/command_line.hpp"
+
+namespace graincrack {
+
+namespace {
+
+template <class Options>
+struct WithFormat {
+    Options ccd;
+    TableFormat format = TableFormat::tsv;
+};
+
+using DesignTableOptions = WithFormat<ccd::DesignOptions>;
+using FitTableOptions = WithFormat<ccd::FitOptions>;
+using SolutionTableOptions = WithFormat<ccd::SolveOptions>;
+
+void add_design_options(CLI::App& app, DesignTableOptions& options) {
+    add_names(app, "--factor", options.ccd.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, unit in its name");
+    add_choice<ccd::Star>(app, "--star", options.ccd.star,
+                          {{"rotatable", ccd::Star::rotatable}, {"face-centred", ccd::Star::face_centred}},
+                          "star points at (2^k)^(1/4), or on the faces");
+    add_integer<std::size_t>(app, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
+    add_format(app, options.format);
+}
+
+void add_fit_options(CLI::App& app, FitTableOptions& options) {
+    using ccd::FitTable;
+    add_model(app, options.ccd.model);
+    add_names(app, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
+    add_choice<FitTable>(app, "--table", options.ccd.table,
+                         {{"terms", FitTable::terms}, {"anova", FitTable::anova}, {"summary", FitTable::summary}},
+                         "what to print");
+    add_format(app, options.format);
+}
+
+void add_solve_options(CLI::App& app, SolutionTableOptions& options) {
+    add_model(app, options.ccd.model);
+    add_goals(app, options.ccd.goals);
+    add_format(app, options.format);
+}
+
+Command design_command() {
+    return make_command<DesignTableOptions>(
+        "design", "the runs of a central composite design",
+        {"--factor contact_cohesion_MPa=30:90 --factor contact_friction_angle_deg=45:61",
+         "--factor contact_cohesion_MPa=30:90 --factor edge_mm=3:5 --star face-centred --centre-runs 3"},
+        std::nullopt, add_design_options,
+        [](const DesignTableOptions& options, const Call& call) { ccd::write_design(call.out, options.ccd, options.format); });
+}
+
+Command fit_command() {
+    return make_command<FitTableOptions>(
+        "fit", "quadratic response surfaces: coefficients, analysis of variance, lack of fit",
+        {"table7.csv --response C_MPa --response phi_deg", "table7.csv --response C_MPa --model backward --table anova"},
+        design_table, add_fit_options, [](const FitTableOptions& options, const Call& call) {
+            ccd::write_fit(call.out, call.file(), options.ccd, options.format);
+        });
+}
+
+Command solve_command() {
+    return make_command<SolutionTableOptions>(
+        "solve", "factors at which the responses meet their goals (desirability), within the design",
+        {"table7.csv --target C_MPa=21 --target phi_deg=53",
+         "table7.csv --target phi_deg=53 --maximise C_MPa=10:30 --model backward --alpha 0.05"},
+        design_table, add_solve_options, [](const SolutionTableOptions& options, const Call& call) {
+            ccd::write_solution(call.out, call.file(), options.ccd, options.format);
+        });
+}
+
+}  // namespace
+
+Command ccd_command() {
+    return make_group("ccd", "central composite designs: runs to make, response surfaces, optimal factors",
+                      {design_command(), fit_command(), solve_command()});
+}
+
+}  // namespace graincrack

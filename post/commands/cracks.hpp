@@ -1,0 +1,10 @@
+// The command `cracks`: a run as a folder of files for ParaView and scripts.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command cracks_command();
+
+}  // namespace graincrack

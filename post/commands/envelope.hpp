@@ -1,0 +1,22 @@
+// The command `envelope`: strength criteria fitted to a set of tests.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/command.hpp"
+#include "post/fit/envelope.hpp"
+#include "post/table/table.hpp"
+
+namespace graincrack {
+
+/// One row for the set of runs. If runs stopped at the strain limit are accepted, the row holds their number and a line on
+/// `diagnostics` reports it.
+/// \throws InputError as collect_envelope_tests and fit_envelope
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
+                          StrainLimitRuns strain_limit_runs, std::ostream& diagnostics);
+
+Command envelope_command();
+
+}  // namespace graincrack

@@ -1,0 +1,10 @@
+// The command `fpz`: the fracture process zone of a rock in numbers, every quantity the paper derives with its equation.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command fpz_command();
+
+}  // namespace graincrack

@@ -1,0 +1,81 @@
+#include "post/commands/history.hpp"
+
+#include "post/measure/history.hpp"
+#include "post/option_parts.hpp"
+#include "share/command_line.hpp"
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "share/probe_file.hpp"
+#include "share/schema.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// time_s, step and every column of a probe, names with SI units. \throws InputError if the run has no such probe
+void write_probe(std::ostream& out, const RunReader& run, const std::string& name, TableFormat format) {
+    const ProbeHistory probe = read_probe(run.file(), name);
+    const History history = run.history();
+    std::vector<std::string> columns{"time_s", "step"};
+    for (const ProbeColumn& column : probe.columns) columns.push_back(column.name + "_" + std::string(si_unit(column.dimension)));
+    for (const std::vector<double>& values : probe.values) {
+        if (values.size() != history.size()) {
+            throw InputError(run.name() + ": probe " + name + " and history differ in length");
+        }
+    }
+    TableWriter table(out, columns, format);
+    for (std::size_t i = 0; i < history.size(); ++i) {
+        std::vector<Cell> row{history[HistoryColumn::time][i], count_cell(history[HistoryColumn::step][i])};
+        for (const std::vector<double>& values : probe.values) row.emplace_back(values[i]);
+        table.row(row);
+    }
+}
+
+/// stage, begin_s, end_s, ended_by: a row a stage. \throws InputError for a run of another test than a loading program
+void write_stages(std::ostream& out, const RunReader& run, TableFormat format) {
+    const std::string group = schema::program_group;
+    if (!run.file().has(group)) throw InputError(run.name() + ": has no stages; a run of `graincrack-solve program` has");
+    const auto names = run.file().attribute<std::vector<std::string>>(group, "stages");
+    const auto ended_by = run.file().attribute<std::vector<std::string>>(group, "ended_by");
+    const auto begin = run.file().read<double>(group + "/begin");
+    const auto end = run.file().read<double>(group + "/end");
+    TableWriter table(out, {"stage", "begin_s", "end_s", "ended_by"}, format);
+    for (std::size_t i = 0; i < begin.size(); ++i) table.row({names[i], begin[i], end[i], ended_by[i]});
+}
+
+struct HistoryOptions {
+    bool follow = false;
+    std::string probe;    ///< of a loading program
+    bool stages = false;  ///< of a loading program
+    TableFormat format = TableFormat::tsv;
+};
+
+void add_options(CLI::App& app, HistoryOptions& options) {
+    app.add_flag("--follow", options.follow, "write the rows of a run in progress as they appear, until it ends");
+    auto* probe = app.add_option("--probe", options.probe, "of a loading program: this probe instead, or what this boundary did")
+                      ->type_name("NAME");
+    auto* stages = app.add_flag("--stages", options.stages, "of a loading program: its stages instead, and what ended them");
+    stages->excludes(probe);
+    add_format(app, options.format);
+}
+
+void run(const HistoryOptions& options, const Call& call) {
+    if (options.follow && (options.stages || !options.probe.empty())) {
+        throw UsageError("history --follow: follows the history alone; leave out --probe and --stages");
+    }
+    const std::string& file = call.file();
+    if (options.stages) return write_stages(call.out, RunReader(file), options.format);
+    if (!options.probe.empty()) return write_probe(call.out, RunReader(file), options.probe, options.format);
+    if (!options.follow) return write_history(call.out, RunReader(file), options.format);
+    if (file == "-") throw UsageError("history --follow: stdin cannot be followed; name a file");
+    follow_history(call.out, file, options.format);
+}
+
+}  // namespace
+
+Command history_command() {
+    return make_command<HistoryOptions>("history", "the history of a run as a table, tension positive",
+                                        {"uniaxial.h5", "uniaxial.h5 --follow --format jsonl"}, one_run, add_options, run);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,51 @@
+#include "post/commands/measures.hpp"
+
+#include "post/measure/moduli.hpp"
+#include "post/measure/strength.hpp"
+#include "post/measure/strength_summary.hpp"
+#include "post/measure/toughness.hpp"
+#include "post/option_parts.hpp"
+#include "share/command_line.hpp"
+
+namespace graincrack {
+
+namespace {
+
+struct StrengthOptions {
+    TableFormat format = TableFormat::tsv;
+    bool summary = false;
+};
+
+void add_strength_options(CLI::App& app, StrengthOptions& options) {
+    add_format(app, options.format);
+    app.add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");
+}
+
+}  // namespace
+
+Command strength_command() {
+    return make_command<StrengthOptions>(
+        "strength", "strength, strain, cracks at the peak and checks of the run, a row a run",
+        {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"}, several_runs, add_strength_options,
+        [](const StrengthOptions& options, const Call& call) {
+            (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, options.format);
+        });
+}
+
+Command moduli_command() {
+    return make_command<TableFormat>(
+        "moduli",
+        "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
+        "and predicted from contact compliance",
+        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_format,
+        [](const TableFormat& format, const Call& call) { write_moduli_table(call.out, call.files, format); });
+}
+
+Command toughness_command() {
+    return make_command<TableFormat>(
+        "toughness", "fracture toughness K_IC from tension of rectangles with a notch through the middle, a row a run",
+        {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs, add_format,
+        [](const TableFormat& format, const Call& call) { write_toughness_table(call.out, call.files, format); });
+}
+
+}  // namespace graincrack

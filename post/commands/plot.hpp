@@ -1,0 +1,10 @@
+// The command `plot` with all its pictures.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command plot_command();
+
+}  // namespace graincrack

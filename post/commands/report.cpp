@@ -1,0 +1,27 @@
+#include "post/commands/report.hpp"
+
+#include "post/option_parts.hpp"
+#include "post/report/report.hpp"
+#include "post/table/output_file.hpp"
+
+namespace graincrack {
+
+Command report_command() {
+    struct Options {
+        ReportOptions report;
+        std::string page;
+    };
+    return make_command<Options>(
+        "report", "a test or a set as one self-contained HTML page",
+        {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
+        [](CLI::App& app, Options& options) {
+            add_laboratory_material(app, options.report.material);
+            add_strain_limit_runs(app, options.report.strain_limit_runs);
+            add_output(app, options.page, "page: .html");
+        },
+        [](const Options& options, const Call& call) {
+            write_whole_file(options.page, make_report(call.files, options.report, call.verbosity));
+        });
+}
+
+}  // namespace graincrack

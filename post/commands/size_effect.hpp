@@ -1,0 +1,10 @@
+// The command `size-effect`: strength against grain size.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command size_effect_command();
+
+}  // namespace graincrack

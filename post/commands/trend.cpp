@@ -1,0 +1,26 @@
+#include "post/commands/trend.hpp"
+
+#include "post/option_parts.hpp"
+
+namespace graincrack {
+
+Command trend_command() {
+    struct Options {
+        TrendOptions trend;
+        TableFormat format = TableFormat::tsv;
+    };
+    return make_command<Options>(
+        "trend", "line or power law of a column against another, intervals, elasticity",
+        {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --power",
+         "strength.tsv --x contact_cohesion_MPa --y peak_compressive_stress_MPa --group confining_pressure_MPa"},
+        trend_tables,
+        [](CLI::App& app, Options& options) {
+            add_trend(app, options.trend);
+            add_format(app, options.format);
+        },
+        [](const Options& options, const Call& call) {
+            write_trend_table(call.out, call.files, options.trend, options.format, call.diagnostics());
+        });
+}
+
+}  // namespace graincrack

@@ -1,0 +1,10 @@
+// The command `trend`: a column of tables against another.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command trend_command();
+
+}  // namespace graincrack
