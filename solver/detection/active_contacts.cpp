@@ -126,10 +126,10 @@ void scatter(Range contacts, const Lanes& b, ActiveContacts& active) {
 
 }  // namespace
 
-void move_active_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+void move_active_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {
     ActiveContacts& active = s.contact_pairs.active;
-    const std::int32_t begin = s.contact_pairs.first_watched(block);
-    const std::int32_t end = begin + active.count[block];
+    const std::int32_t begin = s.contact_pairs.first_watched(chunk);
+    const std::int32_t end = begin + active.count[chunk];
     Lanes batch;
     for (std::int32_t at = begin; at < end; at += batch_contacts) {
         const Range contacts{at, std::min(at + batch_contacts, end)};
@@ -139,14 +139,14 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
             move(parameters.law, contacts.size(), batch);
         });
         scatter(contacts, batch, active);
-        s.contact_pairs.friction[block] += sum_of(contacts.size(), batch.friction);
+        s.contact_pairs.friction[chunk] += sum_of(contacts.size(), batch.friction);
     }
 }
 
-void store_active(std::int32_t block, ContactPairList& list) {
+void store_active(std::int32_t chunk, ContactPairList& list) {
     const ActiveContacts& active = list.active;
-    const std::int32_t begin = list.first_watched(block);
-    for (std::int32_t i = begin; i < begin + active.count[block]; ++i) {
+    const std::int32_t begin = list.first_watched(chunk);
+    for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
         const auto pair = static_cast<std::size_t>(active.pair[i]);
         const bool near_first = active.place[i] < 0.5;
         list.contacts[pair] = {active.live[i] != 0,         near_first,        active.area[i],
@@ -156,12 +156,12 @@ void store_active(std::int32_t block, ContactPairList& list) {
     }
 }
 
-void append_active(const GrainSurface& surface, std::int32_t block, std::int32_t index, ContactPairList& list) {
+void append_active(const GrainSurface& surface, std::int32_t chunk, std::int32_t index, ContactPairList& list) {
     ActiveContacts& active = list.active;
-    const std::int32_t at = list.first_watched(block) + active.count[block]++;
+    const std::int32_t at = list.first_watched(chunk) + active.count[chunk]++;
     const auto& [first, second] = surface.edges[list.pairs[index].edge].nodes;
     const NodeEdgeContact& contact = list.contacts[index];
-    active.changed[block] = active.changed[block] != 0 || active.pair[at] != index ? 1 : 0;
+    active.changed[chunk] = active.changed[chunk] != 0 || active.pair[at] != index ? 1 : 0;
     active.pair[at] = index;
     active.nodes[at] = {list.pairs[index].node, first, second};
     active.live[at] = contact.active ? 1 : 0;
@@ -193,14 +193,14 @@ void load_active(const Assemblage& a, ContactPairList& list) {
         values->resize(n);
     }
     active.forces.resize(3 * n);
-    active.count.assign(list.blocks.size(), 0);
-    active.changed.assign(list.blocks.size(), 0);
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-        const std::int32_t end = list.watched_groups[list.blocks[block].end - 1].end;
-        for (std::int32_t i = list.first_watched(block); i < end; ++i) {
+    active.count.assign(list.chunks.size(), 0);
+    active.changed.assign(list.chunks.size(), 0);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
+        const std::int32_t end = list.watched_groups[list.chunks[chunk].end - 1].end;
+        for (std::int32_t i = list.first_watched(chunk); i < end; ++i) {
             const NodeEdgeContact& contact = list.contacts[list.watched[i]];
             if (contact.active || contact.release_correction != 0) {
-                append_active(a.surface, block, list.watched[i], list);
+                append_active(a.surface, chunk, list.watched[i], list);
             }
         }
     }
@@ -218,7 +218,7 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     };
     list.node_forces.clear();
     if (std::all_of(active.count.begin(), active.count.end(), [](std::int32_t count) { return count == 0; })) {
-        std::fill(list.node_forces_of_block.begin(), list.node_forces_of_block.end(), Range{});
+        std::fill(list.node_forces_of_chunk.begin(), list.node_forces_of_chunk.end(), Range{});
         return;
     }
     std::vector<std::int32_t>& end_of_node = list.node_force_scratch;  // where the next force of a node goes
@@ -230,16 +230,16 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     });
     list.node_force_slots.resize(total);
     std::int32_t at = 0;
-    for (std::size_t block = 0; block < a.grain_blocks.size(); ++block) {
+    for (std::size_t chunk = 0; chunk < a.grain_chunks.size(); ++chunk) {
         const auto first = static_cast<std::int32_t>(list.node_forces.size());
-        for (std::int32_t node = a.grain_blocks[block].nodes.begin; node < a.grain_blocks[block].nodes.end; ++node) {
+        for (std::int32_t node = a.grain_chunks[chunk].nodes.begin; node < a.grain_chunks[chunk].nodes.end; ++node) {
             if (const std::int32_t count = end_of_node[node]; count > 0) {
                 list.node_forces.push_back({node, {at, at + count}});
                 end_of_node[node] = at;
                 at += count;
             }
         }
-        list.node_forces_of_block[block] = {first, static_cast<std::int32_t>(list.node_forces.size())};
+        list.node_forces_of_chunk[chunk] = {first, static_cast<std::int32_t>(list.node_forces.size())};
     }
     for_forces([&](std::int32_t node, std::int32_t slot) { list.node_force_slots[end_of_node[node]++] = slot; });
 }

@@ -18,17 +18,17 @@ constexpr double min_area = 0.1;     // of what a node stands for, in a crowd
 constexpr double aligned = 0.5;      // cosine of two normals up to which two edges count as one surface
 constexpr double corner = 0.05;      // sine of a turn of the surface from which on its two edges are two faces
 
-/// What a block of nodes is worked on with.
-struct Block {
+/// What a chunk of nodes is worked on with.
+struct Chunk {
     const Assemblage& assemblage;
     const StepParameters& parameters;
     State& state;
-    PairGeometries& geometry;  ///< by place among the block's watched pairs
+    PairGeometries& geometry;  ///< by place among the chunk's watched pairs
     std::int32_t index;
     double friction = 0;
 };
 
-/// Prefetches what the watched pairs of a block remember: they lie scattered in a long list.
+/// Prefetches what the watched pairs of a chunk remember: they lie scattered in a long list.
 void prefetch(const ContactPairList& list, Range watched) {
     for (std::int32_t i = watched.begin; i < watched.end; ++i) {
         const auto pair = static_cast<std::size_t>(list.watched[i]);
@@ -39,22 +39,22 @@ void prefetch(const ContactPairList& list, Range watched) {
 
 /// The watched pairs of one node.
 struct Group {
-    Block& block;
+    Chunk& chunk;
     Range watched;
-    std::int32_t origin;  ///< first watched pair of the block
+    std::int32_t origin;  ///< first watched pair of the chunk
 
     [[nodiscard]] std::int32_t size() const { return watched.size(); }
     [[nodiscard]] std::int32_t at(std::int32_t i) const { return watched.begin - origin + i; }
-    [[nodiscard]] std::int32_t pair(std::int32_t i) const { return block.state.contact_pairs.watched[watched.begin + i]; }
-    [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return block.state.contact_pairs.pairs[pair(i)].edge; }
-    [[nodiscard]] const SurfaceEdge& edge(std::int32_t i) const { return block.assemblage.surface.edges[edge_index(i)]; }
-    [[nodiscard]] NodeEdgeContact& contact(std::int32_t i) const { return block.state.contact_pairs.contacts[pair(i)]; }
+    [[nodiscard]] std::int32_t pair(std::int32_t i) const { return chunk.state.contact_pairs.watched[watched.begin + i]; }
+    [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return chunk.state.contact_pairs.pairs[pair(i)].edge; }
+    [[nodiscard]] const SurfaceEdge& edge(std::int32_t i) const { return chunk.assemblage.surface.edges[edge_index(i)]; }
+    [[nodiscard]] NodeEdgeContact& contact(std::int32_t i) const { return chunk.state.contact_pairs.contacts[pair(i)]; }
     [[nodiscard]] Vector2* forces(std::int32_t i) const {
-        return &block.state.contact_pairs.forces[3 * static_cast<std::size_t>(pair(i))];
+        return &chunk.state.contact_pairs.forces[3 * static_cast<std::size_t>(pair(i))];
     }
-    [[nodiscard]] std::int32_t node() const { return block.state.contact_pairs.pairs[pair(0)].node; }
-    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return block.geometry[at(i)]; }
-    [[nodiscard]] double depth(std::int32_t i) const { return block.geometry.depth(at(i)); }
+    [[nodiscard]] std::int32_t node() const { return chunk.state.contact_pairs.pairs[pair(0)].node; }
+    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return chunk.geometry[at(i)]; }
+    [[nodiscard]] double depth(std::int32_t i) const { return chunk.geometry.depth(at(i)); }
 };
 
 bool is_over(const PairGeometry& g, double beyond) { return g.place >= -beyond && g.place <= 1 + beyond; }
@@ -105,7 +105,7 @@ void clear(Group& group, std::int32_t i) {
 
 /// Ends a contact; what its springs still store is lost as the node slips off.
 void end_contact(Group& group, std::int32_t i) {
-    group.block.friction += node_edge_energy(group.block.parameters.law, group.contact(i));
+    group.chunk.friction += node_edge_energy(group.chunk.parameters.law, group.contact(i));
     clear(group, i);
 }
 
@@ -147,7 +147,7 @@ void continue_contact(Group& group) {
     }
     for (std::size_t k = 0; k < count; ++k) {
         if (const std::int32_t on = continue_contact(group, active[k]); on >= 0) {
-            append_active(group.block.assemblage.surface, group.block.index, group.pair(on), group.block.state.contact_pairs);
+            append_active(group.chunk.assemblage.surface, group.chunk.index, group.pair(on), group.chunk.state.contact_pairs);
         }
     }
 }
@@ -166,9 +166,9 @@ double available_area(const GrainSurface& surface, const std::vector<ContactGeom
 
 /// Area of a new contact: what the node stands for, or less where others occupy node or edge already.
 double area_of(const Group& group, std::int32_t i) {
-    const Assemblage& a = group.block.assemblage;
+    const Assemblage& a = group.chunk.assemblage;
     const auto room = [&](std::int32_t node) {
-        return available_area(a.surface, a.contacts, group.block.state.contact_pairs, node);
+        return available_area(a.surface, a.contacts, group.chunk.state.contact_pairs, node);
     };
     const double tributary = a.surface.tributary[group.node()];
     const std::int32_t end = group.edge(i).nodes[group.geometry(i).place < 0.5 ? 0 : 1];
@@ -181,7 +181,7 @@ bool may_begin(const Group& group, std::int32_t i) {
     if (group.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {
         return false;
     }
-    const bool is_deep = g.depth > deep * group.block.assemblage.surface.mean_length;
+    const bool is_deep = g.depth > deep * group.chunk.assemblage.surface.mean_length;
     if (!is_deep && !is_over(g, -corner_zone)) {
         return false;
     }
@@ -191,8 +191,8 @@ bool may_begin(const Group& group, std::int32_t i) {
             return false;
         }
     }
-    return !came_through_neighbour(group.block.assemblage, group.block.state,
-                                   group.block.state.contact_pairs.pairs[group.pair(i)], g, 0);
+    return !came_through_neighbour(group.chunk.assemblage, group.chunk.state,
+                                   group.chunk.state.contact_pairs.pairs[group.pair(i)], g, 0);
 }
 
 void begin_contacts(Group& group) {
@@ -200,7 +200,7 @@ void begin_contacts(Group& group) {
         if (may_begin(group, i)) {
             const PairGeometry g = group.geometry(i);
             group.contact(i) = {true, g.place < 0.5, area_of(group, i), g.depth, 0, 0, 0};
-            append_active(group.block.assemblage.surface, group.block.index, group.pair(i), group.block.state.contact_pairs);
+            append_active(group.chunk.assemblage.surface, group.chunk.index, group.pair(i), group.chunk.state.contact_pairs);
         }
     }
 }
@@ -240,17 +240,17 @@ bool came_through_neighbour(const Assemblage& a, const State& s, const Candidate
 
 void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t index, State& s) {
     ContactPairList& list = s.contact_pairs;
-    const Range groups = list.blocks[index];
+    const Range groups = list.chunks[index];
     const std::int32_t origin = list.first_watched(index);
     const std::int32_t count = list.watched_groups[groups.end - 1].end - origin;
     prefetch(list, {origin, origin + count});
     store_active(index, list);
     static thread_local PairGeometries geometry;
-    Block block{a, parameters, s, geometry, index};
+    Chunk chunk{a, parameters, s, geometry, index};
     geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[origin + i]; });
     const auto for_groups = [&](auto&& act) {
         for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-            Group group{block, list.watched_groups[i], origin};
+            Group group{chunk, list.watched_groups[i], origin};
             act(group);
         }
     };
@@ -262,7 +262,7 @@ void detect_contacts(const Assemblage& a, const StepParameters& parameters, std:
     store_active(index, list);
     for_groups(begin_contacts);
     list.active.changed[index] = list.active.changed[index] != 0 || list.active.count[index] != before ? 1 : 0;
-    list.friction[index] += block.friction;
+    list.friction[index] += chunk.friction;
 }
 
 }  // namespace graincrack

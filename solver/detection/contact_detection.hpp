@@ -25,8 +25,8 @@ inline constexpr double deep = 6e-3;         // of the mean edge: a node as far 
 bool came_through_neighbour(const Assemblage& assemblage, const State& state, const CandidatePair& pair,
                             const PairGeometry& geometry, double margin);
 
-/// Moves the contacts of a block as `move_active_contacts` does; decides before it which of them end or are transferred to
+/// Moves the contacts of a chunk as `move_active_contacts` does; decides before it which of them end or are transferred to
 /// another edge, and after it which begin.
-void detect_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+void detect_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t chunk, State& state);
 
 }  // namespace graincrack

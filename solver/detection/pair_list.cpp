@@ -31,7 +31,7 @@ constexpr double max_travel_p95 = 1e-3;  // of the mean edge, that such nodes ma
 constexpr double max_travel_fastest = 1e-2;  // and that the fastest may
 constexpr double safety_factor = 8;          // times the travel of node and edge until the next update, plus
 constexpr double safety_factor_p95 = 2;      // times the travel at the 95th percentile: a pair nearer than that is watched
-constexpr std::size_t groups_per_block = 32;
+constexpr std::size_t groups_per_chunk = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
 
@@ -240,7 +240,7 @@ void find_watched(const Assemblage& a, double duration, double speed_p95, State&
     for (std::size_t i = 0; i < list.groups.size(); ++i) {
         const Range pairs = list.groups[i];
         if (pairs.begin == seen.end) {
-            seen = {pairs.begin, list.groups[std::min(i + groups_per_block, list.groups.size()) - 1].end};
+            seen = {pairs.begin, list.groups[std::min(i + groups_per_chunk, list.groups.size()) - 1].end};
             watch.find_geometry(seen);
         }
         const auto begin = static_cast<std::int32_t>(list.watched.size());
@@ -259,12 +259,12 @@ void watch_pairs(const Assemblage& a, double duration, double speed_p95, State& 
     ContactPairList& list = s.contact_pairs;
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
     find_watched(a, duration, speed_p95, s);
-    list.blocks.clear();
-    for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_block) {
-        const std::size_t end = std::min(i + groups_per_block, list.watched_groups.size());
-        list.blocks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
+    list.chunks.clear();
+    for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_chunk) {
+        const std::size_t end = std::min(i + groups_per_chunk, list.watched_groups.size());
+        list.chunks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
     }
-    list.friction.assign(list.blocks.size(), 0.0);
+    list.friction.assign(list.chunks.size(), 0.0);
     load_active(a, list);
 }
 
@@ -314,7 +314,7 @@ std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::
         }
         for (std::int32_t k = 0; k < 4; ++k) {
             const std::int32_t slot = slot_of(c, k);
-            s.contact_force[slot] = s.contact_force[slot + contacts_per_block] = 0;
+            s.contact_force[slot] = s.contact_force[slot + contacts_per_chunk] = 0;
         }
     }
     return carried;
@@ -410,10 +410,10 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
     watch_pairs(a, static_cast<double>(longest) * parameters.time_step, speeds.p95, s);
     find_occupied_area(a, list);
     if (scaled) {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-            detect_contacts(a, parameters, block, s);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
+            detect_contacts(a, parameters, chunk, s);
         }
-        list.blocks.clear();
+        list.chunks.clear();
     }
     const double steps = travel_fastest > 0 ? 0.5 * (allowed - gone) / travel_fastest : static_cast<double>(max_steps);
     list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(min_steps, longest), longest);

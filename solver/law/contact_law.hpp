@@ -93,7 +93,7 @@ void cross(const ContactLaw& law, bool opens, double sliding, ContactResponse& r
     // Stored energy of the closed branch at δn → 0−: a zero opening counts as open, so approach it from below.
     ContactHistory after = r.history;
     after.motion.opening = opens ? 0.0 : -std::numeric_limits<double>::denorm_min();
-    r.dissipation.mismatch +=
+    r.dissipation.non_conservative_work +=
         before - Law::stored_energy(law, after) - (r.dissipation.fracture + r.dissipation.friction - booked);
     r.history.motion.opening = after.motion.opening;
 }

@@ -34,7 +34,7 @@ inline double continuous_reduction(const ContactLaw& law, const ContactHistory& 
 }
 /// Work per area of the non-gradient part of the traction between two open motions before failure (midpoint rule):
 /// with ψ = q h(λ), T − ∇ψ = (e^(−λ)/2 − h)(∇q − (q/λ²)∇λ²).
-inline double continuous_mismatch(const ContactLaw& law, const ContactMotion& from, const ContactMotion& to) {
+inline double continuous_non_conservative_work(const ContactLaw& law, const ContactMotion& from, const ContactMotion& to) {
     const ContactMotion mid{0.5 * (from.opening + to.opening), 0.5 * (from.sliding + to.sliding)};
     const double l2 = lambda_squared(law, mid);
     if (l2 == 0) {
@@ -68,7 +68,7 @@ struct Continuous : PaperCompression {
         const double q = quadratic_form(law, to);
         double reduction = 0;
         if (!h.failed_open) {
-            r.dissipation.mismatch += continuous_mismatch(law, h.motion, to);
+            r.dissipation.non_conservative_work += continuous_non_conservative_work(law, h.motion, to);
             const double lambda = std::sqrt(l2);
             reduction = exp_of_minus(lambda);
             if (lambda > 1) {

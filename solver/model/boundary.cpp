@@ -48,14 +48,14 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
             }
         }
     }
-    b.platen_points_of_block = ranges_by_block(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
+    b.platen_points_of_chunk = ranges_by_chunk(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
         if (std::find(membrane_parts.begin(), membrane_parts.end(), s.boundary_part[e]) != membrane_parts.end()) {
             b.membrane_edges.push_back({a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]});
         }
     }
     std::sort(b.membrane_edges.begin(), b.membrane_edges.end());
-    b.membrane_edges_of_block = ranges_by_block(a, b.membrane_edges, [](const auto& edge) { return edge[0]; });
+    b.membrane_edges_of_chunk = ranges_by_chunk(a, b.membrane_edges, [](const auto& edge) { return edge[0]; });
     return b;
 }
 

@@ -76,13 +76,13 @@ inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& p
     return r;
 }
 
-/// Boundary data of a run, sorted by node; ranges by block of grains.
+/// Boundary data of a run, sorted by node; ranges by chunk of grains.
 struct Boundary {
     std::array<Platen, 2> platens;
     std::vector<PlatenPoint> platen_points;
-    std::vector<Range> platen_points_of_block;
+    std::vector<Range> platen_points_of_chunk;
     std::vector<std::array<std::int32_t, 2>> membrane_edges;  ///< solid on the left
-    std::vector<Range> membrane_edges_of_block;
+    std::vector<Range> membrane_edges_of_chunk;
     PrescribedConditions prescribed;
 };
 

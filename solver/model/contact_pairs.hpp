@@ -50,8 +50,8 @@ struct ActiveContacts {
     std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction,
         place;                          ///< of `NodeEdgeContact`, `PairGeometry`
     std::vector<Vector2> forces;        ///< [3] on the nodes, N
-    std::vector<std::int32_t> count;    ///< by block; those of a block lie from its first watched pair on
-    std::vector<std::uint8_t> changed;  ///< by block: the last detection found others than were there before
+    std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
+    std::vector<std::uint8_t> changed;  ///< by chunk: the last detection found others than were there before
 };
 
 struct ContactPairList {
@@ -64,14 +64,14 @@ struct ContactPairList {
     std::vector<Range> groups;            ///< pairs of one node
     std::vector<std::int32_t> watched;    ///< pairs that matter before the next update, ascending; the others have no forces
     std::vector<Range> watched_groups;    ///< of them, of one node each
-    std::vector<Range> blocks;            ///< of `watched_groups`, that one thread works on at a time
+    std::vector<Range> chunks;            ///< of `watched_groups`, that one thread works on at a time
     std::int64_t detection_interval = 1;  ///< steps, or substeps, from one detection to the next
     ActiveContacts active;
-    std::vector<double> friction;                  ///< [blocks] dissipated since the last update, J
+    std::vector<double> friction;                  ///< [chunks] dissipated since the last update, J
     double friction_before = 0;                    ///< and before it, J
     std::vector<NodeForces> node_forces;           ///< ascending by node
     std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
-    std::vector<Range> node_forces_of_block;       ///< by block of grains
+    std::vector<Range> node_forces_of_chunk;       ///< by chunk of grains
     std::vector<std::int32_t> node_force_scratch;  ///< [n]
     std::vector<Vector2> displacement_at_search;   ///< [n] m
     bool wants_rebuild = false;                    ///< something debonded or moved far since the last search
@@ -79,13 +79,13 @@ struct ContactPairList {
     std::vector<double> occupied_area;             ///< [n] area of a node that contacts occupy, at the last update, m²
     std::int64_t next_check = 0;                   ///< step
 
-    [[nodiscard]] std::int32_t first_watched(std::int32_t block) const { return watched_groups[blocks[block].begin].begin; }
+    [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
     /// Calls `visit` with the place of each active contact.
     template <class Visit>
     void for_active(Visit&& visit) const {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(blocks.size()); ++block) {
-            const std::int32_t begin = first_watched(block);
-            for (std::int32_t i = begin; i < begin + active.count[block]; ++i) {
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(chunks.size()); ++chunk) {
+            const std::int32_t begin = first_watched(chunk);
+            for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
                 visit(i);
             }
         }

@@ -36,13 +36,13 @@ struct LoadedEdge {
     double length = 0;  ///< reference, m
 };
 
-/// Sorted by node; ranges by block of grains.
+/// Sorted by node; ranges by chunk of grains.
 struct PrescribedConditions {
     Vector2 gravity;  ///< m/s²
     std::vector<PrescribedNode> nodes;
-    std::vector<Range> nodes_of_block;
+    std::vector<Range> nodes_of_chunk;
     std::vector<LoadedEdge> edges;
-    std::vector<Range> edges_of_block;
+    std::vector<Range> edges_of_chunk;
     [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && gravity.x == 0 && gravity.y == 0; }
 };
 /// Sorts nodes and edges and finds their ranges.

@@ -33,9 +33,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
     s.prescribed.pressing.resize(boundary.prescribed.edges.size());
-    s.grain_sums.resize(a.grain_blocks.size());
-    s.contact_sums.resize(a.contact_blocks.size());
-    s.events.resize(a.contact_blocks.size());
+    s.grain_sums.resize(a.grain_chunks.size());
+    s.contact_sums.resize(a.contact_chunks.size());
+    s.events.resize(a.contact_chunks.size());
     return s;
 }
 

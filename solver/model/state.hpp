@@ -26,14 +26,14 @@ struct ContactEvent {
     Vector2 position;  ///< middle of the half-edge the point stands for
 };
 
-/// Energies summed over the contacts of a block since the start, J.
+/// Energies summed over the contacts of a chunk since the start, J.
 struct ContactSums {
     double fracture_tension = 0;
     double fracture_shear = 0;
     double friction = 0;
-    double mismatch = 0;
+    double non_conservative_work = 0;
 };
-/// Energies summed over the grains of a block since the start, J.
+/// Energies summed over the grains of a chunk since the start, J.
 struct GrainSums {
     double damping = 0;
     double platen_work = 0;
@@ -43,34 +43,34 @@ struct GrainSums {
     double platen_friction = 0;
 };
 
-/// What failed points remember. Kept for blocks of contacts of which a point has failed; all other points remember nothing.
+/// What failed points remember. Kept for chunks of contacts of which a point has failed; all other points remember nothing.
 class PointMemories {
 public:
     PointMemories() = default;
-    explicit PointMemories(std::size_t n_points) : blocks_((n_points + points_per_block - 1) / points_per_block) {}
+    explicit PointMemories(std::size_t n_points) : chunks_((n_points + points_per_chunk - 1) / points_per_chunk) {}
     const ContactHistory& operator[](std::size_t point) const {
-        const auto& block = blocks_[point / points_per_block];
-        return block.empty() ? nothing_ : block[point % points_per_block];
+        const auto& chunk = chunks_[point / points_per_chunk];
+        return chunk.empty() ? nothing_ : chunk[point % points_per_chunk];
     }
-    /// To be written to, by the thread that works on the block.
+    /// To be written to, by the thread that works on the chunk.
     ContactHistory& of(std::size_t point) {
-        auto& block = blocks_[point / points_per_block];
-        if (block.empty()) {
-            block.resize(points_per_block);
+        auto& chunk = chunks_[point / points_per_chunk];
+        if (chunk.empty()) {
+            chunk.resize(points_per_chunk);
         }
-        return block[point % points_per_block];
+        return chunk[point % points_per_chunk];
     }
 
 private:
-    static constexpr std::size_t points_per_block = 2UL * contacts_per_block;
+    static constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
     static constexpr ContactHistory nothing_{};
-    std::vector<std::vector<ContactHistory>> blocks_;
+    std::vector<std::vector<ContactHistory>> chunks_;
 };
 
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t integrations = 0;       ///< steps, or parts of them where they are made of parts
+    std::int64_t integrations = 0;       ///< steps, or substeps of them where they are made of substeps
     std::int64_t origin_step = 0;        ///< from which on the time step is what it is
     double origin_time = 0;              ///< of that step, s
     std::vector<Vector2> displacement;   ///< [n] m, at `time`
@@ -92,14 +92,14 @@ struct State {
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
     std::vector<Vector2> membrane_force;            ///< on each end of a membrane edge, N, scratch of the node stage
-    std::vector<GrainSums> grain_sums;              ///< by block of grains
-    std::vector<ContactSums> contact_sums;          ///< by block of contacts
-    std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
+    std::vector<GrainSums> grain_sums;              ///< by chunk of grains
+    std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
+    std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected
     StepLoading loading;                            ///< at `time`
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
-    bool subcycled = false;  ///< mass scaling is over, see `StepParameters::parts`
+    bool subcycled = false;  ///< mass scaling is over, see `StepParameters::substeps`
 };
 
 /// Time of a step, s.

@@ -8,11 +8,11 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t n = contacts_per_block;
+constexpr std::int32_t n = contacts_per_chunk;
 constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
 static_assert(n % lanes == 0);
 
-/// A block's contacts side by side, and their points: 2 i + p.
+/// A chunk's contacts side by side, and their points: 2 i + p.
 struct Lanes {
     alignas(64) double edge_x[n], edge_y[n], area[n];
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
@@ -57,16 +57,16 @@ void prefetch(const T* data, std::size_t count) {
     }
 }
 
-/// Asks for what the next block will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
-/// so they are asked for a block earlier.
-void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t block) {
-    const auto n_blocks = static_cast<std::int32_t>(a.contact_blocks.size());
-    if (block + 2 < n_blocks) {
-        const Range later = a.contact_blocks[block + 2];
+/// Asks for what the next chunk will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
+/// so they are asked for a chunk earlier.
+void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t chunk) {
+    const auto n_chunks = static_cast<std::int32_t>(a.contact_chunks.size());
+    if (chunk + 2 < n_chunks) {
+        const Range later = a.contact_chunks[chunk + 2];
         prefetch(&a.contacts[later.begin], static_cast<std::size_t>(later.size()));
     }
-    if (block + 1 < n_blocks) {
-        const Range next = a.contact_blocks[block + 1];
+    if (chunk + 1 < n_chunks) {
+        const Range next = a.contact_chunks[chunk + 1];
         const auto first = 2 * static_cast<std::size_t>(next.begin);
         for (const auto* values : {&s.opening, &s.sliding, &s.integrity, &s.fracture_energy}) {
             prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
@@ -87,7 +87,7 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
     return found != 0;
 }
 
-/// What is known of the points of a block before they move.
+/// What is known of the points of a chunk before they move.
 void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
@@ -131,7 +131,7 @@ GRAINCRACK_INLINE void find_motions(std::int32_t count, Lanes& b) {
     }
 }
 
-/// What the intact law changes of the points of a block, and what it finds.
+/// What the intact law changes of the points of a chunk, and what it finds.
 struct Points {
     const double* old_opening;
     const double* old_sliding;
@@ -179,7 +179,7 @@ GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points
     }
 }
 
-/// Sum of values of the points of a block, by lanes.
+/// Sum of values of the points of a chunk, by lanes.
 GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
     double sum[lanes] = {};
     for (std::int32_t k = 2 * count; k % lanes != 0; ++k) {
@@ -230,7 +230,7 @@ GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t cou
 }
 
 /// The full law at one point: energies and events on top of the traction.
-ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int32_t c, std::int32_t p,
+ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int32_t c, std::int32_t p,
                               const ContactMotion& to, const Vector2& tangent, std::int64_t step, State& s) {
     const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
     const ContactGeometry& g = a.contacts[c];
@@ -239,14 +239,14 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     history.integrity = s.integrity[point];
     history.slip = s.slip[point];
     const ContactResponse r = update_contact(law, to, history);
-    ContactSums& sums = s.contact_sums[block];
+    ContactSums& sums = s.contact_sums[chunk];
     const double fracture = g.point_area * r.dissipation.fracture;
     // Damage before the peak (consistent) counts to the branch it happens on.
     const bool tensile = r.history.failed() ? r.history.first_mode == CrackMode::tensile : to.opening >= 0;
     (tensile ? sums.fracture_tension : sums.fracture_shear) += fracture;
     s.fracture_energy[point] += fracture;
     sums.friction += g.point_area * r.dissipation.friction;
-    sums.mismatch += g.point_area * r.dissipation.mismatch;
+    sums.non_conservative_work += g.point_area * r.dissipation.non_conservative_work;
     const bool fails = r.history.failed() && !history.failed();
     const bool separates = r.history.separated && !history.separated;
     if (fails || separates) {
@@ -257,12 +257,12 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
                            {},   tangent, first + along * (second - first)};
         event.peak_traction = update_contact(law, history.motion, history).traction;
         if (fails) {
-            s.events[block].push_back(event);
+            s.events[chunk].push_back(event);
             s.clusters.note_failure(point);
         }
         if (separates) {
             event.is_separation = true;
-            s.events[block].push_back(event);
+            s.events[chunk].push_back(event);
         }
     }
     history = r.history;
@@ -273,12 +273,12 @@ ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::i
     return r.traction;
 }
 
-void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s, Lanes& b) {
-    const Range range = a.contact_blocks[block];
+void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
+    const Range range = a.contact_chunks[chunk];
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.ordinary[k] == 0) {
             const std::int32_t i = k / 2;
-            const ContactTraction t = advance_point(a, law, block, range.begin + i, k % 2, {b.opening[k], b.sliding[k]},
+            const ContactTraction t = advance_point(a, law, chunk, range.begin + i, k % 2, {b.opening[k], b.sliding[k]},
                                                     {b.tangent_x[i], b.tangent_y[i]}, step, s);
             b.normal_traction[k] = t.normal;
             b.shear_traction[k] = t.shear;
@@ -326,15 +326,15 @@ GRAINCRACK_INLINE void keep_motions(std::int32_t count, const Lanes& b, double* 
 
 }  // namespace
 
-void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s) {
-    const Range range = a.contact_blocks[block];
+void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s) {
+    const Range range = a.contact_chunks[chunk];
     const std::int32_t count = range.size();
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
-    ContactSums& sums = s.contact_sums[block];
+    ContactSums& sums = s.contact_sums[chunk];
     Lanes batch;
     gather(a, s, range, batch);
-    prefetch_ahead(a, s, block);
+    prefetch_ahead(a, s, chunk);
     sort_points(a, s, range, batch);
     std::int32_t left_over = 0;
     contact_law::with_law(law.variant, [&](auto kind) {
@@ -355,10 +355,10 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t b
         left_over = count_left_over(count, batch);
     });
     if (left_over > 0) {
-        apply_full_law(a, law, block, step, s, batch);
+        apply_full_law(a, law, chunk, step, s, batch);
     }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        find_forces(count, batch, &s.contact_force[slot_stride * static_cast<std::size_t>(block)]);
+        find_forces(count, batch, &s.contact_force[slot_stride * static_cast<std::size_t>(chunk)]);
         keep_motions(count, batch, &s.opening[first], &s.sliding[first]);
     });
 }

@@ -15,11 +15,11 @@ LoadingClock::LoadingClock(const IntervalLoading& batch, std::int64_t n_steps, d
     prepare();
 }
 
-void LoadingClock::part(std::int64_t parts) {
-    n_steps_ *= parts;
-    k_ *= parts;
-    steps_since_origin_ *= parts;
-    time_step_ /= static_cast<double>(parts);
+void LoadingClock::subcycle(std::int64_t substeps) {
+    n_steps_ *= substeps;
+    k_ *= substeps;
+    steps_since_origin_ *= substeps;
+    time_step_ /= static_cast<double>(substeps);
     prepare();
 }
 

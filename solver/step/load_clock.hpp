@@ -13,8 +13,8 @@ class LoadingClock {
 public:
     LoadingClock(const IntervalLoading& batch, std::int64_t n_steps, double time_step, const State& state);
     [[nodiscard]] const StepLoading& now() const { return now_; }
-    /// From here on every step is `parts` steps.
-    void part(std::int64_t parts);
+    /// From here on every step is `substeps` steps.
+    void subcycle(std::int64_t substeps);
     void tick();
 
 private:

@@ -70,24 +70,24 @@ void add_elements(const Assemblage& a, Range range, State& s) {
     }
 }
 
-/// Forces of contacts on the nodes of a block; sets `state.force`.
-void gather_contacts(const Assemblage& a, const GrainBlock& block, State& s) {
+/// Forces of contacts on the nodes of a chunk; sets `state.force`.
+void gather_contacts(const Assemblage& a, const GrainChunk& chunk, State& s) {
     const double* const value = s.contact_force.data();
     const std::array<std::int32_t, 2>* const slots = a.slots.data();
     Vector2* const force = s.force.data();
-    for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
+    for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
         const auto [first, second] = slots[i];
-        force[i] = {value[first] + value[second], value[first + contacts_per_block] + value[second + contacts_per_block]};
+        force[i] = {value[first] + value[second], value[first + contacts_per_chunk] + value[second + contacts_per_chunk]};
     }
-    for (std::int32_t i = block.further_slots.begin; i < block.further_slots.end; ++i) {
+    for (std::int32_t i = chunk.further_slots.begin; i < chunk.further_slots.end; ++i) {
         const auto [node, slot] = a.further_slots[i];
-        s.force[node] += {value[slot], value[slot + contacts_per_block]};
+        s.force[node] += {value[slot], value[slot + contacts_per_chunk]};
     }
 }
 
-void add_active_contacts(std::int32_t block, State& s) {
+void add_active_contacts(std::int32_t chunk, State& s) {
     const ContactPairList& list = s.contact_pairs;
-    const Range node_forces = list.node_forces_of_block[block];
+    const Range node_forces = list.node_forces_of_chunk[chunk];
     for (std::int32_t i = node_forces.begin; i < node_forces.end; ++i) {
         const NodeForces& gather = list.node_forces[i];
         for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
@@ -96,8 +96,8 @@ void add_active_contacts(std::int32_t block, State& s) {
     }
 }
 
-void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit, State& s) {
-    const Range points = boundary.platen_points_of_block[block];
+void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, bool commit, State& s) {
+    const Range points = boundary.platen_points_of_chunk[chunk];
     for (std::int32_t i = points.begin; i < points.end; ++i) {
         PlatenPoint& point = s.platen_points[i];
         const Platen& platen = boundary.platens[point.platen];
@@ -112,16 +112,16 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         if (commit) {
             point.anchor = r.anchor;
             point.shear = r.shear;
-            s.grain_sums[block].platen_friction += r.friction;
-            s.grain_sums[block].platen_work +=
+            s.grain_sums[chunk].platen_friction += r.friction;
+            s.grain_sums[chunk].platen_work +=
                 0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
         }
     }
 }
 
-void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure, std::int32_t block, State& s) {
+void add_membrane(const Assemblage& a, const Boundary& boundary, double pressure, std::int32_t chunk, State& s) {
     const double half_pressure = 0.5 * pressure;
-    const Range edges = boundary.membrane_edges_of_block[block];
+    const Range edges = boundary.membrane_edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         const auto [first, second] = boundary.membrane_edges[i];
         const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
@@ -153,40 +153,40 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
 
 }  // namespace
 
-void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit,
+void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, bool commit,
                       State& s) {
-    const GrainBlock& range = a.grain_blocks[block];
+    const GrainChunk& range = a.grain_chunks[chunk];
     std::fill(s.touching.begin() + range.nodes.begin, s.touching.begin() + range.nodes.end, std::uint8_t{0});
     gather_contacts(a, range, s);
     add_elements(a, range.elements, s);
-    add_active_contacts(block, s);
-    add_platens(boundary, loading, block, commit, s);
-    add_membrane(a, boundary, loading.pressure, block, s);
+    add_active_contacts(chunk, s);
+    add_platens(boundary, loading, chunk, commit, s);
+    add_membrane(a, boundary, loading.pressure, chunk, s);
     if (!boundary.prescribed.empty()) {
-        add_prescribed(a, boundary.prescribed, loading, block, s);
+        add_prescribed(a, boundary.prescribed, loading, chunk, s);
     }
 }
 
-void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t block, double time_step, State& s) {
+void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
     double work = 0;
-    const Range edges = boundary.membrane_edges_of_block[block];
+    const Range edges = boundary.membrane_edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         const auto [first, second] = boundary.membrane_edges[i];
         work += 0.5 * time_step * dot(s.membrane_force[i], s.velocity[first] + s.velocity[second]);
     }
-    s.grain_sums[block].membrane_work += work;
+    s.grain_sums[chunk].membrane_work += work;
     if (!boundary.prescribed.empty()) {
-        s.grain_sums[block].load_work += load_half_work(a, boundary.prescribed, block, time_step, s);
+        s.grain_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
     }
 }
 
-void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
+void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,
                      State& s) {
-    const Range nodes = a.grain_blocks[block].nodes;
-    GrainSums& sums = s.grain_sums[block];
+    const Range nodes = a.grain_chunks[chunk].nodes;
+    GrainSums& sums = s.grain_sums[chunk];
     const double dt = parameters.time_step;
-    book_half_work(a, boundary, block, dt, s);
-    hold_prescribed(boundary.prescribed, block, s);
+    book_half_work(a, boundary, chunk, dt, s);
+    hold_prescribed(boundary.prescribed, chunk, s);
     const std::int32_t n = nodes.size();
     double absorbed = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
@@ -194,8 +194,8 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
                               &s.last_force[nodes.begin], &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
     });
     sums.damping += absorbed;
-    sums.reaction_work += move_prescribed(a, boundary.prescribed, block, dt, s);
-    book_half_work(a, boundary, block, dt, s);
+    sums.reaction_work += move_prescribed(a, boundary.prescribed, chunk, dt, s);
+    book_half_work(a, boundary, chunk, dt, s);
 }
 
 }  // namespace graincrack

@@ -43,17 +43,17 @@ double lead(double prescribed, double old_velocity, double reaction, double iner
 
 }  // namespace
 
-void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t block,
+void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
                     State& s) {
-    const Range nodes = a.grain_blocks[block].nodes;
+    const Range nodes = a.grain_chunks[chunk].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         s.force[i] += a.rock_mass[i] * prescribed.gravity;
     }
-    const Range edges = prescribed.edges_of_block[block];
+    const Range edges = prescribed.edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         add_edge_load(a, prescribed.edges[i], loading, i, s);
     }
-    const Range driven = prescribed.nodes_of_block[block];
+    const Range driven = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = driven.begin; i < driven.end; ++i) {
         const PrescribedNode& node = prescribed.nodes[i];
         PrescribedState::Node& state = s.prescribed.nodes[i];
@@ -64,16 +64,16 @@ void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed,
     }
 }
 
-double load_half_work(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+double load_half_work(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                       const State& s) {
     double work = 0;
-    const Range edges = prescribed.edges_of_block[block];
+    const Range edges = prescribed.edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         const auto [first, second] = prescribed.edges[i].nodes;
         work += dot(s.prescribed.load[i], s.velocity[first] + s.velocity[second]);
     }
     Vector2 momentum;
-    const Range nodes = a.grain_blocks[block].nodes;
+    const Range nodes = a.grain_chunks[chunk].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         momentum += a.rock_mass[i] * s.velocity[i];
     }
@@ -88,24 +88,24 @@ double reaction_half_work(const PrescribedConditions& prescribed, double time_st
     return 0.5 * time_step * work;
 }
 
-void hold_prescribed(const PrescribedConditions& prescribed, std::int32_t block, State& s) {
+void hold_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
     if (prescribed.nodes.empty()) {
         return;
     }
-    const Range driven = prescribed.nodes_of_block[block];
+    const Range driven = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = driven.begin; i < driven.end; ++i) {
         s.prescribed.nodes[i].displacement = s.displacement[prescribed.nodes[i].node];
         s.prescribed.nodes[i].old_velocity = s.velocity[prescribed.nodes[i].node];
     }
 }
 
-double move_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+double move_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                        State& s) {
     if (prescribed.nodes.empty()) {
         return 0;
     }
     double work = 0;
-    const Range driven = prescribed.nodes_of_block[block];
+    const Range driven = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = driven.begin; i < driven.end; ++i) {
         const std::int32_t node = prescribed.nodes[i].node;
         const PrescribedState::Node& n = s.prescribed.nodes[i];

@@ -1,4 +1,4 @@
-// A team of threads that walk through many steps together: contiguous shares of blocks and a cheap barrier.
+// A team of threads that walk through many steps together: contiguous shares of chunks and a cheap barrier.
 #pragma once
 
 #include <algorithm>

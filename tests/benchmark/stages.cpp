@@ -19,32 +19,32 @@ LoadingRequest compression() {
 }
 
 template <class Act>
-void for_each_block(std::size_t n, Act&& act) {
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(n); ++block) {
-        act(block);
+void for_each_chunk(std::size_t n, Act&& act) {
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(n); ++chunk) {
+        act(chunk);
     }
 }
 
 void contacts(LoadedSpecimen& l) {
-    for_each_block(l.assemblage.contact_blocks.size(),
-                   [&](std::int32_t block) { advance_contacts(l.assemblage, l.parameters.law, block, l.state.step, l.state); });
+    for_each_chunk(l.assemblage.contact_chunks.size(),
+                   [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.law, chunk, l.state.step, l.state); });
 }
 void forces(LoadedSpecimen& l) {
-    for_each_block(l.assemblage.grain_blocks.size(), [&](std::int32_t block) {
-        sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, block, false, l.state);
+    for_each_chunk(l.assemblage.grain_chunks.size(), [&](std::int32_t chunk) {
+        sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, chunk, false, l.state);
     });
 }
 void nodes(LoadedSpecimen& l) {
     StepParameters still = l.parameters;
     still.time_step = 0;  // as much work, and the state stays
-    for_each_block(l.assemblage.grain_blocks.size(),
-                   [&](std::int32_t block) { integrate_nodes(l.assemblage, l.boundary, still, block, l.state); });
+    for_each_chunk(l.assemblage.grain_chunks.size(),
+                   [&](std::int32_t chunk) { integrate_nodes(l.assemblage, l.boundary, still, chunk, l.state); });
 }
 void groups(LoadedSpecimen& l) {
     const double time_step = std::exchange(l.parameters.time_step, 0.0);
-    for_each_block(l.parameters.mass_scaling.blocks.size(), [&](std::int32_t block) {
-        update_clusters(l.assemblage, l.parameters, l.state.loading, block, l.state);
-        integrate_clusters(l.assemblage, l.parameters, l.state.loading, block, l.state);
+    for_each_chunk(l.parameters.mass_scaling.chunks.size(), [&](std::int32_t chunk) {
+        update_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
+        integrate_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
     });
     l.parameters.time_step = time_step;
 }
@@ -60,7 +60,7 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
     const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
     const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, factor);
     parameters.mass_scaling = make_mass_scaling(assemblage, factor);
-    parameters.parts = step.parts;
+    parameters.substeps = step.parts;
     parameters.time_step = 0.7 * step.time_step;
     state = make_state(assemblage, boundary, specimen);
     for (std::size_t i = 0; i < state.velocity.size(); ++i) {

@@ -207,7 +207,7 @@ TEST(ContactLawPaths, MirrorSymmetryInSliding) {
                    "the same, to the bit", law.tc);
             EXPECT_EQ(walk.fracture(), mirrored.fracture());
             EXPECT_EQ(walk.friction(), mirrored.friction());
-            EXPECT_EQ(walk.mismatch(), mirrored.mismatch());
+            EXPECT_EQ(walk.non_conservative(), mirrored.non_conservative());
             EXPECT_EQ(walk.history().failed_open, mirrored.history().failed_open);
         }
     }
@@ -229,12 +229,12 @@ TEST(ContactLawPaths, NoMismatchWhereThereIsAPotential) {
             ContactHistory start;
             start.motion.opening = -1e-30;  // closed from the first step on
             const ContactWalk pushed = led_along(law, closed, 200, 1, start);
-            EXPECT_EQ(pushed.mismatch(), 0);
+            EXPECT_EQ(pushed.non_conservative(), 0);
             EXPECT_GT(pushed.work(), 0);
             const ContactWalk pulled = led_along(law, opening, 200);
-            expect_close(pulled.mismatch(), 0, 1e-12, c.fracture_energy);
+            expect_close(pulled.non_conservative(), 0, 1e-12, c.fracture_energy);
             EXPECT_GT(pulled.fracture(), 0);
-            others = std::max(others, std::abs(led_along(law, random_path(c, seed), 200).mismatch()));
+            others = std::max(others, std::abs(led_along(law, random_path(c, seed), 200).non_conservative()));
         }
         if (description_of(law.variant).potential) {
             verify("law: random paths, mismatch over Gf, " + std::string(name_of(law.variant)), others, 0, 1e-12,

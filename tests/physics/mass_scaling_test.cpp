@@ -1,4 +1,4 @@
-// Selective mass scaling: a longer step that stays stable while groups fall apart, the same balance at rest, momentum to
+// Selective mass scaling: a longer step that stays stable while clusters fall apart, the same balance at rest, momentum to
 // round-off, a closed ledger, and fragments that fly free.
 #include "solver/model/vertex_clusters.hpp"
 
@@ -45,7 +45,7 @@ SmallRun scaled_run(const Specimen& specimen, const ContactLaw& law, bool platen
 
 // --- the stable step -------------------------------------------------------------------------------------------------------
 
-/// M' of a specimen whose groups are those its contacts make, the supported ones held by a platen.
+/// M' of a specimen whose clusters are those its contacts make, the supported ones held by a platen.
 Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, double beta) {
     const auto n = static_cast<Eigen::Index>(a.position.size());
     std::vector<bool> on_platen(a.position.size(), false);
@@ -54,18 +54,18 @@ Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, doubl
     }
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     const MassScaling scaling = make_mass_scaling(a, beta);
-    for (const Range group : scaling.groups) {
+    for (const Range cluster : scaling.clusters) {
         double total = 0;
         bool supported = false;
-        for (std::int32_t i = group.begin; i < group.end; ++i) {
-            const auto node = static_cast<std::size_t>(scaling.members[static_cast<std::size_t>(i)]);
+        for (std::int32_t i = cluster.begin; i < cluster.end; ++i) {
+            const auto node = static_cast<std::size_t>(scaling.nodes[static_cast<std::size_t>(i)]);
             total += a.mass[node];
             supported = supported || on_platen[node];
         }
-        for (std::int32_t i = group.begin; i < group.end; ++i) {
-            for (std::int32_t j = group.begin; j < group.end; ++j) {
-                const std::int32_t k = scaling.members[static_cast<std::size_t>(i)];
-                const std::int32_t l = scaling.members[static_cast<std::size_t>(j)];
+        for (std::int32_t i = cluster.begin; i < cluster.end; ++i) {
+            for (std::int32_t j = cluster.begin; j < cluster.end; ++j) {
+                const std::int32_t k = scaling.nodes[static_cast<std::size_t>(i)];
+                const std::int32_t l = scaling.nodes[static_cast<std::size_t>(j)];
                 const double mk = a.mass[static_cast<std::size_t>(k)];
                 const double ml = a.mass[static_cast<std::size_t>(l)];
                 const double m = (k == l ? (1 + beta) * mk : 0) - (supported ? 0 : beta * mk * ml / total);
@@ -97,7 +97,7 @@ double exact_step(const Assemblage& a, const Boundary& boundary, const ContactLa
     return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
 }
 
-/// The assemblage with every `every`-th contact gone, counted from `first`: groups fall apart.
+/// The assemblage with every `every`-th contact gone, counted from `first`: clusters fall apart.
 Assemblage broken(Assemblage a, std::size_t every, std::size_t first) {
     std::vector<ContactGeometry> left;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
@@ -167,7 +167,7 @@ Momenta momenta_of(const SmallRun& run) {
     return m;
 }
 
-TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
+TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
     for (const ContactLaw& law : test::all_laws(augig_contact())) {
         SCOPED_TRACE(test::name_of_law(law));
         SmallRun run = scaled_run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), law, false, 0.5);
@@ -185,8 +185,9 @@ TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
             verify("dynamics: momentum with mass scaling while it is torn apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
-            EXPECT_GE(e.damping,
-                      last_regrouping_loss - 1e-9 * start.kinetic);  // no local damping here: what groups shed, never given back
+            EXPECT_GE(
+                e.damping,
+                last_regrouping_loss - 1e-9 * start.kinetic);  // no local damping here: what regrouping takes, never given back
             last_regrouping_loss = e.damping;
             // Undamped, laws lose up to 1.6 % of it to the step where they jump at zero opening; `consistent`, which has no
             // jump of stiffness, 0.11 % while masses are scaled, and 0.5 % when grains then knock together at 20 m/s.
@@ -218,10 +219,10 @@ Vector2 velocity_of_grain(const SmallRun& run, std::int32_t first) {
     return (1 / mass) * momentum;
 }
 
-TEST(MassScaling, ANodeLeavesItsGroupWhenItsContactsHaveSeparated) {
+TEST(MassScaling, ANodeLeavesItsClusterWhenItsContactsHaveSeparated) {
     SmallRun run = two_grains(100);
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
-    EXPECT_EQ(run.parameters.mass_scaling.groups.size(), 6U);  // of two nodes at either end, of one elsewhere
+    EXPECT_EQ(run.parameters.mass_scaling.clusters.size(), 6U);  // of two nodes at either end, of one elsewhere
     for (std::int32_t i = 4; i < 8; ++i) {
         run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     }

@@ -30,7 +30,7 @@ SimulationRequest request(TestKind test, int threads) {
     return r;
 }
 
-// Small, so that the barriers show: a dozen blocks of grains and contacts for three threads.
+// Small, so that the barriers show: a dozen chunks of grains and contacts for three threads.
 const Specimen& specimen() {
     static const Specimen s = test::jittered_grid(8, 16, 0.04, 0.08, 0.25);
     return s;
@@ -78,7 +78,7 @@ SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target
     run.set_boundary(make_test_boundary(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
     run.begin();
     constexpr double speed = 2;  // m/s
-    const double scaled = static_cast<double>(run.parameters.parts);
+    const double scaled = static_cast<double>(run.parameters.substeps);
     run.steps(static_cast<std::int64_t>(12000 / scaled), {{speed, -speed}, {speed, -speed}, 0, 0}, threads);
     return run;
 }
@@ -113,7 +113,7 @@ TEST(Threads, EveryVectorUnitGivesTheSameBytesForEveryLaw) {
     }
 }
 
-// Damage before the peak is summed by lanes and blocks.
+// Damage before the peak is summed by lanes and chunks.
 TEST(Threads, OneAndTwoGiveTheSameDigestWithDamageBeforeThePeak) {
     SimulationRequest damaged = request(TestKind::tension, 1);
     damaged.law = LawVariant::consistent;

@@ -126,8 +126,8 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
         ++s.step;
         update_pair_list(run.assemblage, run.parameters, 1, s);
         Vector2 force;
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.contact_pairs.blocks.size()); ++block) {
-            detect_contacts(run.assemblage, run.parameters, block, s);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
+            detect_contacts(run.assemblage, run.parameters, chunk, s);
         }
         for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
             force += s.contact_pairs.pairs[i].node == node ? s.contact_pairs.forces[3 * i] : Vector2{};
@@ -183,8 +183,8 @@ struct Led {
         }
         ++s.step;
         update_pair_list(run.assemblage, run.parameters, 1, s);
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.contact_pairs.blocks.size()); ++block) {
-            detect_contacts(run.assemblage, run.parameters, block, s);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
+            detect_contacts(run.assemblage, run.parameters, chunk, s);
         }
         Vector2 force;
         for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
@@ -302,7 +302,7 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
     double scale = 0;
     double worst = 0;
     while (run.state.loading.platen_displacement[bottom_platen] < 0.5 * shortening * 0.03) {
-        const std::int64_t steps = 2000 / run.parameters.parts;
+        const std::int64_t steps = 2000 / run.parameters.substeps;
         run.steps(steps, loading.next({run.state.time, 0, 0}, static_cast<double>(steps) * run.parameters.time_step), threads);
         const Energies e = run.measured().energies;
         scale = std::max(scale, e.stored());

@@ -45,7 +45,7 @@ public:
                         (traction_.shear + r.traction.shear) * (motion.sliding - from.sliding));
         fracture_ += r.dissipation.fracture;
         friction_ += r.dissipation.friction;
-        mismatch_ += r.dissipation.mismatch;
+        non_conservative_ += r.dissipation.non_conservative_work;
         min_fracture_ = std::min(min_fracture_, r.dissipation.fracture);
         min_friction_ = std::min(min_friction_, r.dissipation.friction);
         largest_shear_ = std::max(largest_shear_, std::abs(r.traction.shear));
@@ -70,10 +70,10 @@ public:
     [[nodiscard]] double work() const { return work_; }
     [[nodiscard]] double fracture() const { return fracture_; }
     [[nodiscard]] double friction() const { return friction_; }
-    [[nodiscard]] double mismatch() const { return mismatch_; }
+    [[nodiscard]] double non_conservative() const { return non_conservative_; }
     [[nodiscard]] double stored() const { return stored_energy(law_, history_); }
     /// work − stored − all that was booked
-    [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - mismatch_; }
+    [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - non_conservative_; }
     [[nodiscard]] double min_fracture() const { return min_fracture_; }  ///< of one update
     [[nodiscard]] double min_friction() const { return min_friction_; }
     [[nodiscard]] double largest_shear() const { return largest_shear_; }
@@ -83,7 +83,7 @@ private:
     ContactLaw law_;
     ContactHistory history_;
     ContactTraction traction_;
-    double work_ = 0, fracture_ = 0, friction_ = 0, mismatch_ = 0;
+    double work_ = 0, fracture_ = 0, friction_ = 0, non_conservative_ = 0;
     double min_fracture_ = 0, min_friction_ = 0, largest_shear_ = 0;
     bool healed_ = false;
 };

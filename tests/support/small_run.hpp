@@ -43,7 +43,7 @@ struct SmallRun {
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
         const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
-        parameters.parts = step.parts;
+        parameters.substeps = step.parts;
         parameters.time_step = fraction * step.time_step;
         state = make_state(assemblage, boundary, specimen);
     }

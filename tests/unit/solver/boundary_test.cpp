@@ -142,7 +142,7 @@ TEST(Boundary, MembraneEdgesAreThoseOfItsParts) {
         EXPECT_GT((a.position[j].y - a.position[i].y) * a.position[i].x, 0);  // solid on the left
     }
     std::int32_t covered = 0;
-    for (const Range& r : b.membrane_edges_of_block) {
+    for (const Range& r : b.membrane_edges_of_chunk) {
         EXPECT_EQ(r.begin, covered);
         covered = r.end;
     }

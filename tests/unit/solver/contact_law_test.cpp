@@ -160,8 +160,8 @@ TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
                     const ContactResponse full = update_contact(law, to, before);
                     failed += full.history.failed() ? 1 : 0;
                     if (r.holds == 0) {
-                        const bool books_mismatch = law.variant == LawVariant::continuous && opening >= 0;
-                        EXPECT_TRUE(full.history.failed() || books_mismatch);
+                        const bool books_non_conservative_work = law.variant == LawVariant::continuous && opening >= 0;
+                        EXPECT_TRUE(full.history.failed() || books_non_conservative_work);
                         continue;
                     }
                     ++constrained;
@@ -172,7 +172,7 @@ TEST(ContactLawPoint, IntactLawAgreesWithTheFullOne) {
                     EXPECT_EQ(r.integrity, full.history.integrity);
                     EXPECT_EQ(r.fracture, full.dissipation.fracture);
                     EXPECT_EQ(full.dissipation.friction, 0);
-                    EXPECT_EQ(full.dissipation.mismatch, 0);
+                    EXPECT_EQ(full.dissipation.non_conservative_work, 0);
                     released += r.fracture > 0 ? 1 : 0;
                 }
             }
@@ -208,7 +208,7 @@ TEST(ContactLawPoint, SpentLawAgreesWithTheFullOne) {
                 EXPECT_EQ(r.slip, full.history.slip);
                 EXPECT_EQ(r.friction, full.dissipation.friction);
                 EXPECT_EQ(full.dissipation.fracture, 0);
-                EXPECT_EQ(full.dissipation.mismatch, 0);
+                EXPECT_EQ(full.dissipation.non_conservative_work, 0);
                 EXPECT_TRUE(full.history.separated);
                 slid += r.friction > 0 ? 1 : 0;
             }
