@@ -35,12 +35,14 @@ constexpr std::size_t groups_per_chunk = 32;
 
 Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
 
+/// Whether a contact point has no cohesion left.
+template <class Law>
 bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
-    return s.failed[point] != 0 && damage(law, history_of(s, point)) >= 1;
+    return s.failed[point] != 0 && contact_law::damage<Law>(law, point_history(s, point)) >= 1;
 }
 
-/// Contact points that debonded since the last update.
-/// \return whether there are any
+/// Marks contact points that debonded since the last update. \return whether there are any
+template <class Law>
 bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
     bool found = false;
     for (std::size_t point = 0; point < s.contact_pairs.debonded.size(); ++point) {
@@ -48,7 +50,7 @@ bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
             continue;
         }
         const double far = debonding_travel * 2 * a.contacts[point / 2].point_area;
-        if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost(law, s, point)) {
+        if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost<Law>(law, s, point)) {
             s.contact_pairs.debonded[point] = 1;
             found = true;
         }
@@ -56,7 +58,8 @@ bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
     return found;
 }
 
-/// Contacts without cohesion that have moved far.
+/// Contacts without cohesion that have moved by more than `release_travel`.
+template <class Law>
 std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaw& law, const State& s) {
     std::vector<std::int32_t> released_now;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
@@ -67,7 +70,7 @@ std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaw& l
         const double far = release_travel * 2 * a.contacts[c].point_area;
         const double moved =
             std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
-        if (moved > far && is_lost(law, s, 2 * c) && is_lost(law, s, 2 * c + 1)) {
+        if (moved > far && is_lost<Law>(law, s, 2 * c) && is_lost<Law>(law, s, 2 * c + 1)) {
             released_now.push_back(static_cast<std::int32_t>(c));
         }
     }
@@ -307,9 +310,10 @@ std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::
         s.contact_pairs.released[c] = 1;
         for (std::int32_t p = 0; p < 2; ++p) {
             const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
-            const ContactHistory h = history_of(s, point);
+            const ContactHistory h = point_history(s, point);
             if (h.motion.opening < 0) {
-                carried.push_back({c, p, -h.motion.opening, update_contact(law, h.motion, h).traction.shear / law.ks});
+                const double shear = update_contact(law, h.motion, h).traction.shear;
+                carried.push_back({c, p, -h.motion.opening, shear / law.ks});
             }
         }
         for (std::int32_t k = 0; k < 4; ++k) {
@@ -371,8 +375,12 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
     ContactPairList& list = s.contact_pairs;
     const ContactLaw& law = parameters.law;
     const bool scaled = parameters.mass_scaling.is_on();
-    const bool debonded_now = find_debonded(a, law, s);
-    const std::vector<std::int32_t> released_now = find_released(a, law, s);
+    bool debonded_now = false;
+    std::vector<std::int32_t> released_now;
+    contact_law::with_law(law.variant, [&](auto kind) {
+        debonded_now = find_debonded<decltype(kind)>(a, law, s);
+        released_now = find_released<decltype(kind)>(a, law, s);
+    });
     if (scaled && !released_now.empty()) {
         return true;
     }

@@ -1,8 +1,6 @@
-// What the contact laws speak of: motion and traction, what a contact point
-// remembers, what an update gives back.
+// The types of the contact laws: constants, motion and traction of a contact point, its history, the response to a motion.
 //
-// Signs: opening δn > 0 and tension σn > 0; sliding δs and shear traction τ are
-// signed.
+// Signs: opening δn > 0 and tension σn > 0; sliding δs and shear traction τ are signed.
 #pragma once
 
 #include <cstdint>
@@ -14,121 +12,123 @@
 namespace graincrack {
 
 /// The contact laws (--contact-law); the order is that of `all_contact_laws`.
-enum class LawVariant : std::uint8_t {
-  literal,
-  scaled,
-  continuous,
-  consistent,
-  coulomb_slip,
-  combined
-};
+enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent, coulomb_slip, combined };
 /// What failure in one mode does to the other (--coupling).
 enum class Coupling : std::uint8_t { full, none };
-constexpr std::string_view name_of(Coupling coupling) {
-  return coupling == Coupling::full ? "full" : "none";
-}
+constexpr std::string_view name_of(Coupling coupling) { return coupling == Coupling::full ? "full" : "none"; }
 
 /// Fracture energies, J/m².
 struct FractureEnergies {
-  double opening = 0; ///< Gf, G_I
-  double sliding = 0; ///< G_II
+    double opening = 0;  ///< Gf, G_I
+    double sliding = 0;  ///< G_II
 };
 
 /// A row of the table of laws.
 struct LawDescription {
-  LawVariant variant;
-  std::string_view name;    ///< as options and files spell it
-  std::string_view meaning; ///< in a few words
-  bool potential =
-      false; ///< it has an energy everywhere: no mismatch, whatever the path
-  // What it uses beyond stiffnesses, tensile strength, cohesion and friction
-  // angle:
-  bool coupling =
-      false; ///< --coupling; a law without couples the modes by nature
-  bool fracture_energy = false;         ///< Gf, or G_I where there is a G_II
-  bool mode_ii_fracture_energy = false; ///< G_II
-  bool open_shear_strength = false;     ///< shear strength while open
-  bool residual_strength =
-      false; ///< residual tensile strength, cohesion and friction angle
+    LawVariant variant;
+    std::string_view name;     ///< as options and files spell it
+    std::string_view meaning;  ///< in a few words
+    bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
+    // What it uses beyond stiffnesses, tensile strength, cohesion and friction angle:
+    bool coupling = false;                 ///< --coupling; a law without couples the modes by nature
+    bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II
+    bool mode_ii_fracture_energy = false;  ///< G_II
+    bool open_shear_strength = false;      ///< shear strength while open
+    bool residual_strength = false;        ///< residual tensile strength, cohesion and friction angle
+};
+
+/// Constants of a law. Symbols as in the paper. \see make_contact_law
+struct ContactLaw {
+    LawVariant variant;
+    Coupling coupling;
+    double kt, ks;   ///< initial stiffnesses (Eqs 3–5), Pa/m
+    double tc, cc;   ///< tensile strength, cohesion, Pa
+    double tan_phi;  ///< of the friction angle φc
+    double gf, g2;   ///< Gf or G_I, and G_II, J/m²
+    double residual_tc, residual_cc, residual_tan_phi;
+    double dct, dcs, dut;        ///< δct, δcs, δut (Eqs 8, 11, 14), m
+    double inv_dct, inv_dcs;     ///< 1/m
+    double w;                    ///< weight of δs² in δeff² of the open branch: 1 (literal) or κ = ks/kt
+    double stiffest_shear;       ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
+    double open_shear_strength;  ///< to (consistent), Pa
+    double inv_dso;              ///< 1/δso, δso = e to/ks (consistent)
+    double op, sp;               ///< o_p, s_p: displacements at the peaks (combined), m
+    double inv_op, inv_sp;       ///< 1/m
+    double o_range, s_range;     ///< (o_r − o_p)/o_p, (s_r − s_p)/s_p (combined)
 };
 
 struct ContactMotion {
-  double opening = 0; ///< δn, m
-  double sliding = 0; ///< δs, m
-  friend bool operator==(const ContactMotion &,
-                         const ContactMotion &) = default;
+    double opening = 0;  ///< δn, m
+    double sliding = 0;  ///< δs, m
+    friend bool operator==(const ContactMotion&, const ContactMotion&) = default;
 };
 struct ContactTraction {
-  double normal = 0; ///< σn, Pa
-  double shear = 0;  ///< τ, Pa
+    double normal = 0;  ///< σn, Pa
+    double shear = 0;   ///< τ, Pa
 };
 
-/// What a contact point remembers.
+/// The history of a contact point: its last motion and everything the next response depends on.
 struct ContactHistory {
-  ContactMotion motion; ///< of the last update
-  double max_displacement =
-      0; ///< δmax once failed open (literal, scaled, continuous), m
-  double peak_displacement = 0; ///< δpk (continuous), m
-  double largest_open = 0; ///< largest δn/o_p once past 1, else 0 (combined)
-  double largest_slid = 0; ///< largest |δs|/s_p once past 1, else 0 (combined)
-  double slip = 0;         ///< frictional slip: τ = ks (δs − slip), m
-  double integrity = 1;    ///< β (consistent)
-  double friction_share = 0;  ///< a (consistent)
-  bool failed_open = false;   ///< passed the peak of the open branch
-  bool failed_closed = false; ///< passed the peak of the closed branch
-  bool separated =
-      false; ///< past δut, or open after a failure that left nothing
-  CrackMode first_mode = CrackMode::tensile; ///< of the first failure
+    ContactMotion motion;                       ///< of the last update
+    double max_displacement = 0;                ///< δmax once failed open (literal, scaled, continuous), m
+    double peak_displacement = 0;               ///< δpk (continuous), m
+    double largest_open = 0;                    ///< largest δn/o_p once past 1, else 0 (combined)
+    double largest_slid = 0;                    ///< largest |δs|/s_p once past 1, else 0 (combined)
+    double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
+    double integrity = 1;                       ///< β (consistent)
+    double friction_share = 0;                  ///< a (consistent)
+    bool failed_open = false;                   ///< passed the peak of the open branch
+    bool failed_closed = false;                 ///< passed the peak of the closed branch
+    bool separated = false;                     ///< past δut, or open after a failure that left nothing
+    CrackMode first_mode = CrackMode::tensile;  ///< of the first failure
 
-  [[nodiscard]] bool failed() const { return failed_open || failed_closed; }
-  friend bool operator==(const ContactHistory &,
-                         const ContactHistory &) = default;
+    [[nodiscard]] bool failed() const { return failed_open || failed_closed; }
+    friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
 };
 
-/// Energies per area booked in one update, J/m².
+/// Energies per area dissipated in one update, J/m².
 struct ContactDissipation {
-  double fracture = 0;
-  double friction = 0;
-  double non_conservative_work =
-      0; ///< lost (positive) or made where the law has no potential
+    double fracture = 0;
+    double friction = 0;
+    double non_conservative_work = 0;  ///< lost (positive) or gained (negative) where the law has no potential
 };
+/// What an update gives for a motion.
 struct ContactResponse {
-  ContactTraction traction;
-  ContactHistory history;
-  ContactDissipation dissipation;
+    ContactTraction traction;
+    ContactHistory history;
+    ContactDissipation dissipation;
 };
 
 /// The history of a contact that starts broken (pre-existing crack).
 inline ContactHistory broken_contact() {
-  ContactHistory h;
-  h.failed_open = h.failed_closed = h.separated = true;
-  h.max_displacement = h.largest_open = h.largest_slid =
-      std::numeric_limits<double>::max(); // nothing is left
-  h.integrity = 0;
-  h.friction_share = 1;
-  return h;
+    ContactHistory h;
+    h.failed_open = h.failed_closed = h.separated = true;
+    h.max_displacement = h.largest_open = h.largest_slid = std::numeric_limits<double>::max();  // nothing is left
+    h.integrity = 0;
+    h.friction_share = 1;
+    return h;
 }
 
 /// State of a contact point as the files name it.
-inline PointState point_state(const ContactHistory &h) {
-  if (!h.failed()) {
-    return PointState::intact;
-  }
-  if (h.separated) {
-    return PointState::separated;
-  }
-  return h.first_mode == CrackMode::tensile ? PointState::failed_tension
-                                            : PointState::failed_shear;
+inline PointState point_state(const ContactHistory& h) {
+    if (!h.failed()) {
+        return PointState::intact;
+    }
+    if (h.separated) {
+        return PointState::separated;
+    }
+    return h.first_mode == CrackMode::tensile ? PointState::failed_tension : PointState::failed_shear;
 }
 
 namespace contact_law {
 
-inline void mark_failed(ContactHistory &h, CrackMode mode) {
-  if (!h.failed()) {
-    h.first_mode = mode;
-  }
-  (mode == CrackMode::tensile ? h.failed_open : h.failed_closed) = true;
+/// Records that a point has passed its peak in a mode.
+inline void mark_failed(ContactHistory& h, CrackMode mode) {
+    if (!h.failed()) {
+        h.first_mode = mode;
+    }
+    (mode == CrackMode::tensile ? h.failed_open : h.failed_closed) = true;
 }
 
-} // namespace contact_law
-} // namespace graincrack
+}  // namespace contact_law
+}  // namespace graincrack

@@ -43,14 +43,15 @@ struct GrainSums {
     double platen_friction = 0;
 };
 
-/// What failed points remember. Kept for chunks of contacts of which a point has failed; all other points remember nothing.
-class PointMemories {
+/// Histories of contact points beyond what `State` keeps in arrays. They exist for chunks of contacts of which a point has needed
+/// the full law; all other points have the history of a new contact.
+class PointHistories {
 public:
-    PointMemories() = default;
-    explicit PointMemories(std::size_t n_points) : chunks_((n_points + points_per_chunk - 1) / points_per_chunk) {}
+    PointHistories() = default;
+    explicit PointHistories(std::size_t n_points) : chunks_((n_points + points_per_chunk - 1) / points_per_chunk) {}
     const ContactHistory& operator[](std::size_t point) const {
         const auto& chunk = chunks_[point / points_per_chunk];
-        return chunk.empty() ? nothing_ : chunk[point % points_per_chunk];
+        return chunk.empty() ? new_contact_ : chunk[point % points_per_chunk];
     }
     /// To be written to, by the thread that works on the chunk.
     ContactHistory& of(std::size_t point) {
@@ -63,7 +64,7 @@ public:
 
 private:
     static constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
-    static constexpr ContactHistory nothing_{};
+    static constexpr ContactHistory new_contact_{};
     std::vector<std::vector<ContactHistory>> chunks_;
 };
 
@@ -87,7 +88,7 @@ struct State {
     std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
     std::vector<std::uint8_t> residual;   ///< [2 c] 1 once friction is all that is left of it (`is_residual`)
-    PointMemories points;                 ///< [2 c] what failed points remember besides; see `history_of`
+    PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
@@ -107,13 +108,23 @@ inline double time_of(const State& state, std::int64_t step, double time_step) {
     return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
 }
 
-/// History of contact point 2 c + p with its present motion, cohesion and slip.
-inline ContactHistory history_of(const State& state, std::size_t point) {
+/// History of contact point 2 c + p.
+inline ContactHistory point_history(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
     history.integrity = state.integrity[point];
     history.slip = state.slip[point];
     return history;
+}
+/// Makes `history` that of contact point 2 c + p. \param is_residual what its law says of it
+inline void store_point(const ContactHistory& history, bool is_residual, std::size_t point, State& state) {
+    state.points.of(point) = history;
+    state.opening[point] = history.motion.opening;
+    state.sliding[point] = history.motion.sliding;
+    state.integrity[point] = history.integrity;
+    state.slip[point] = history.slip;
+    state.failed[point] = history.failed() ? 1 : 0;
+    state.residual[point] = is_residual ? 1 : 0;
 }
 
 /// The state at rest; pre-existing cracks start broken.

@@ -113,8 +113,8 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
         if (s.contact_pairs.released[c] != 0) {
             continue;
         }
-        energies.contact +=
-            a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
+        energies.contact += a.contacts[c].point_area *
+                            (stored_energy(law, point_history(s, 2 * c)) + stored_energy(law, point_history(s, 2 * c + 1)));
     }
     energies.contact += stored_in_active_contacts(law, s.contact_pairs);
     energies.friction +=
@@ -257,8 +257,8 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
                                          s.displacement[n2] - s.displacement[n0])));
     }
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        const ContactHistory h0 = history_of(s, 2 * c);
-        const ContactHistory h1 = history_of(s, 2 * c + 1);
+        const ContactHistory h0 = point_history(s, 2 * c);
+        const ContactHistory h1 = point_history(s, 2 * c + 1);
         const bool released = s.contact_pairs.released[c] != 0;  // what it carries are touches
         const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
         const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;

@@ -208,8 +208,8 @@ double stored_in_contacts(const Assemblage& a, const StepParameters& parameters,
     double energy = stored_in_active_contacts(parameters.law, s.contact_pairs);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.contact_pairs.released[c] == 0) {
-            energy += a.contacts[c].point_area * (stored_energy(parameters.law, history_of(s, 2 * c)) +
-                                                  stored_energy(parameters.law, history_of(s, 2 * c + 1)));
+            energy += a.contacts[c].point_area * (stored_energy(parameters.law, point_history(s, 2 * c)) +
+                                                  stored_energy(parameters.law, point_history(s, 2 * c + 1)));
         }
     }
     return energy;

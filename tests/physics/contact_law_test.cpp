@@ -23,13 +23,13 @@ using test::integral;
 using test::mm;
 using test::MPa;
 using test::name_of_law;
-using test::readings_of_the_text;
+using test::variants_of_the_text;
 using test::verify;
 constexpr double e = std::numbers::e;
 
 TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
     const ContactParameters c = augig_contact();
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
         const auto traction = [&](double opening) { return walk.to({opening, 0}).normal; };
@@ -49,7 +49,7 @@ TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
 TEST(ContactLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
     for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
         const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
-        for (const ContactLaw& law : readings_of_the_text(c)) {
+        for (const ContactLaw& law : variants_of_the_text(c)) {
             SCOPED_TRACE(name_of_law(law));
             ContactWalk walk(law);
             walk.go({1.01 * c.ultimate_opening, 0}, 40000);
@@ -64,7 +64,7 @@ TEST(ContactLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
 TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
     const ContactParameters c = augig_contact();
     verify("law: critical sliding (mm)", c.critical_sliding / mm, 2.9025e-3, 2e-5, "Eq 11, five digits");
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         for (const double pressure : {1 * MPa, 20 * MPa, 100 * MPa}) {
             SCOPED_TRACE(name_of_law(law));
             const double closure = -pressure / law.kt;
@@ -93,7 +93,7 @@ TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
 
 TEST(ContactLaw, FailedContactUnderPressureKeepsFriction) {
     const ContactParameters c = augig_contact();
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         const auto residual = [&](double pressure) {
             ContactWalk walk(law);
@@ -111,7 +111,7 @@ TEST(ContactLaw, FailedContactUnderPressureKeepsFriction) {
 TEST(ContactLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
     const ContactParameters c = augig_contact();
     const double residual = 20 * MPa * std::tan(c.friction_angle);
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         const double closure = -20 * MPa / law.kt;
         const double reach = 3 * c.critical_sliding;
@@ -150,7 +150,7 @@ TEST(ContactLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
     const auto energy = [](double k, double d, double peak) {  // of Eq 7 or 10
         return k * peak * peak * (1 - (1 + d / peak) * std::exp(-d / peak));
     };
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         const double kappa = law.ks / law.kt;
         const double closed = law.ks * s * std::exp(-x);
@@ -192,7 +192,7 @@ TEST(ContactLaw, ACycleThroughFailure) {
     const double pulled = 0.3 * c.ultimate_opening;
     const double closed = -20 * MPa / c.normal_stiffness;
     const double residual = 20 * MPa * std::tan(c.friction_angle);
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
         walk.go({pulled, 0}, 4000);
@@ -220,7 +220,7 @@ TEST(ContactLaw, ACycleThroughFailure) {
 // One that failed in shear under pressure: with coupling full nothing is left when it opens; with none Eq 7 as new.
 TEST(ContactLaw, OpeningAfterShearFailure) {
     const ContactParameters c = augig_contact();
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
         walk.to({-20 * MPa / law.kt, 0});

@@ -261,8 +261,9 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
         // A contact that closes within a step makes or takes energy, in proportion to the step.
         run.parameters.time_step *= hits ? 0.2 : 1;
         run.begin();
-        run.state.points.of(0) = run.state.points.of(1) = broken_contact();
-        run.state.failed[0] = run.state.failed[1] = 1;
+        for (const std::size_t point : {0, 1}) {
+            store_point(broken_contact(), false, point, run.state);
+        }
         for (std::int32_t i = 4; i < 8; ++i) {
             run.state.displacement[static_cast<std::size_t>(i)] = {0, fall.gap};
             run.state.velocity[static_cast<std::size_t>(i)] = {0, -fall.speed};

@@ -23,8 +23,8 @@ inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     }
     return laws;
 }
-/// The readings of the text that keep its curves on both branches as they are: literal, scaled, continuous.
-inline std::vector<ContactLaw> readings_of_the_text(const ContactParameters& contact) {
+/// The variants of the text that keep its curves on both branches as they are: literal, scaled, continuous.
+inline std::vector<ContactLaw> variants_of_the_text(const ContactParameters& contact) {
     std::vector<ContactLaw> laws = all_laws(contact);
     std::erase_if(laws, [](const ContactLaw& law) { return !description_of(law.variant).coupling; });
     return laws;

@@ -63,7 +63,7 @@ struct SmallRun {
     [[nodiscard]] std::size_t failed_points() const {
         std::size_t n = 0;
         for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) {
-            n += history_of(state, i).failed() ? 1U : 0U;
+            n += point_history(state, i).failed() ? 1U : 0U;
         }
         return n;
     }
