@@ -10,7 +10,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.last_force.resize(a.position.size());
     s.damping_load.mean_displacement.resize(a.position.size());
     s.damping_force.resize(a.position.size());
-    s.touching.resize(a.position.size());
+    s.near_platen.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
     s.points = PointHistories(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());

@@ -80,7 +80,7 @@ struct State {
     std::vector<Vector2> last_force;     ///< [n] N, of the step before, for the rate of `force`
     std::vector<Vector2> damping_force;  ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t>
-        touching;  ///< [n] 1 + the platen it is on or close to (`cluster_reach`), else 0; scratch of the node stage
+        near_platen;  ///< [n] 1 + the platen it is on or close to (`cluster_reach`), else 0; scratch of the node stage
     std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`

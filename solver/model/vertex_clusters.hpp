@@ -81,7 +81,7 @@ struct ConstrainedNode {
 /// Who is held together now.
 struct ClusterState {
     std::vector<std::uint8_t> linked;     ///< [link] 1 while the point holds its nodes together
-    std::vector<std::uint8_t> supported;  ///< [place] `State::touching` of the node
+    std::vector<std::uint8_t> supported;  ///< [place] `State::near_platen` of the node
     std::vector<std::uint8_t>
         constraining_platen;              ///< [place] of the component it is the first of: 1 + its platen, 0 if none holds it
     std::vector<std::int32_t> component;  ///< [place] first node of those it is held together with

@@ -186,7 +186,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const StepParameters& parameters = s.subcycled ? of_substeps : whole;
     Measurement m;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
-        sum_nodal_forces(a, boundary, s.loading, block, false, s);
+        sum_nodal_forces(a, boundary, s.loading, block, s);
     }
     double unbalanced = 0;
     double element_force = 0;

@@ -117,7 +117,7 @@ void change_cluster(const Assemblage& a, const MassScaling& scaling, const Plate
         g.linked[t] = holds(scaling.links[t], s) ? 1 : 0;
     }
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        g.supported[i] = s.touching[scaling.nodes[i]];
+        g.supported[i] = s.near_platen[scaling.nodes[i]];
     }
     find_components(a, scaling, cluster, g);
     // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
@@ -169,9 +169,9 @@ ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling,
 
 void complete_cluster_state(const MassScaling& scaling, State& s) {
     ClusterState& g = s.clusters;
-    std::vector<bool> may_touch(s.touching.size(), false);
+    std::vector<bool> may_be_near(s.near_platen.size(), false);
     for (const PlatenPoint& point : s.platen_points) {
-        may_touch[point.node] = true;
+        may_be_near[point.node] = true;
     }
     g.constraining_platen.assign(scaling.nodes.size(), 0);
     for (std::size_t i = 0; i < scaling.nodes.size(); ++i) {
@@ -190,7 +190,7 @@ void complete_cluster_state(const MassScaling& scaling, State& s) {
                 if (g.component[i] != scaling.clusters[cluster].begin) {
                     g.whole[cluster] = 0;
                 }
-                if (may_touch[scaling.nodes[i]]) {
+                if (may_be_near[scaling.nodes[i]]) {
                     g.platen_nodes[chunk].push_back(i);
                 }
             }
@@ -212,8 +212,9 @@ namespace {
 /// Whether a cluster of a chunk may have changed: a point of it has failed, or a platen has come or gone.
 bool may_change(const MassScaling& scaling, std::int32_t chunk, const State& s) {
     const ClusterState& g = s.clusters;
-    return g.cracked[chunk] != 0 || std::any_of(g.platen_nodes[chunk].begin(), g.platen_nodes[chunk].end(),
-                                                [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.nodes[i]]; });
+    return g.cracked[chunk] != 0 || std::any_of(g.platen_nodes[chunk].begin(), g.platen_nodes[chunk].end(), [&](std::int32_t i) {
+               return g.supported[i] != s.near_platen[scaling.nodes[i]];
+           });
 }
 
 }  // namespace
@@ -234,7 +235,7 @@ void update_clusters(const Assemblage& a, const StepParameters& parameters, cons
             changes = changes || (s.failed[scaling.links[t].point] != 0 && holds(scaling.links[t], s) != (g.linked[t] != 0));
         }
         for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            changes = changes || g.supported[i] != s.touching[scaling.nodes[i]];
+            changes = changes || g.supported[i] != s.near_platen[scaling.nodes[i]];
         }
         if (!changes) {
             continue;

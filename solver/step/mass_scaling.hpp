@@ -15,8 +15,8 @@ ClusterState make_cluster_state(const Assemblage& assemblage, const MassScaling&
 /// Finds what follows from the rest of the state: `whole`, `constrained` and where clusters may change.
 void complete_cluster_state(const MassScaling& scaling, State& state);
 
-/// Finds who is held together after the present contact motions and `state.touching`; changes velocities where clusters change,
-/// and books what they shed.
+/// Finds who is held together after the present contact motions and `state.near_platen`; changes velocities where clusters
+/// change, and books what they shed.
 void update_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                      std::int32_t chunk, State& state);
 

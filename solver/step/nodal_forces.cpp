@@ -96,25 +96,22 @@ void add_active_contacts(std::int32_t chunk, State& s) {
     }
 }
 
-void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, bool commit, State& s) {
+PlatenResponse response_of_platen(const Boundary& boundary, const StepLoading& loading, const PlatenPoint& point,
+                                  const State& s) {
+    return platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
+                           loading.platen_displacement[point.platen]);
+}
+
+void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s) {
     const Range points = boundary.platen_points_of_chunk[chunk];
     for (std::int32_t i = points.begin; i < points.end; ++i) {
-        PlatenPoint& point = s.platen_points[i];
+        const PlatenPoint& point = s.platen_points[i];
         const Platen& platen = boundary.platens[point.platen];
-        const Vector2& u = s.displacement[point.node];
-        const double platen_displacement = loading.platen_displacement[point.platen];
-        const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
-        s.force[point.node] += r.force;
-        const double penetration = platen_penetration(platen, point, u, platen_displacement);
+        s.force[point.node] += response_of_platen(boundary, loading, point, s).force;
+        const double penetration =
+            platen_penetration(platen, point, s.displacement[point.node], loading.platen_displacement[point.platen]);
         if (platen.bonded || penetration > -cluster_reach * point.tributary) {
-            s.touching[point.node] = static_cast<std::uint8_t>(1 + point.platen);
-        }
-        if (commit) {
-            point.anchor = r.anchor;
-            point.shear = r.shear;
-            s.grain_sums[chunk].platen_friction += r.friction;
-            s.grain_sums[chunk].platen_work +=
-                0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
+            s.near_platen[point.node] = static_cast<std::uint8_t>(1 + point.platen);
         }
     }
 }
@@ -153,17 +150,29 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
 
 }  // namespace
 
-void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, bool commit,
-                      State& s) {
+void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s) {
     const GrainChunk& range = a.grain_chunks[chunk];
-    std::fill(s.touching.begin() + range.nodes.begin, s.touching.begin() + range.nodes.end, std::uint8_t{0});
+    std::fill(s.near_platen.begin() + range.nodes.begin, s.near_platen.begin() + range.nodes.end, std::uint8_t{0});
     gather_contacts(a, range, s);
     add_elements(a, range.elements, s);
     add_active_contacts(chunk, s);
-    add_platens(boundary, loading, chunk, commit, s);
+    add_platens(boundary, loading, chunk, s);
     add_membrane(a, boundary, loading.pressure, chunk, s);
     if (!boundary.prescribed.empty()) {
         add_prescribed(a, boundary.prescribed, loading, chunk, s);
+    }
+}
+
+void advance_platen_points(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s) {
+    const Range points = boundary.platen_points_of_chunk[chunk];
+    for (std::int32_t i = points.begin; i < points.end; ++i) {
+        PlatenPoint& point = s.platen_points[i];
+        const PlatenResponse r = response_of_platen(boundary, loading, point, s);
+        point.anchor = r.anchor;
+        point.shear = r.shear;
+        s.grain_sums[chunk].platen_friction += r.friction;
+        s.grain_sums[chunk].platen_work +=
+            0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
     }
 }
 
@@ -185,7 +194,6 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     const Range nodes = a.grain_chunks[chunk].nodes;
     GrainSums& sums = s.grain_sums[chunk];
     const double dt = parameters.time_step;
-    book_half_work(a, boundary, chunk, dt, s);
     hold_prescribed(boundary.prescribed, chunk, s);
     const std::int32_t n = nodes.size();
     double absorbed = 0;
@@ -195,7 +203,6 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     });
     sums.damping += absorbed;
     sums.reaction_work += move_prescribed(a, boundary.prescribed, chunk, dt, s);
-    book_half_work(a, boundary, chunk, dt, s);
 }
 
 }  // namespace graincrack

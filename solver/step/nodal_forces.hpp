@@ -1,5 +1,5 @@
-// The node stage of a step: forces of elements, contacts, platens and membrane summed in a fixed order, then damping and
-// integration, chunk by chunk.
+// The node stage of a step: the forces of elements, contacts, platens and membrane are summed in a fixed order, then nodes are
+// damped and integrated, chunk by chunk.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,22 @@
 
 namespace graincrack {
 
-/// Sums the forces on the nodes of a chunk into `state.force`: contact slots, elements, touches, platens, membrane, drives,
-/// in this order.
-/// With `commit` the platen points remember their friction and the sums take it in; without it nothing but `force` changes.
+/// Sums the forces on the nodes of a chunk into `state.force`, in this order: contacts, elements, node–edge contacts, platens,
+/// membrane, prescribed loads. Histories and energies stay as they are.
 void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
-                      bool commit, State& state);
+                      State& state);
 
-/// Damps and integrates the nodes of a chunk by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of
-/// damping, platens and membrane, each force over the mean of the displacements before and after it. With mass scaling
-/// `integrate_clusters` does it, and the membrane's work is booked beside it.
+/// Moves the platen points of a chunk to the present displacements: their friction, and the work of the platens, which is that of
+/// their forces over the mean of the platens' displacements before and after.
+void advance_platen_points(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& state);
+
+/// Damps and integrates the nodes of a chunk by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of damping
+/// and of the reactions at prescribed nodes. (With mass scaling `integrate_clusters` takes its place.)
 void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,
                      State& state);
 
-/// Books the work of the membrane, of gravity and of loaded edges over half a step at the present velocities.
+/// Books the work of the membrane, of gravity and of loaded edges over half a step at the present velocities. A step books it
+/// before and after the integration, so that each force works over the mean of the displacements before and after it.
 void book_half_work(const Assemblage& assemblage, const Boundary& boundary, std::int32_t chunk, double time_step, State& state);
 
 }  // namespace graincrack

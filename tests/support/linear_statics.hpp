@@ -24,7 +24,7 @@ inline std::vector<Vector2> forces_at(const SmallRun& run, State state, const st
     state.displacement = displacement;
     start(run.assemblage, run.parameters, state);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(run.assemblage.grain_chunks.size()); ++chunk) {
-        sum_nodal_forces(run.assemblage, run.boundary, state.loading, chunk, false, state);
+        sum_nodal_forces(run.assemblage, run.boundary, state.loading, chunk, state);
     }
     return state.force;
 }
