@@ -1,4 +1,4 @@
-// The reading `consistent` of the contact law: the paper's curves, an energy, no mismatch.
+// The variant `consistent` of the contact law: the paper's curves, an energy, no non-conservative work.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -95,7 +95,7 @@ TEST(ContactLawPaths, DissipationIsNeverNegativeAndNothingHeals) {
     }
 }
 
-// Work = stored + fracture + friction + mismatch, up to an error that halves with the step: tractions jump where a peak is
+// Work = stored + fracture + friction + non-conservative work, up to an error that halves with the step: tractions jump where a peak is
 // passed and where branches meet, and a trapezium over a jump is wrong by half of it times the step.
 TEST(ContactLawPaths, WorkIsWhatWasBookedToTheStep) {
     const ContactParameters c = augig_contact();
@@ -237,7 +237,7 @@ TEST(ContactLawPaths, NoMismatchWhereThereIsAPotential) {
             others = std::max(others, std::abs(led_along(law, random_path(c, seed), 200).non_conservative()));
         }
         if (description_of(law.variant).potential) {
-            verify("law: random paths, mismatch over Gf, " + std::string(name_of(law.variant)), others, 0, 1e-12,
+            verify("law: random paths, non-conservative work over Gf, " + std::string(name_of(law.variant)), others, 0, 1e-12,
                    "it has a potential", c.fracture_energy);
         } else {
             EXPECT_GT(others, 1e-6 * c.fracture_energy);  // elsewhere these have some
@@ -260,7 +260,7 @@ TEST(ContactLawPaths, TractionIsTheGradientOfTheStoredEnergy) {
                 const ContactHistory& h = walk.history();
                 if (std::abs(corner.opening) < 2 * d ||
                     (law.variant == LawVariant::continuous && corner.opening > 0 && !h.failed())) {
-                    continue;  // no potential there: its part without gradient is booked as mismatch
+                    continue;  // no potential there: its part without gradient is booked as non-conservative work
                 }
                 const auto energy = [&](double opening, double sliding) {
                     ContactHistory at = h;

@@ -1,4 +1,4 @@
-// The readings of the text alone, with every coupling: no mesh, no dynamics. Numbers are those of Augig granite with tc 24.15
+// The variants of the text alone, with every coupling: no mesh, no dynamics. Numbers are those of Augig granite with tc 24.15
 // MPa, cc 74.57 MPa, φc 48.76°, mixed-mode fracture energy, plane strain, computed from Eqs 3–14 by hand.
 #include "solver/law/contact_law.hpp"
 
@@ -34,7 +34,7 @@ TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
         ContactWalk walk(law);
         const auto traction = [&](double opening) { return walk.to({opening, 0}).normal; };
         const double before = integral(traction, 0, c.critical_opening, 8);
-        traction(c.critical_opening * (1 + 1e-13));  // the reading `continuous` remembers where it failed
+        traction(c.critical_opening * (1 + 1e-13));  // the variant `continuous` remembers where it failed
         const double after = integral(traction, c.critical_opening * (1 + 1e-13), c.ultimate_opening, 8);
         verify("law: area under opening (J/m2)", before + after, c.fracture_energy, 1e-9, "Gf, Eqs 14, 32");
         verify("law: area under opening as printed (J/m2)", before + after, 412.97965, 1e-7, "Eq 32 by hand, eight digits");
@@ -168,7 +168,7 @@ TEST(ContactLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
         walk.to({-tiny, 0});
         expect_close(walk.go({-tiny, s}, 4000).shear, closed, 1e-10, closed);
         verify("law: shear on opening over that before, " + std::string(name_of(law.variant)), walk.to({tiny, s}).shear / closed,
-               open / closed, 1e-10, "the reading's branches at opening 0");
+               open / closed, 1e-10, "the variant's branches at opening 0");
         walk.go({tiny, 0}, 4000);
         walk.to({-tiny, 0});
         EXPECT_FALSE(walk.history().failed());

@@ -1,5 +1,5 @@
 // Selective mass scaling: a longer step that stays stable while clusters fall apart, the same balance at rest, momentum to
-// round-off, a closed ledger, and fragments that fly free.
+// round-off, a closed energy balance, and fragments that fly free.
 #include "solver/model/vertex_clusters.hpp"
 
 #include <gtest/gtest.h>
@@ -182,7 +182,7 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
             run.steps(50);
             const Energies e = run.measured().energies;
             const Momenta now = momenta_of(run);
-            verify("dynamics: momentum with mass scaling while it is torn apart, drift over sum |p|",
+            verify("dynamics: momentum with mass scaling while it falls apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
             EXPECT_GE(
@@ -340,7 +340,7 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     // It rings undamped, some 40 periods of it: their share of the mean is a few thousandths.
     verify("dynamics: impulse of platens that speed up, with mass scaling, over that of the mass as it is",
            impulse / (mass * samples * sample * acceleration), 1, 0.01, "Newton", 1);
-    verify("dynamics: ledger residual of platens that speed up, with mass scaling", worst, 0, 1e-4, "each term by itself", 1);
+    verify("dynamics: residual of the energy balance of platens that speed up, with mass scaling", worst, 0, 1e-4, "each term by itself", 1);
 }
 
 // A state at rest without mass scaling is at rest with it.
@@ -369,7 +369,7 @@ TEST(MassScaling, BalanceAtRestIsTheSame) {
     }
 }
 
-TEST(MassScaling, LedgerClosesThroughFailure) {
+TEST(MassScaling, EnergyBalanceClosesThroughFailure) {
     for (const ContactLaw& law : test::all_laws(augig_contact())) {
         SCOPED_TRACE(test::name_of_law(law));
         Compression test(law, 100);
@@ -384,7 +384,7 @@ TEST(MassScaling, LedgerClosesThroughFailure) {
         }
         EXPECT_GT(test.run.failed_points(), 20U);
         EXPECT_GT(peak, 1e6);
-        verify("specimens: ledger residual through failure with mass scaling", worst / scale, 0, 5e-3, "each term by itself", 1);
+        verify("specimens: residual of the energy balance through failure with mass scaling", worst / scale, 0, 5e-3, "each term by itself", 1);
     }
 }
 

@@ -66,7 +66,7 @@ TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
     EXPECT_EQ(digest_of(request(TestKind::uniaxial, 2), summary), first);
 }
 
-/// A specimen crushed until grains touch that were no neighbours.
+/// A specimen crushed until grains come into contact that were not neighbours.
 SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads) {
     SmallRun run(specimen(), test::augig_law(law));
     LoadingRequest loading;
@@ -93,8 +93,8 @@ bool same(const SmallRun& l, const SmallRun& r) {
 TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {
     for (const double factor : {0.0, 60.0}) {
         const SmallRun one = crushed(LawVariant::consistent, factor, widest_vector_target(), 1);
-        const auto& touches = one.state.contact_pairs.contacts;
-        EXPECT_GT(std::count_if(touches.begin(), touches.end(), [](const NodeEdgeContact& touch) { return touch.active; }), 5);
+        const auto& contacts = one.state.contact_pairs.contacts;
+        EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
         EXPECT_EQ(one.state.subcycled, factor > 0);
         for (const int threads : {2, 3}) {
             EXPECT_TRUE(same(one, crushed(LawVariant::consistent, factor, widest_vector_target(), threads))) << threads;

@@ -14,7 +14,7 @@
 
 namespace graincrack::test {
 
-/// A specimen between platens, without membrane, touches and mass scaling. Nodes in the order of the assemblage.
+/// A specimen between platens, without membrane, node–edge contacts and mass scaling. Nodes in the order of the assemblage.
 class NaiveRun {
 public:
     using Vector = Eigen::Vector2d;

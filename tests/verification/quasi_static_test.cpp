@@ -77,7 +77,7 @@ void expect_quasi_static(TestKind test, LawVariant law, double rate) {
                o.header.platen_force_difference, 0, 0.02, "equilibrium", 1);
         verify("specimens: quasi-static, kinetic over strain energy before the peak, " + name, o.kinetic_over_strain, 0, 1e-3,
                "equilibrium", 1);
-        verify("specimens: ledger residual to the end, " + name, o.header.ledger_residual, 0, 5e-3,
+        verify("specimens: residual of the energy balance to the end, " + name, o.header.ledger_residual, 0, 5e-3,
                "each term by its own definition", 1);
         if (test == TestKind::triaxial) {
             verify("specimens: achieved confinement (MPa)", o.header.confinement_mean / MPa, confining_pressure / MPa, 0.01,
