@@ -11,21 +11,21 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t batch_contacts = 64;
-constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
+constexpr std::int32_t max_contacts = 64;  // that a vector kernel works on at a time
+constexpr std::int32_t lanes = 8;          // of the widest vector unit; any fixed number gives the same bytes everywhere
 
-/// Ways and forces of touches side by side.
+/// Motions and forces of contacts side by side.
 struct Lanes {
-    alignas(64) double along_x[batch_contacts], along_y[batch_contacts];  // from first to second node of the edge, m
-    alignas(64) double from_x[batch_contacts], from_y[batch_contacts];    // from first to the node, m
-    alignas(64) double node_x[batch_contacts], node_y[batch_contacts];    // way of the step, m
-    alignas(64) double first_x[batch_contacts], first_y[batch_contacts], second_x[batch_contacts], second_y[batch_contacts];
-    alignas(64) double tangent_x[batch_contacts], tangent_y[batch_contacts], inv_length[batch_contacts];
-    alignas(64) double place[batch_contacts], depth[batch_contacts];
-    alignas(64) double force_x[3][batch_contacts], force_y[3][batch_contacts];
-    alignas(64) double live[batch_contacts], area[batch_contacts], initial_overlap[batch_contacts];
-    alignas(64) double overlap[batch_contacts], elastic_slip[batch_contacts], release_correction[batch_contacts];
-    alignas(64) double friction[batch_contacts];
+    alignas(64) double along_x[max_contacts], along_y[max_contacts];  // from first to second node of the edge, m
+    alignas(64) double from_x[max_contacts], from_y[max_contacts];    // from first to the node, m
+    alignas(64) double node_x[max_contacts], node_y[max_contacts];    // displacement of the step, m
+    alignas(64) double first_x[max_contacts], first_y[max_contacts], second_x[max_contacts], second_y[max_contacts];
+    alignas(64) double tangent_x[max_contacts], tangent_y[max_contacts], inv_length[max_contacts];
+    alignas(64) double place[max_contacts], depth[max_contacts];
+    alignas(64) double force_x[3][max_contacts], force_y[3][max_contacts];
+    alignas(64) double live[max_contacts], area[max_contacts], initial_overlap[max_contacts];
+    alignas(64) double overlap[max_contacts], elastic_slip[max_contacts], release_correction[max_contacts];
+    alignas(64) double friction[max_contacts];
 };
 
 void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Lanes& b) {
@@ -68,8 +68,8 @@ GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
     }
 }
 
-/// A node that is out where nothing presses ends its touch: it gives back what it owes (`NodeEdgeContact::release_correction`),
-/// and then nothing.
+/// A contact ends when its node is outside and there is no overlap left. Its last force is the correction of its energy
+/// (`NodeEdgeContact::release_correction`).
 GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -130,16 +130,16 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
     ActiveContacts& active = s.contact_pairs.active;
     const std::int32_t begin = s.contact_pairs.first_watched(chunk);
     const std::int32_t end = begin + active.count[chunk];
-    Lanes batch;
-    for (std::int32_t at = begin; at < end; at += batch_contacts) {
-        const Range contacts{at, std::min(at + batch_contacts, end)};
-        gather(a, s, parameters.time_step, contacts, batch);
+    Lanes b;
+    for (std::int32_t at = begin; at < end; at += max_contacts) {
+        const Range contacts{at, std::min(at + max_contacts, end)};
+        gather(a, s, parameters.time_step, contacts, b);
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-            find_geometry(contacts.size(), batch);
-            move(parameters.law, contacts.size(), batch);
+            find_geometry(contacts.size(), b);
+            move(parameters.law, contacts.size(), b);
         });
-        scatter(contacts, batch, active);
-        s.contact_pairs.friction[chunk] += sum_of(contacts.size(), batch.friction);
+        scatter(contacts, b, active);
+        s.contact_pairs.friction[chunk] += sum_of(contacts.size(), b.friction);
     }
 }
 

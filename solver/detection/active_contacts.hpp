@@ -19,7 +19,7 @@ void store_active(std::int32_t chunk, ContactPairList& list);
 /// Makes the contacts of the list active ones, after an update or where a run continues from a saved state.
 void load_active(const Assemblage& assemblage, ContactPairList& list);
 
-/// Finds by node where the forces of the active contacts are; to be called where a detection has changed them.
+/// Builds the index by which nodes find the forces of active contacts; needed after every detection that has changed them.
 void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 
 /// Adds a pair of the list to the active ones of its chunk.

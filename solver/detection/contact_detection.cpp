@@ -13,12 +13,16 @@ namespace {
 
 using namespace detection_rule;
 
-constexpr double bond_width = 3e-3;  // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
-constexpr double min_area = 0.1;     // of what a node stands for, in a crowd
-constexpr double aligned = 0.5;      // cosine of two normals up to which two edges count as one surface
-constexpr double corner = 0.05;      // sine of a turn of the surface from which on its two edges are two faces
+/// Over the mean edge: a node less far behind a bonded edge is in the bond, not in the grain.
+constexpr double bond_width = 3e-3;
+/// Least area of a contact where many meet, over the tributary area of its node.
+constexpr double min_area = 0.1;
+/// Cosine of the angle between two normals above which two edges are of one surface.
+constexpr double aligned = 0.5;
+/// Sine of a turn of the surface beyond which its two edges are two faces.
+constexpr double corner = 0.05;
 
-/// What a chunk of nodes is worked on with.
+/// Data of detection in a chunk of watched pairs.
 struct Chunk {
     const Assemblage& assemblage;
     const StepParameters& parameters;
@@ -28,7 +32,7 @@ struct Chunk {
     double friction = 0;
 };
 
-/// Prefetches what the watched pairs of a chunk remember: they lie scattered in a long list.
+/// Prefetches the contacts of the watched pairs of a chunk, which are scattered in a long list.
 void prefetch(const ContactPairList& list, Range watched) {
     for (std::int32_t i = watched.begin; i < watched.end; ++i) {
         const auto pair = static_cast<std::size_t>(list.watched[i]);
@@ -59,8 +63,8 @@ struct Group {
 
 bool is_over(const PairGeometry& g, double beyond) { return g.place >= -beyond && g.place <= 1 + beyond; }
 
-/// Of the two edges that follow edge `i` around a convex corner of the grain, the one whose face the node is nearer to than
-/// `depth`; −1 if there is none in the list.
+/// Of the two edges next to edge `i` around a convex corner of the grain, the one to whose face the node is nearest, if nearer
+/// than `depth` (m); −1 if there is none among the watched pairs.
 std::int32_t nearer_face(const Group& group, std::int32_t i, double depth) {
     const SurfaceEdge& edge = group.edge(i);
     const Vector2 t = group.geometry(i).tangent;
@@ -81,7 +85,8 @@ std::int32_t nearer_face(const Group& group, std::int32_t i, double depth) {
     return found;
 }
 
-/// Where a node that has left edge `i` at its end goes on: the edge of the same surface whose depth differs least; −1 for none.
+/// The edge on which the contact of a node that has left edge `i` at its end continues: the one of the same surface whose depth
+/// differs least; −1 for none.
 std::int32_t next_edge(const Group& group, std::int32_t i) {
     const PairGeometry from = group.geometry(i);
     double nearest = slack / from.inv_length;
@@ -103,7 +108,7 @@ void clear(Group& group, std::int32_t i) {
     std::fill_n(group.forces(i), 3, Vector2{});
 }
 
-/// Ends a contact; what its springs still store is lost as the node slips off.
+/// Ends a contact as its node slips off; the energy of its springs is lost and booked as friction.
 void end_contact(Group& group, std::int32_t i) {
     group.chunk.friction += node_edge_energy(group.chunk.parameters.law, group.contact(i));
     clear(group, i);
@@ -134,7 +139,7 @@ std::int32_t continue_contact(Group& group, std::int32_t i) {
 }
 
 /// Decides how the contacts of a node continue; those that do become active.
-void continue_contact(Group& group) {
+void continue_contacts(Group& group) {
     std::array<std::int32_t, 16> active{};
     std::size_t count = 0;
     for (std::int32_t i = 0; i < group.size(); ++i) {
@@ -152,30 +157,33 @@ void continue_contact(Group& group) {
     }
 }
 
-/// The area that is still available at a node: what its bonds had at the start, which the stable step assumes, less what its
-/// bonds and contacts occupy now. Many corners on the end of one edge would be stiffer together than any bond was.
+/// The area that is still available at a node: that of its bonds at the start, for which the stable step was found, less the area
+/// that its bonds and node–edge contacts occupy now. Without this limit many corners at one end of an edge would be stiffer
+/// together than any bond was.
 double available_area(const GrainSurface& surface, const std::vector<ContactGeometry>& contacts, const ContactPairList& list,
                       std::int32_t node) {
-    double room = 2 * surface.tributary[node] - list.occupied_area[node];
+    double area = 2 * surface.tributary[node] - list.occupied_area[node];
     for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
         const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
-        room -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
+        area -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
     }
-    return room;
+    return area;
 }
 
-/// Area of a new contact: what the node stands for, or less where others occupy node or edge already.
+/// Area of a new contact: the tributary area of the node, or less where other contacts already occupy the node or the end of the
+/// edge.
 double area_of(const Group& group, std::int32_t i) {
     const Assemblage& a = group.chunk.assemblage;
-    const auto room = [&](std::int32_t node) {
+    const auto available = [&](std::int32_t node) {
         return available_area(a.surface, a.contacts, group.chunk.state.contact_pairs, node);
     };
     const double tributary = a.surface.tributary[group.node()];
     const std::int32_t end = group.edge(i).nodes[group.geometry(i).place < 0.5 ? 0 : 1];
-    return std::clamp(std::min(room(group.node()), room(end)), min_area * tributary, tributary);
+    return std::clamp(std::min(available(group.node()), available(end)), min_area * tributary, tributary);
 }
 
-/// Whether a contact may begin: the node is in the grain, and no other contact keeps it out of there.
+/// Whether a contact may begin: the node is inside the grain, came in through this edge, and has no other contact with this grain
+/// or with the same surface.
 bool may_begin(const Group& group, std::int32_t i) {
     const PairGeometry g = group.geometry(i);
     if (group.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {
@@ -218,15 +226,13 @@ bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, c
 
 bool came_through_neighbour(const Assemblage& a, const State& s, const CandidatePair& pair, const PairGeometry& g,
                             double margin) {
-    const auto place_of = [&](std::int32_t n) { return a.position[n] + s.displacement[n]; };
     const SurfaceEdge& edge = a.surface.edges[pair.edge];
-    const Vector2 node = place_of(pair.node);
     for (const std::int32_t index : {edge.previous, edge.next}) {
         if (index < 0) {
             continue;
         }
         const SurfaceEdge& neighbour = a.surface.edges[index];
-        const PairGeometry other = pair_geometry(node, place_of(neighbour.nodes[0]), place_of(neighbour.nodes[1]));
+        const PairGeometry other = pair_geometry(a, s, CandidatePair{pair.node, index});
         const double turn = g.tangent.x * other.tangent.y - g.tangent.y * other.tangent.x;
         const bool convex = index == edge.next ? turn > corner : turn < -corner;
         const double front =
@@ -257,7 +263,7 @@ void detect_contacts(const Assemblage& a, const StepParameters& parameters, std:
     const std::int32_t before = list.active.count[index];
     list.active.count[index] = 0;
     list.active.changed[index] = 0;
-    for_groups([](Group& group) { continue_contact(group); });
+    for_groups(continue_contacts);
     move_active_contacts(a, parameters, index, s);
     store_active(index, list);
     for_groups(begin_contacts);

@@ -7,11 +7,12 @@
 namespace graincrack {
 namespace {
 
-bool holds(const MassScaling::Link& link, const State& s) {
+/// Whether a contact point links its nodes.
+bool is_linking(const MassScaling::Link& link, const State& s) {
     return !s.points[link.point].separated || s.opening[link.point] < link.reach;
 }
 
-/// Lists the nodes of a chunk that platens hold.
+/// Lists the nodes of a chunk that platens constrain.
 void find_constrained(const MassScaling& scaling, std::int32_t chunk, ClusterState& g) {
     const Range nodes = scaling.nodes_of(chunk);
     g.constrained[chunk].clear();
@@ -22,7 +23,7 @@ void find_constrained(const MassScaling& scaling, std::int32_t chunk, ClusterSta
     }
 }
 
-/// Finds the components of a cluster by its ties, and whether a platen holds them.
+/// Finds the components of a cluster by its links, and whether a platen constrains them.
 void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, ClusterState& g) {
     const Range nodes = scaling.clusters[cluster];
     const Range links = scaling.links_of_cluster[cluster];
@@ -57,9 +58,9 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
     }
 }
 
-/// The mean velocity of those a node is held together with.
-/// \param is_with (i, j): nodes i and j are held together
-/// \param platen what it is if there are none: the velocity of the platen that holds it
+/// The mean velocity of the nodes with which node i is.
+/// \param is_with (i, j): whether node j is one of them
+/// \param platen the result if there are none: the velocity of the platen that constrains node i
 template <class IsWith>
 Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range nodes, std::int32_t i, const State& s,
                       const Vector2& platen, IsWith&& is_with) {
@@ -75,7 +76,7 @@ Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range nod
     return mass > 0 ? (1 / mass) * momentum : platen;
 }
 
-/// Kinetic energy ½ vᵀM' v of a cluster, J, with `own` times that of its masses as they are.
+/// Kinetic energy ½ vᵀM' v of a cluster, J, with the part ½ vᵀM v of the unscaled masses multiplied by `own`.
 double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
                       const State& s, double own) {
     const Range nodes = scaling.clusters[cluster];
@@ -93,7 +94,8 @@ double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const Pla
     return 0.5 * sum;
 }
 
-/// ½ Δt F·v of some nodes, J: what is between ½ v(n−½)ᵀM' v(n−½) and the energy ½ v(n−½)ᵀM' v(n+½) of the ledger.
+/// ½ Δt F·v of some nodes, J: the difference between ½ v(n−½)ᵀM' v(n−½) and the kinetic energy ½ v(n−½)ᵀM' v(n+½) of the energy
+/// balance.
 double half_impulse_work(const StepParameters& parameters, Range nodes, const State& s) {
     double sum = 0;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
@@ -103,49 +105,72 @@ double half_impulse_work(const StepParameters& parameters, Range nodes, const St
     return 0.5 * parameters.time_step * sum;
 }
 
-/// Gives those that part their velocities and those that meet their momentum: neither makes energy, seen from the platen where
-/// one holds them.
-void change_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
-                    State& s) {
+/// Components of a cluster before it changes, by place.
+struct OldComponents {
+    Range places;
+    std::vector<std::int32_t> component;
+    std::vector<std::uint8_t> constraining_platen;
+
+    OldComponents(const ClusterState& g, Range p)
+        : places(p),
+          component(g.component.begin() + p.begin, g.component.begin() + p.end),
+          constraining_platen(g.constraining_platen.begin() + p.begin, g.constraining_platen.begin() + p.end) {}
+    [[nodiscard]] std::int32_t component_of(std::int32_t i) const { return component[i - places.begin]; }
+    [[nodiscard]] std::uint8_t platen_of(std::int32_t i) const { return constraining_platen[component_of(i) - places.begin]; }
+};
+
+/// Finds which links of a cluster hold now, and the components they make.
+void relink(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, State& s) {
     ClusterState& g = s.clusters;
     const Range nodes = scaling.clusters[cluster];
     const Range links = scaling.links_of_cluster[cluster];
-    const auto of_cluster = [&nodes](const auto& all) { return std::vector(all.begin() + nodes.begin, all.begin() + nodes.end); };
-    const std::vector<std::int32_t> old_component = of_cluster(g.component);
-    const std::vector<std::uint8_t> old_platen = of_cluster(g.constraining_platen);
     for (std::int32_t t = links.begin; t < links.end; ++t) {
-        g.linked[t] = holds(scaling.links[t], s) ? 1 : 0;
+        g.linked[t] = is_linking(scaling.links[t], s) ? 1 : 0;
     }
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         g.supported[i] = s.near_platen[scaling.nodes[i]];
     }
     find_components(a, scaling, cluster, g);
-    // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
-    const auto platen_before = [&](std::int32_t i) { return old_platen[old_component[i - nodes.begin] - nodes.begin]; };
+}
+
+/// Sets the velocity of each node of a cluster to `velocity_of(i)`, which finds all of them before any is set.
+template <class VelocityOf>
+void set_velocities(const MassScaling& scaling, Range nodes, State& s, const VelocityOf& velocity_of) {
+    std::vector<Vector2> velocities;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        velocities.push_back(velocity_of(i));
+    }
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        s.velocity[scaling.nodes[i]] = velocities[i - nodes.begin];
+    }
+}
+
+/// Changes the components of a cluster: nodes that split keep their velocities, nodes that join their momentum. Neither creates
+/// energy, relative to the platen where one constrains them.
+void change_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
+                    State& s) {
+    const ClusterState& g = s.clusters;
+    const Range nodes = scaling.clusters[cluster];
+    const OldComponents old(g, nodes);
+    relink(a, scaling, cluster, s);
     const auto platen_now = [&](std::int32_t i) { return g.constraining_platen[g.component[i]]; };
-    std::vector<Vector2> specific_momentum;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+    // First all nodes split that will: momentum over mass, p = M' v of what remains linked. Then those that are linked share it,
+    // v = M'⁻¹ p.
+    set_velocities(scaling, nodes, s, [&](std::int32_t i) {
         const Vector2 mean =
-            mean_velocity(a, scaling, nodes, i, s, platens[platen_before(i)], [&](std::int32_t k, std::int32_t j) {
-                return old_component[j - nodes.begin] == old_component[k - nodes.begin] && g.component[j] == g.component[k] &&
-                       !(platen_before(k) != 0 && platen_now(k) != 0);
+            mean_velocity(a, scaling, nodes, i, s, platens[old.platen_of(i)], [&](std::int32_t k, std::int32_t j) {
+                return old.component_of(j) == old.component_of(k) && g.component[j] == g.component[k] &&
+                       !(old.platen_of(k) != 0 && platen_now(k) != 0);
             });
-        specific_momentum.push_back((1 + scaling.factor) * s.velocity[scaling.nodes[i]] - scaling.factor * mean);
-    }
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        s.velocity[scaling.nodes[i]] = specific_momentum[i - nodes.begin];
-    }
-    std::vector<Vector2> velocity;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        return (1 + scaling.factor) * s.velocity[scaling.nodes[i]] - scaling.factor * mean;
+    });
+    set_velocities(scaling, nodes, s, [&](std::int32_t i) {
         const Vector2 mean = mean_velocity(a, scaling, nodes, i, s, platens[platen_now(i)], [&](std::int32_t k, std::int32_t j) {
             return g.component[j] == g.component[k] && platen_now(k) == 0;
         });
         const Vector2 own = s.velocity[scaling.nodes[i]];
-        velocity.push_back(mean + (1 / (1 + scaling.factor)) * (own - mean));
-    }
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        s.velocity[scaling.nodes[i]] = velocity[i - nodes.begin];
-    }
+        return mean + (1 / (1 + scaling.factor)) * (own - mean);
+    });
 }
 
 }  // namespace
@@ -158,7 +183,7 @@ ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling,
     g.whole.resize(scaling.clusters.size());
     g.sums.resize(scaling.chunks.size());
     for (const MassScaling::Link& link : scaling.links) {
-        g.linked.push_back(holds(link, s) ? 1 : 0);
+        g.linked.push_back(is_linking(link, s) ? 1 : 0);
     }
     g.supported.resize(scaling.nodes.size());
     for (std::int32_t cluster = 0; cluster < static_cast<std::int32_t>(scaling.clusters.size()); ++cluster) {
@@ -209,7 +234,7 @@ void complete_cluster_state(const MassScaling& scaling, State& s) {
 
 namespace {
 
-/// Whether a cluster of a chunk may have changed: a point of it has failed, or a platen has come or gone.
+/// Whether a cluster of a chunk may have changed: a point of it has failed, or a node has met or left a platen.
 bool may_change(const MassScaling& scaling, std::int32_t chunk, const State& s) {
     const ClusterState& g = s.clusters;
     return g.cracked[chunk] != 0 || std::any_of(g.platen_nodes[chunk].begin(), g.platen_nodes[chunk].end(), [&](std::int32_t i) {
@@ -232,7 +257,7 @@ void update_clusters(const Assemblage& a, const StepParameters& parameters, cons
         const Range nodes = scaling.clusters[cluster];
         bool changes = false;
         for (std::int32_t t = links.begin; t < links.end; ++t) {
-            changes = changes || (s.failed[scaling.links[t].point] != 0 && holds(scaling.links[t], s) != (g.linked[t] != 0));
+            changes = changes || (s.failed[scaling.links[t].point] != 0 && is_linking(scaling.links[t], s) != (g.linked[t] != 0));
         }
         for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
             changes = changes || g.supported[i] != s.near_platen[scaling.nodes[i]];
