@@ -139,7 +139,7 @@ struct Combined {
         }
         r.history.motion = to;
     }
-    /// A contact closes: no normal traction yet, so no friction.
+    /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {

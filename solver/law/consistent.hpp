@@ -54,23 +54,27 @@ struct Consistent {
         law.inv_dso = law.ks / (std::numbers::e * law.open_shear_strength);
     }
 
-    /// Cohesion responds as that of an intact point up to the peak, friction as that of a residual point. Beyond the peak
-    /// cohesion softens (open) or is lost (closed).
+    /// Up to the peak cohesion responds as that of an intact point; beyond it, it softens (open) or is lost (closed). Friction of
+    /// a closed point responds as that of a residual point.
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         const bool open = to.opening >= 0;
-        const IntactResponse cohesion = intact(law, intact_point(h, to));
-        const ResidualResponse friction = residual_response(law, residual_point(h, to));
-        double frictional_shear = friction.shear;
-        h.slip = friction.slip;
-        r.dissipation.friction += h.friction_share * friction.friction;
-        if (cohesion.holds != 0) {
+        const double load = load_at(law, to.opening, to.sliding);
+        double frictional_shear = 0;
+        if (!open) {
+            const ResidualResponse friction = residual_response(law, residual_point(h, to));
+            frictional_shear = friction.shear;
+            h.slip = friction.slip;
+            r.dissipation.friction += h.friction_share * friction.friction;
+        }
+        if (load <= 1) {
+            const IntactResponse cohesion = intact(law, intact_point(h, to));
             h.integrity = cohesion.integrity;
             r.dissipation.fracture += cohesion.fracture;
         } else if (open) {
-            soften(law, to, r);
+            soften(law, to, load, r);
         } else if (h.integrity > 0) {
-            frictional_shear = lose_cohesion(law, to, friction.shear, r);
+            frictional_shear = lose_cohesion(law, to, frictional_shear, r);
         }
         const double shear = h.integrity * law.ks * to.sliding;
         r.traction = open ? ContactTraction{h.integrity * law.kt * to.opening, shear}
@@ -78,7 +82,7 @@ struct Consistent {
         h.separated = h.separated || (open && h.integrity == 0);
         h.motion = to;
     }
-    /// A contact closes: no normal traction yet, so no friction.
+    /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         const ContactMotion& m = h.motion;
@@ -98,7 +102,7 @@ struct Consistent {
         const double load = load_at(law, p.opening, p.sliding);
         const double integrity = std::min(p.integrity, exp_of_minus(load));
         return {(p.opening >= 0 ? integrity : 1.0) * law.kt * p.opening, integrity * law.ks * p.sliding,
-                load <= 1 ? stays_on_its_side(p) : 0.0, integrity, released(law, p, p.integrity - integrity)};
+                load <= 1 ? stays_on_its_side(p) : 0.0, integrity, energy_of_fall(law, p, p.integrity - integrity)};
     }
 
 private:
@@ -114,18 +118,17 @@ private:
         return law.kt * opened * opened + law.ks * sliding * sliding;
     }
     /// Energy that a fall of β takes from a point while it moves, at the mean of q before and after, J/m².
-    static double released(const ContactLaw& law, const IntactPoint& p, double fall) {
+    static double energy_of_fall(const ContactLaw& law, const IntactPoint& p, double fall) {
         return 0.25 * (cohesive_form(law, p.old_opening, p.old_sliding) + cohesive_form(law, p.opening, p.sliding)) * fall;
     }
     /// Past the peak of the open branch: β follows the softening curve, and the lost share of the area will carry friction.
-    static void soften(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    static void soften(const ContactLaw& law, const ContactMotion& to, double load, ContactResponse& r) {
         ContactHistory& h = r.history;
-        const double load = load_at(law, to.opening, to.sliding);
         const double lost = consistent_damage(law, load, cohesive_form(law, to.opening, to.sliding) / (load * load));
         const double integrity = std::min(h.integrity, (1 - lost) / (std::numbers::e * load));
         mark_failed(h, CrackMode::tensile);
         h.friction_share = std::max(h.friction_share, lost);
-        r.dissipation.fracture += released(law, intact_point(h, to), h.integrity - integrity);
+        r.dissipation.fracture += energy_of_fall(law, intact_point(h, to), h.integrity - integrity);
         h.integrity = integrity;
     }
     /// Past the peak of the closed branch: the cohesive share goes on with friction, from the traction it had.

@@ -72,18 +72,25 @@ void cross(const ContactLaw& law, bool opens, ContactResponse& r) {
     r.dissipation.non_conservative_work += released - (r.dissipation.fracture + r.dissipation.friction - booked);
 }
 
+/// Moves the point with the history `r.history`; adds to `r.dissipation`.
 template <class Law>
-ContactResponse update(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
-    ContactResponse r{{}, history, {}};
-    const bool was_open = history.motion.opening >= 0;
+void move_point(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    const ContactMotion from = r.history.motion;
+    const bool was_open = from.opening >= 0;
     const bool is_open = to.opening >= 0;
     if (was_open != is_open) {
-        const double share = history.motion.opening / (history.motion.opening - to.opening);
-        const double sliding = history.motion.sliding + share * (to.sliding - history.motion.sliding);
+        const double share = from.opening / (from.opening - to.opening);
+        const double sliding = from.sliding + share * (to.sliding - from.sliding);
         Law::advance(law, {was_open ? 0.0 : -std::numeric_limits<double>::denorm_min(), sliding}, r);
         cross<Law>(law, is_open, r);
     }
     Law::advance(law, to, r);
+}
+
+template <class Law>
+ContactResponse update(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
+    ContactResponse r{{}, history, {}};
+    move_point<Law>(law, to, r);
     return r;
 }
 

@@ -13,15 +13,15 @@
 
 namespace graincrack {
 
-/// A contact point that failed or separated during a step.
+/// A contact point that failed or separated in a step. All but `peak_traction` is of the end of this step.
 struct ContactEvent {
     std::int64_t step = 0;
     std::int32_t contact = 0;
     std::uint8_t point = 0;
     bool is_separation = false;
-    CrackMode mode = CrackMode::tensile;
+    CrackMode mode = CrackMode::tensile;  ///< of the first failure
     ContactMotion motion;
-    ContactTraction peak_traction;  ///< of the step before, still short of the peak
+    ContactTraction peak_traction;  ///< of the step before, the last one short of the peak
     Vector2 tangent;
     Vector2 position;  ///< middle of the half-edge the point stands for
 };
@@ -38,8 +38,8 @@ struct GrainSums {
     double damping = 0;
     double platen_work = 0;
     double membrane_work = 0;
-    double load_work = 0;      ///< of gravity and loaded edges, and kinetic energy given at the start
-    double reaction_work = 0;  ///< of driven nodes
+    double load_work = 0;      ///< of gravity and loaded edges, and initial kinetic energy
+    double reaction_work = 0;  ///< of nodes with prescribed motion
     double platen_friction = 0;
 };
 
@@ -71,8 +71,8 @@ private:
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t integrations = 0;       ///< steps, or substeps of them where they are made of substeps
-    std::int64_t origin_step = 0;        ///< from which on the time step is what it is
+    std::int64_t integrations = 0;       ///< steps and, once steps are made of substeps, substeps
+    std::int64_t origin_step = 0;        ///< the first step with the present time step
     double origin_time = 0;              ///< of that step, s
     std::vector<Vector2> displacement;   ///< [n] m, at `time`
     std::vector<Vector2> velocity;       ///< [n] m/s, half a step before `time`
@@ -80,14 +80,14 @@ struct State {
     std::vector<Vector2> last_force;     ///< [n] N, of the step before, for the rate of `force`
     std::vector<Vector2> damping_force;  ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t>
-        near_platen;  ///< [n] 1 + the platen it is on or close to (`cluster_reach`), else 0; scratch of the node stage
+        near_platen;                      ///< [n] 1 + the platen within `cluster_reach` of it, else 0; scratch of the node stage
     std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
-    std::vector<double> integrity;        ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
+    std::vector<double> integrity;        ///< [2 c] β of each point; stays 1 if the law has none
     std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
-    std::vector<std::uint8_t> residual;   ///< [2 c] 1 once friction is all that is left of it (`is_residual`)
+    std::vector<std::uint8_t> residual;   ///< [2 c] 1 once nothing but friction is left (`is_residual`)
     PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
@@ -100,7 +100,7 @@ struct State {
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
-    bool subcycled = false;  ///< mass scaling is over, see `StepParameters::substeps`
+    bool subcycled = false;  ///< mass scaling has ended, see `StepParameters::substeps`
 };
 
 /// Time of a step, s.
@@ -108,8 +108,8 @@ inline double time_of(const State& state, std::int64_t step, double time_step) {
     return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
 }
 
-/// History of contact point 2 c + p.
-inline ContactHistory point_history(const State& state, std::size_t point) {
+/// History of contact point 2 c + p. (Inlined always, as `store_point`: both are called for every point that takes the full law.)
+GRAINCRACK_INLINE ContactHistory point_history(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
     history.integrity = state.integrity[point];
@@ -117,7 +117,7 @@ inline ContactHistory point_history(const State& state, std::size_t point) {
     return history;
 }
 /// Makes `history` that of contact point 2 c + p. \param is_residual what its law says of it
-inline void store_point(const ContactHistory& history, bool is_residual, std::size_t point, State& state) {
+GRAINCRACK_INLINE void store_point(const ContactHistory& history, bool is_residual, std::size_t point, State& state) {
     state.points.of(point) = history;
     state.opening[point] = history.motion.opening;
     state.sliding[point] = history.motion.sliding;

@@ -257,16 +257,17 @@ void book_dissipation(const PointIndex& at, double area, const ContactResponse& 
     sums.non_conservative_work += area * r.dissipation.non_conservative_work;
 }
 
-/// Notes events of a point that fails or separates. Motion, tangent and position are those of the step in which it does, the
-/// traction is that of the step before, the last one short of the peak.
+/// Notes events of a point that fails or separates, before its new history is stored. Motion, tangent and position are those of
+/// the step in which it does, the traction is that of the step before, the last one short of the peak.
 template <class Law>
-void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactHistory& before,
-                 const ContactHistory& now, const Vector2& tangent, std::int64_t step, State& s) {
-    const bool fails = now.failed() && !before.failed();
-    const bool separates = now.separated && !before.separated;
+void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactHistory& now,
+                 const Vector2& tangent, std::int64_t step, State& s) {
+    const bool fails = now.failed() && s.failed[at.point()] == 0;
+    const bool separates = now.separated && !s.points[at.point()].separated;
     if (!fails && !separates) {
         return;
     }
+    const ContactHistory before = point_history(s, at.point());
     ContactEvent event{step,
                        at.contact,
                        static_cast<std::uint8_t>(at.end),
@@ -295,39 +296,39 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
             continue;
         }
         const PointIndex at{chunk, range.begin + k / 2, k % 2};
-        const ContactHistory before = point_history(s, at.point());
-        const ContactResponse r = contact_law::update<Law>(law, {b.opening[k], b.sliding[k]}, before);
+        ContactResponse r{{}, point_history(s, at.point()), {}};
+        contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
         book_dissipation(at, b.area[k / 2], r, s);
-        note_events<Law>(a, law, at, before, r.history, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+        note_events<Law>(a, law, at, r.history, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         store_point(r.history, Law::is_residual(law, r.history), at.point(), s);
         b.normal_traction[k] = r.traction.normal;
         b.shear_traction[k] = r.traction.shear;
     }
 }
 
-/// The law at all points of a chunk: tractions into the lanes, histories, dissipation and events into the state.
+/// The responses without a branch, at all points of a chunk. \return number of points that need the full law
 template <class Law>
-void apply_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
+std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, State& s, Lanes& b) {
     const std::int32_t count = a.contact_chunks[chunk].size();
     const std::size_t first = 2 * static_cast<std::size_t>(a.contact_chunks[chunk].begin);
     const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
     ContactSums& sums = s.contact_sums[chunk];
-    std::int32_t undone = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         find_motions(count, b);
         apply_intact_response<Law>(law, points, count, b);
         if constexpr (Law::damages_intact) {
             book_intact_damage(points, count, b, sums);
         }
+    });
+    std::int32_t undone = 0;
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         if (b.any_residual) {
             apply_residual_response(law, points, count, b);
             sums.friction += sum_friction(count, b);
         }
         undone = count_undone(count, b);
     });
-    if (undone > 0) {
-        apply_full_law<Law>(a, law, chunk, step, s, b);
-    }
+    return undone;
 }
 
 /// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's
@@ -377,7 +378,11 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t c
     gather(a, s, range, b);
     prefetch_ahead(a, s, chunk);
     sort_points(a, s, range, b);
-    contact_law::with_law(law.variant, [&](auto kind) { apply_law<decltype(kind)>(a, law, chunk, step, s, b); });
+    contact_law::with_law(law.variant, [&](auto kind) {
+        if (apply_vector_path<decltype(kind)>(a, law, chunk, s, b) > 0) {
+            apply_full_law<decltype(kind)>(a, law, chunk, step, s, b);
+        }
+    });
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         find_forces(range.size(), b, &s.contact_force[slot_stride * static_cast<std::size_t>(chunk)]);
         store_motions(range.size(), b, &s.opening[first], &s.sliding[first]);

@@ -16,9 +16,10 @@ namespace graincrack {
 void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
                       State& state);
 
-/// Moves the platen points of a chunk to the present displacements: their friction, and the work of the platens, which is that of
-/// their forces over the mean of the platens' displacements before and after.
-void advance_platen_points(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& state);
+/// The same in a step: the friction springs of the platens move to the present displacements, and the friction and the work of
+/// the platens are booked, the work as that of their forces over the mean of the platens' displacements before and after.
+void advance_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
+                          State& state);
 
 /// Damps and integrates the nodes of a chunk by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of damping
 /// and of the reactions at prescribed nodes. (With mass scaling `integrate_clusters` takes its place.)

@@ -51,8 +51,7 @@ public:
     /// A step of nodes that move with their own masses.
     void advance(std::int64_t step, bool is_detection) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
-            sum_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            advance_platen_points(boundary_, clock_.now(), chunk, s_);
+            advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
             book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
             integrate_nodes(a_, boundary_, parameters_, chunk, s_);
             book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
@@ -72,8 +71,7 @@ public:
     /// A step with mass scaling, in which vertex clusters are integrated and there are no node–edge contacts.
     void advance_scaled(std::int64_t step) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
-            sum_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            advance_platen_points(boundary_, clock_.now(), chunk, s_);
+            advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
             book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
         });
         team_.wait();
