@@ -1,5 +1,5 @@
-// The assemblage as the kernels see it: constant data in structures of arrays, grains in the order of the specimen,
-// cut into chunks that one thread works on at a time.
+// The assemblage as the kernels see it: constant data in structures of arrays, with grains in the order of the specimen, cut into
+// chunks. A chunk is what a thread works on at a time.
 #pragma once
 
 #include <array>
@@ -112,8 +112,8 @@ std::vector<Range> ranges_by_chunk(const Assemblage& a, const std::vector<Item>&
     return ranges;
 }
 
-/// Below a fifth of its length a mid-edge (of the two facing edges) has lost its direction: the grains have turned by over
-/// 150° to each other and face each other no more. Compared as squares.
+/// Square of the share of its length below which the mean of two facing edges has no direction any more: the grains have turned
+/// by more than 150° to each other.
 inline constexpr double lost_frame = 0.04;
 
 }  // namespace graincrack

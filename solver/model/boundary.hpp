@@ -25,7 +25,7 @@ struct Platen {
 inline constexpr std::size_t bottom_platen = 0;
 inline constexpr std::size_t top_platen = 1;
 
-/// A node that may meet a platen, with what it remembers.
+/// A node that may meet a platen, and its friction spring.
 struct PlatenPoint {
     std::int32_t node = 0;
     std::int32_t platen = 0;
@@ -36,12 +36,12 @@ struct PlatenPoint {
     bool on_boundary = false;  ///< its node ends a boundary edge, or meets the platen at the start
 };
 
-/// What a platen does to a point at one instant.
+/// The response of a platen to a point.
 struct PlatenResponse {
     Vector2 force;        ///< on the node, N
     double anchor = 0;    ///< new
     double shear = 0;     ///< new
-    double friction = 0;  ///< dissipated on the way here, J
+    double friction = 0;  ///< dissipated since the last update, J
     double stored = 0;    ///< in the penalty springs, J
 };
 /// How far a point is inside a platen, m; below 0: apart.
@@ -92,16 +92,16 @@ struct StepLoading {
     std::array<double, 2> increment_before{};     ///< of the step that led here, m
     std::array<double, 2> increment_after{};      ///< of the step that leads on, m
     double pressure = 0;                          ///< now, Pa
-    std::vector<double> amplitudes;               ///< of the drives: velocities of the step that leads on, loads now
+    std::vector<double> amplitudes;               ///< velocities of the step that leads on, loads now
 };
 
-/// Loading over a batch of steps: speeds and pressure change linearly from its first step to its last.
+/// Loading over an interval of steps: speeds and pressure change linearly from its first step to its last.
 struct IntervalLoading {
     std::array<double, 2> velocity_begin{};  ///< of the platens along y, m/s
     std::array<double, 2> velocity_end{};
     double pressure_begin = 0;
     double pressure_end = 0;
-    const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the drives, if there are any
+    const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the prescribed conditions, if there are any
 };
 
 /// Finds the nodes that may meet a platen (within `reach` of its face) and the membrane's edges (`membrane_parts`).

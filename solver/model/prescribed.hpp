@@ -1,9 +1,8 @@
-// What a program does to the specimen besides platens and membrane: prescribed velocities of nodes, tractions and pressures on
-// boundary edges, gravity. Constant data of a run; the values come from channels, functions of time.
+// Prescribed conditions of a program besides platens and membrane: velocities of nodes, tractions and pressures on boundary
+// edges, gravity. Constant data of a run; the values are amplitudes, functions of time.
 //
-// A driven component of a node moves as prescribed; it has no inertia of its own to damp, and its reaction is the force that
-// makes it so, R = m Δv/Δt − F. Each force does its work, as every force of the scheme, over the mean of the displacements before
-// and after it.
+// A component of a node whose velocity is prescribed is not damped; its reaction is the force that moves it as prescribed,
+// R = m Δv/Δt − F. As every force of the scheme, each does its work over the mean of the displacements before and after it.
 #pragma once
 
 #include <array>
@@ -16,22 +15,22 @@
 
 namespace graincrack {
 
-/// No channel, nor control.
+/// No amplitude, or no boundary condition.
 inline constexpr std::int32_t no_amplitude = -1;
 
-/// A node of which a component moves as prescribed while its channel has a number; NaN leaves it free.
+/// A node of which a component moves as prescribed while its amplitude is a number; NaN leaves it free.
 struct PrescribedNode {
     std::int32_t node = 0;
     std::array<std::int32_t, 2> amplitude{no_amplitude, no_amplitude};  ///< of its velocity along x and y, m/s
-    std::array<std::int32_t, 2> control{no_amplitude, no_amplitude};    ///< by which it is driven
+    std::array<std::int32_t, 2> control{no_amplitude, no_amplitude};    ///< the boundary condition that prescribes it
 };
 
 /// A boundary edge that carries a load.
 struct LoadedEdge {
     std::array<std::int32_t, 2> nodes{};  ///< solid on the left
-    std::array<std::int32_t, 2> traction{no_amplitude,
-                                         no_amplitude};  ///< channels of a dead traction along x and y, per reference length, Pa
-    std::int32_t pressure = no_amplitude;                ///< channel of a pressure that follows the edge, Pa
+    std::array<std::int32_t, 2> traction{
+        no_amplitude, no_amplitude};       ///< amplitudes of a dead traction along x and y, per reference length, Pa
+    std::int32_t pressure = no_amplitude;  ///< amplitude of a pressure that follows the edge, Pa
     std::int32_t control = no_amplitude;
     double length = 0;  ///< reference, m
 };
@@ -48,7 +47,7 @@ struct PrescribedConditions {
 /// Sorts nodes and edges and finds their ranges.
 void arrange_prescribed(const Assemblage& assemblage, PrescribedConditions& prescribed);
 
-/// What a step leaves of the drives: scratch, except that probes read it.
+/// Reactions and loads of the last step: scratch of the node stage, which probes read.
 struct PrescribedState {
     struct Node {
         Vector2 reaction;      ///< against the other forces, without inertia, N; 0 where free

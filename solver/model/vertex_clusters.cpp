@@ -9,7 +9,6 @@
 
 namespace graincrack {
 
-/// Representative of `i` in a forest of parents, with the way there shortened.
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
     while (parent[i] != i) {
         parent[i] = parent[parent[i]];
@@ -22,7 +21,7 @@ namespace {
 
 constexpr std::int32_t clusters_per_chunk = 32;
 
-/// The lowest node that each node shares a vertex with.
+/// The lowest of the nodes that share a vertex with each node.
 std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
     std::vector<std::int32_t> parent(a.position.size());
     std::iota(parent.begin(), parent.end(), 0);

@@ -12,13 +12,13 @@ namespace {
 constexpr std::int32_t lanes = 8;  // of the widest vector unit
 static_assert(2 * nodes_per_chunk % lanes == 0);
 
-/// Members of a chunk.
+/// Forces and motions of the nodes of a chunk, x and y in turn.
 struct Lanes {
     static constexpr std::int32_t size = 2 * nodes_per_chunk;
     alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
-    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
+    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of the component
     alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
-    alignas(64) double mean_damping_force[size];                      ///< drag of the mean less the mean of drags, per mass
+    alignas(64) double mean_damping_force[size];  ///< mean of the damping forces of the relative motion, per mass
     alignas(64) double damping_force[size];
 };
 
@@ -40,8 +40,8 @@ void gather(const MassScaling& scaling, Range nodes, const State& s, Lanes& b) {
     }
 }
 
-/// Calls `whole(first, last)` for every cluster that is one component, `split(first, last)` for all others; places within the
-/// chunk.
+/// Calls `whole(places)` for every cluster that is one component, `split(places)` for all others; places count from the chunk's
+/// first.
 template <class Whole, class Split>
 void for_each_cluster(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Whole&& whole, Split&& split) {
     const Range clusters = scaling.chunks[chunk];
@@ -52,7 +52,7 @@ void for_each_cluster(const MassScaling& scaling, std::int32_t chunk, const Clus
     }
 }
 
-/// Mean acceleration, its change and mean velocity of those held together.
+/// Mean acceleration, its change and mean velocity of components.
 void find_means(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
     const std::int32_t origin = scaling.nodes_of(chunk).begin;
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
@@ -98,7 +98,7 @@ void find_means(const MassScaling& scaling, std::int32_t chunk, const ClusterSta
         });
 }
 
-/// Drag of the relative motion of each.
+/// Damping forces of the relative motion of each node.
 GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -107,7 +107,7 @@ GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& s
     }
 }
 
-/// Mean of these drags, to be taken off.
+/// Mean of these damping forces over each component, to be subtracted.
 void find_mean_damping_forces(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
     const std::int32_t origin = scaling.nodes_of(chunk).begin;
     for_each_cluster(
@@ -135,7 +135,7 @@ void find_mean_damping_forces(const MassScaling& scaling, std::int32_t chunk, co
         });
 }
 
-/// Drag of both motions into `damping_force`, and the damped acceleration of the mean.
+/// Damping forces of both motions into `damping_force`, and the damped mean acceleration.
 GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -145,7 +145,8 @@ GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& share
     }
 }
 
-/// Everything up to the drags of a chunk. The mean motion of those that a platen holds is the platen's, and is not damped.
+/// Damping forces and damped mean accelerations of a chunk. The mean motion of a component that a platen constrains is the
+/// platen's, and is not damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t chunk,
           const State& s, Lanes& b) {
     const MassScaling& scaling = parameters.mass_scaling;
@@ -167,7 +168,7 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
     for (std::int32_t k = count; k % lanes != 0; ++k) {
         b.damping_force[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
-    // The new velocities into `mean_velocity`, which is not needed any more.
+    // The new velocities go into `mean_velocity`, which is not needed any more.
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = (1 - own) * b.mean_acceleration[k];
         b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force[k]));
@@ -182,7 +183,7 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
            ((absorbed[4] + absorbed[5]) + (absorbed[6] + absorbed[7]));
 }
 
-/// Of the platen that holds a component, m/s².
+/// Acceleration of the platen that constrains a component, m/s².
 Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t constraining_platen) {
     const std::size_t platen = constraining_platen - 1U;
     return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};

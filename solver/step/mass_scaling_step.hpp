@@ -9,9 +9,9 @@
 
 namespace graincrack {
 
-/// Damping of a chunk of clusters, into `state.damping_force`: of the mean motion of those held together against the force
-/// on all of them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it:
-/// the forces in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
+/// Damping of a chunk of clusters, into `state.damping_force`: of the mean motion of each component by the force
+/// on the whole component, and of the relative motion of each node by the rest of its force. (Contact forces are large against
+/// the force on the component; if every node were damped by its own force they would disturb the mean motion.)
 void damp_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                    State& state);
 

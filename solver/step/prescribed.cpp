@@ -22,16 +22,16 @@ void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadin
     s.force[second] += load;
 }
 
-/// Takes the force off a component that is driven.
+/// Moves the force on a prescribed component into its reaction.
 void take_reaction(double velocity, double& force, double& reaction) {
-    const bool driven = !std::isnan(velocity);
-    reaction = driven ? -force : 0;
-    force = driven ? 0 : force;
+    const bool is_prescribed = !std::isnan(velocity);
+    reaction = is_prescribed ? -force : 0;
+    force = is_prescribed ? 0 : force;
 }
 
-/// Moves a driven component. \return work of its reaction, J
-double lead(double prescribed, double old_velocity, double reaction, double inertia, double time_step, double old_displacement,
-            double& velocity, double& displacement) {
+/// Moves a component of a node if it is prescribed. \return work of its reaction, J
+double move_component(double prescribed, double old_velocity, double reaction, double inertia, double time_step,
+                      double old_displacement, double& velocity, double& displacement) {
     if (std::isnan(prescribed)) {
         return 0;
     }
@@ -53,8 +53,8 @@ void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed,
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         add_edge_load(a, prescribed.edges[i], loading, i, s);
     }
-    const Range driven = prescribed.nodes_of_chunk[chunk];
-    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+    const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
+    for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         const PrescribedNode& node = prescribed.nodes[i];
         PrescribedState::Node& state = s.prescribed.nodes[i];
         Vector2& force = s.force[node.node];
@@ -88,12 +88,12 @@ double reaction_half_work(const PrescribedConditions& prescribed, double time_st
     return 0.5 * time_step * work;
 }
 
-void hold_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
+void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
     if (prescribed.nodes.empty()) {
         return;
     }
-    const Range driven = prescribed.nodes_of_chunk[chunk];
-    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+    const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
+    for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         s.prescribed.nodes[i].displacement = s.displacement[prescribed.nodes[i].node];
         s.prescribed.nodes[i].old_velocity = s.velocity[prescribed.nodes[i].node];
     }
@@ -105,15 +105,15 @@ double move_prescribed(const Assemblage& a, const PrescribedConditions& prescrib
         return 0;
     }
     double work = 0;
-    const Range driven = prescribed.nodes_of_chunk[chunk];
-    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+    const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
+    for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         const std::int32_t node = prescribed.nodes[i].node;
         const PrescribedState::Node& n = s.prescribed.nodes[i];
         const double inertia = a.mass[node] / time_step;
-        work += lead(n.velocity.x, n.old_velocity.x, n.reaction.x, inertia, time_step, n.displacement.x, s.velocity[node].x,
-                     s.displacement[node].x);
-        work += lead(n.velocity.y, n.old_velocity.y, n.reaction.y, inertia, time_step, n.displacement.y, s.velocity[node].y,
-                     s.displacement[node].y);
+        work += move_component(n.velocity.x, n.old_velocity.x, n.reaction.x, inertia, time_step, n.displacement.x,
+                               s.velocity[node].x, s.displacement[node].x);
+        work += move_component(n.velocity.y, n.old_velocity.y, n.reaction.y, inertia, time_step, n.displacement.y,
+                               s.velocity[node].y, s.displacement[node].y);
     }
     return work;
 }

@@ -37,7 +37,8 @@ void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scal
     count(timer, loaded, static_cast<double>(steps));
 }
 
-/// Every contact is a crack, and each grain was displaced in another direction, so that some two hundred nodes are in node–edge contact.
+/// Every contact is a crack, and each grain was displaced in another direction, so that some two hundred nodes are in node–edge
+/// contact.
 LoadedSpecimen loose_grains(VectorTarget target) {
     Specimen specimen = granite(few);
     specimen.contact_kind.assign(specimen.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
@@ -107,8 +108,8 @@ void add_all() {
                 }
             }
         }
-        add("stage/touches/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, false); });
-        add("stage/review of touches/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, true); });
+        add("stage/node-edge contacts/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, false); });
+        add("stage/detection/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, true); });
         for (const LawDescription& law : all_contact_laws()) {
             add("law/" + std::string(law.name) + "/1122/" + unit,
                 [=, variant = law.variant](auto& timer) { run_steps(timer, few, variant, false, target, 1); });

@@ -40,7 +40,7 @@ TEST(ConsistentLaw, PureOpeningIsEq7) {
     EXPECT_TRUE(walk.history().separated);
 }
 
-// Whatever the direction in which a point is torn, it takes Gf.
+// Every direction of opening takes Gf.
 TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
     for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
         const ContactParameters c = augig_contact(PlaneCondition::strain, kind);

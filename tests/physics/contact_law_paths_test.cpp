@@ -95,8 +95,8 @@ TEST(ContactLawPaths, DissipationIsNeverNegativeAndNothingHeals) {
     }
 }
 
-// Work = stored + fracture + friction + non-conservative work, up to an error that halves with the step: tractions jump where a peak is
-// passed and where branches meet, and a trapezium over a jump is wrong by half of it times the step.
+// Work = stored + fracture + friction + non-conservative work, up to an error that halves with the step: tractions jump where a
+// peak is passed and where branches meet, and a trapezium over a jump is wrong by half of it times the step.
 TEST(ContactLawPaths, WorkIsWhatWasBookedToTheStep) {
     const ContactParameters c = augig_contact();
     for (const ContactLaw& law : all_laws(c)) {
@@ -245,7 +245,7 @@ TEST(ContactLawPaths, NoMismatchWhereThereIsAPotential) {
     }
 }
 
-// With history held the traction is the gradient of the stored energy, in any state a law has a potential in.
+// With its history fixed the traction is the gradient of the stored energy, in any state a law has a potential in.
 TEST(ContactLawPaths, TractionIsTheGradientOfTheStoredEnergy) {
     const ContactParameters c = augig_contact();
     const double d = 1e-5 * c.critical_opening;
@@ -340,7 +340,7 @@ TEST(ContactLawPaths, ACycleThroughFailure) {
         walk.go({closed, 0}, 20000);
         verify("law: cycle, friction there and back over tan(phi) sigma_n", -walk.traction().shear / residual, 1, 1e-12, "1");
         walk.go({0.5 * pulled, 0}, 4000);
-        EXPECT_LE(walk.traction().normal, 0.5 * split * (1 + 1e-12));  // the secant it was torn to, or less
+        EXPECT_LE(walk.traction().normal, 0.5 * split * (1 + 1e-12));  // the secant it has softened to, or less
         verify("law: cycle, work less what was booked over that", walk.balance(), 0, 1e-4, "0 but for jumps within a step",
                walk.fracture() + walk.friction());
     }

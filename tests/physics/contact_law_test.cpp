@@ -139,7 +139,7 @@ TEST(ContactLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
     }
 }
 
-// At δn = 0 an intact contact that carries shear goes from Eq 10 to Eqs 7 and 13. What happens there is part of a reading:
+// At δn = 0 an intact contact that carries shear goes from Eq 10 to Eqs 7 and 13. What happens there is part of a variant:
 //   literal     τ from ks δs e^(−δs/δcs) to kt δs e^(−δs/δct): a jump up by nearly kt/ks = 9.8; a loop makes energy
 //   scaled      from ks δs e^(−δs/δcs) to ks δs e^(−√κ δs/δct): a jump down of second order; a loop takes energy
 //   continuous  none

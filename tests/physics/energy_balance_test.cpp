@@ -93,8 +93,8 @@ TEST(EnergyBalance, ClosesThroughFailure) {
         const LoadedSpecimen specimen = loaded(law, TestKind::uniaxial);
         EXPECT_GT(specimen.failed, 20U);
         EXPECT_GT(specimen.peak, 1e6);
-        verify("specimens: residual of the energy balance over stored energy, uniaxial, " + std::string(name_of(law.variant)), specimen.residual(),
-               0, 1e-3, "each term by its own definition", 1);
+        verify("specimens: residual of the energy balance over stored energy, uniaxial, " + std::string(name_of(law.variant)),
+               specimen.residual(), 0, 1e-3, "each term by its own definition", 1);
         // measured: 1e-6 (continuous) to 3.4e-4 (scaled, coupling none)
     }
 }
@@ -107,8 +107,8 @@ TEST(EnergyBalance, ClosesThroughFailureInTension) {
         const LoadedSpecimen specimen = loaded(law, TestKind::tension);
         EXPECT_GT(specimen.failed, 5U);
         EXPECT_GT(specimen.peak, 1e5);
-        verify("specimens: residual of the energy balance over stored energy, tension, " + std::string(name_of(law.variant)), specimen.residual(),
-               0, 5e-3, "each term by its own definition", 1);
+        verify("specimens: residual of the energy balance over stored energy, tension, " + std::string(name_of(law.variant)),
+               specimen.residual(), 0, 5e-3, "each term by its own definition", 1);
         // measured: up to 2.4e-3 (scaled, coupling none)
     }
 }
@@ -119,8 +119,8 @@ TEST(EnergyBalance, AnErrorOfOnePerCentInATermShows) {
     const double residual = specimen.residual();
     EXPECT_GT(specimen.failed, 20U);
     // Shares of the largest stored energy here: external 1.20, strain 0.93, friction 0.13, contact 0.08, fracture in shear 0.06,
-    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and non-conservative work 3e-4 are too small to say anything
-    // beside a residual of 9e-6.
+    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and non-conservative work 3e-4 are too small to say
+    // anything beside a residual of 9e-6.
     std::size_t seen = 0;
     for (const Term& term : terms) {
         LoadedSpecimen wrong = specimen;

@@ -45,7 +45,7 @@ SmallRun scaled_run(const Specimen& specimen, const ContactLaw& law, bool platen
 
 // --- the stable step -------------------------------------------------------------------------------------------------------
 
-/// M' of a specimen whose clusters are those its contacts make, the supported ones held by a platen.
+/// M' of a specimen whose clusters are those its contacts make, the supported ones constrained by a platen.
 Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, double beta) {
     const auto n = static_cast<Eigen::Index>(a.position.size());
     std::vector<bool> on_platen(a.position.size(), false);
@@ -139,7 +139,7 @@ TEST(MassScaling, StepGrowsUntilTheGrainsLimitIt) {
     // The contacts alone would give √(1 + β); 3.3 at 10 is what the grains leave of it.
     verify_between("dynamics: step with mass scaling over that without, factor 10", step(10) / none, 3, 3.3, "sqrt(1 + factor)");
     const double enough = sufficient_mass_scaling(run.assemblage, platens, run.parameters.law);
-    ContactLaw slack = run.parameters.law;  // free faces are held in a step without scaling
+    ContactLaw slack = run.parameters.law;  // free faces are taken as supported in a step without scaling
     slack.kt = slack.ks = slack.stiffest_shear = 1;
     const double most = stable_time_step(broken(run.assemblage, 1, 0), run.boundary, slack);
     expect_close(step(enough) / most, 1 / std::sqrt(1.1), 0.005, 1);  // to the residual of the eigenvalues
@@ -249,7 +249,8 @@ TEST(MassScaling, ANodeLeavesItsClusterWhenItsContactsHaveSeparated) {
     expect_close(velocity_of_grain(run, 4).y, upper.y, 1e-12, 5);
 }
 
-// A free grain falls back onto another: it is slowed before it touches, and no energy is made, nor when it hits from close by.
+// A free grain falls back onto another: it is slowed before it comes into contact, and no energy is created, nor when it hits
+// from close by.
 TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
     struct Fall {
         double gap, speed;
@@ -340,7 +341,8 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     // It rings undamped, some 40 periods of it: their share of the mean is a few thousandths.
     verify("dynamics: impulse of platens that speed up, with mass scaling, over that of the mass as it is",
            impulse / (mass * samples * sample * acceleration), 1, 0.01, "Newton", 1);
-    verify("dynamics: residual of the energy balance of platens that speed up, with mass scaling", worst, 0, 1e-4, "each term by itself", 1);
+    verify("dynamics: residual of the energy balance of platens that speed up, with mass scaling", worst, 0, 1e-4,
+           "each term by itself", 1);
 }
 
 // A state at rest without mass scaling is at rest with it.
@@ -384,7 +386,8 @@ TEST(MassScaling, EnergyBalanceClosesThroughFailure) {
         }
         EXPECT_GT(test.run.failed_points(), 20U);
         EXPECT_GT(peak, 1e6);
-        verify("specimens: residual of the energy balance through failure with mass scaling", worst / scale, 0, 5e-3, "each term by itself", 1);
+        verify("specimens: residual of the energy balance through failure with mass scaling", worst / scale, 0, 5e-3,
+               "each term by itself", 1);
     }
 }
 

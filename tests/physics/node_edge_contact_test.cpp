@@ -1,5 +1,5 @@
-// Contact after failure: any node against any edge, with an energy, exact momenta, and no jump of force or energy when a contact is
-// transferred to another edge.
+// Contact after failure: any node against any edge, with an energy, exact momenta, and no jump of force or energy when a contact
+// is transferred to another edge.
 #include <gtest/gtest.h>
 
 #include <algorithm>

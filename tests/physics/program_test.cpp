@@ -376,8 +376,8 @@ TEST(Program, TheEnergyBalanceStaysClosed) {
         EXPECT_EQ(all.stage_controller.records()[1].ended_by, "tensile_cracks");
         EXPECT_GT(all.run.failed_points(), 10U);
         EXPECT_GT(all.energies.back().external, 0.0);
-        verify("specimens: residual of the energy balance over stored energy, a program with every force", all.residual(), 0, 2e-3,
-               "each term by its own definition", 1);
+        verify("specimens: residual of the energy balance over stored energy, a program with every force", all.residual(), 0,
+               2e-3, "each term by its own definition", 1);
     }
 }
 
