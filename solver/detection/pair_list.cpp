@@ -308,6 +308,7 @@ struct ReleasedContact {
 };
 
 /// Releases contacts: removes their forces. \return their closed points
+template <class Law>
 std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::vector<std::int32_t>& released_now, State& s) {
     std::vector<ReleasedContact> carried;
     for (const std::int32_t c : released_now) {
@@ -316,7 +317,7 @@ std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::
             const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
             const ContactHistory h = point_history(s, point);
             if (h.motion.opening < 0) {
-                const double shear = update_contact(law, h.motion, h).traction.shear;
+                const double shear = contact_law::update<Law>(law, h.motion, h).traction.shear;
                 carried.push_back({c, p, -h.motion.opening, shear / law.ks});
             }
         }
@@ -393,7 +394,8 @@ double travel_since_search(const State& s) {
 
 /// Releases contacts and searches anew.
 void rebuild(const Assemblage& a, const ContactLaw& law, const std::vector<std::int32_t>& released_now, State& s) {
-    const std::vector<ReleasedContact> carried = release_contacts(law, released_now, s);
+    const std::vector<ReleasedContact> carried =
+        contact_law::with_law(law.variant, [&](auto kind) { return release_contacts<decltype(kind)>(law, released_now, s); });
     search(a, law, s);
     transfer_to_pairs(a, carried, s);
     refresh_forces(a, law, s);
