@@ -130,6 +130,9 @@ struct Combined {
     }
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         const bool rubs = r.history.failed();
+        if (!rubs && advance_intact<Combined>(law, to, r)) {
+            return;
+        }
         const ContactTraction cohesive = soften(law, to, r);
         if (to.opening >= 0) {
             r.traction = cohesive;

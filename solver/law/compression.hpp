@@ -46,7 +46,11 @@ struct PaperLaw {
             advance_residual(law, to, r);
             return;
         }
-        open ? Open::advance_open(law, to, r) : advance_cohesive(law, to, r);
+        const bool has_failed = open ? r.history.failed_open : r.history.failed_closed;
+        if (!has_failed && advance_intact<Open>(law, to, r)) {
+            return;
+        }
+        open ? Open::advance_open(law, to, r) : lose_cohesion(law, to, r);
         r.history.motion = to;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
@@ -67,16 +71,11 @@ struct PaperLaw {
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return is_lost_open(law, h); }
 
 private:
-    /// A closed point that has its cohesion moves to a closed motion, and loses it beyond the peak.
-    static void advance_cohesive(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    /// Past the peak of the closed branch: τ ← clip(τ + ks Δδs, ±σres) (Eqs 10, 12).
+    static void lose_cohesion(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         r.traction.normal = law.kt * to.opening;
         const double y = std::abs(to.sliding) * law.inv_dcs;
         const double decay = exp_of_minus(y);
-        if (y <= 1) {
-            r.traction.shear = law.ks * to.sliding * decay;
-            return;
-        }
-        // Past the peak: τ ← clip(τ + ks Δδs, ±σres) (Eqs 10, 12).
         const double old_sliding = r.history.motion.sliding;
         const double old_shear = law.ks * old_sliding * exp_of_minus(std::abs(old_sliding) * law.inv_dcs);
         const double limit = friction_limit(law, to);

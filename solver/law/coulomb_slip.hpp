@@ -39,10 +39,7 @@ struct CoulombSlip {
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         if (!h.failed()) {
-            const IntactResponse elastic = intact(law, intact_point(h, to));
-            if (elastic.holds != 0) {
-                r.traction = {elastic.normal, elastic.shear};
-                h.motion = to;
+            if (advance_intact<CoulombSlip>(law, to, r)) {
                 return;
             }
             fail(law, to, r);

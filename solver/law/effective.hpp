@@ -30,23 +30,18 @@ struct Effective : PaperLaw<Effective> {
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         const double d = effective_displacement(law, to);
-        double stiffness = 0;
-        if (!h.failed_open && d <= law.dct) {
-            stiffness = law.kt * exp_of_minus(d * law.inv_dct);
-        } else {
-            const double before = h.failed_open ? softening_dissipation(law, h.max_displacement) : 0;
-            if (!h.failed_open) {
-                mark_failed(h, CrackMode::tensile);
-                h.peak_displacement = law.dct;
-                h.max_displacement = d;
-            }
-            if (d >= h.max_displacement) {
-                h.max_displacement = d;
-                r.dissipation.fracture += softening_dissipation(law, d) - before;
-            }
-            h.separated = h.separated || h.max_displacement >= law.dut;
-            stiffness = reduced_stiffness(law, h.max_displacement);
+        const double before = h.failed_open ? softening_dissipation(law, h.max_displacement) : 0;
+        if (!h.failed_open) {
+            mark_failed(h, CrackMode::tensile);
+            h.peak_displacement = law.dct;
+            h.max_displacement = d;
         }
+        if (d >= h.max_displacement) {
+            h.max_displacement = d;
+            r.dissipation.fracture += softening_dissipation(law, d) - before;
+        }
+        h.separated = h.separated || h.max_displacement >= law.dut;
+        const double stiffness = reduced_stiffness(law, h.max_displacement);
         r.traction = {stiffness * to.opening, stiffness * law.w * to.sliding};
     }
     static double open_energy(const ContactLaw& law, const ContactHistory& h) {

@@ -58,6 +58,18 @@ inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip};
 }
 
+/// Moves a point that is intact on the side it is on, if the intact response holds. \return whether it does
+template <class Law>
+bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    const IntactResponse intact = Law::intact(law, intact_point(r.history, to));
+    if (intact.holds == 0) {
+        return false;
+    }
+    r.traction = {intact.normal, intact.shear};
+    r.history.motion = to;
+    return true;
+}
+
 /// Moves a point on which nothing but friction is left; one that is open has separated.
 inline void advance_residual(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
     const ResidualResponse residual = residual_response(law, residual_point(r.history, to));
