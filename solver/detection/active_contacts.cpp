@@ -11,21 +11,21 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t batch_contacts = 64;
-constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
+constexpr std::int32_t max_contacts = 64;  // that a vector kernel works on at a time
+constexpr std::int32_t lanes = 8;          // of the widest vector unit; any fixed number gives the same bytes everywhere
 
-/// Ways and forces of touches side by side.
+/// Motions and forces of contacts side by side.
 struct Lanes {
-    alignas(64) double along_x[batch_contacts], along_y[batch_contacts];  // from first to second node of the edge, m
-    alignas(64) double from_x[batch_contacts], from_y[batch_contacts];    // from first to the node, m
-    alignas(64) double node_x[batch_contacts], node_y[batch_contacts];    // way of the step, m
-    alignas(64) double first_x[batch_contacts], first_y[batch_contacts], second_x[batch_contacts], second_y[batch_contacts];
-    alignas(64) double tangent_x[batch_contacts], tangent_y[batch_contacts], inv_length[batch_contacts];
-    alignas(64) double place[batch_contacts], depth[batch_contacts];
-    alignas(64) double force_x[3][batch_contacts], force_y[3][batch_contacts];
-    alignas(64) double live[batch_contacts], area[batch_contacts], initial_overlap[batch_contacts];
-    alignas(64) double overlap[batch_contacts], elastic_slip[batch_contacts], release_correction[batch_contacts];
-    alignas(64) double friction[batch_contacts];
+    alignas(64) double along_x[max_contacts], along_y[max_contacts];  // from first to second node of the edge, m
+    alignas(64) double from_x[max_contacts], from_y[max_contacts];    // from first to the node, m
+    alignas(64) double node_x[max_contacts], node_y[max_contacts];    // displacement of the step, m
+    alignas(64) double first_x[max_contacts], first_y[max_contacts], second_x[max_contacts], second_y[max_contacts];
+    alignas(64) double tangent_x[max_contacts], tangent_y[max_contacts], inv_length[max_contacts];
+    alignas(64) double place[max_contacts], depth[max_contacts];
+    alignas(64) double force_x[3][max_contacts], force_y[3][max_contacts];
+    alignas(64) double live[max_contacts], area[max_contacts], initial_overlap[max_contacts];
+    alignas(64) double overlap[max_contacts], elastic_slip[max_contacts], release_correction[max_contacts];
+    alignas(64) double friction[max_contacts];
 };
 
 void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Lanes& b) {
@@ -68,8 +68,8 @@ GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
     }
 }
 
-/// A node that is out where nothing presses ends its touch: it gives back what it owes (`NodeEdgeContact::release_correction`),
-/// and then nothing.
+/// A contact ends when its node is outside and there is no overlap left. Its last force is the correction of its energy
+/// (`NodeEdgeContact::release_correction`).
 GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -126,27 +126,27 @@ void scatter(Range contacts, const Lanes& b, ActiveContacts& active) {
 
 }  // namespace
 
-void move_active_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t block, State& s) {
+void move_active_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {
     ActiveContacts& active = s.contact_pairs.active;
-    const std::int32_t begin = s.contact_pairs.first_watched(block);
-    const std::int32_t end = begin + active.count[block];
-    Lanes batch;
-    for (std::int32_t at = begin; at < end; at += batch_contacts) {
-        const Range contacts{at, std::min(at + batch_contacts, end)};
-        gather(a, s, parameters.time_step, contacts, batch);
+    const std::int32_t begin = s.contact_pairs.first_watched(chunk);
+    const std::int32_t end = begin + active.count[chunk];
+    Lanes b;
+    for (std::int32_t at = begin; at < end; at += max_contacts) {
+        const Range contacts{at, std::min(at + max_contacts, end)};
+        gather(a, s, parameters.time_step, contacts, b);
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-            find_geometry(contacts.size(), batch);
-            move(parameters.law, contacts.size(), batch);
+            find_geometry(contacts.size(), b);
+            move(parameters.law, contacts.size(), b);
         });
-        scatter(contacts, batch, active);
-        s.contact_pairs.friction[block] += sum_of(contacts.size(), batch.friction);
+        scatter(contacts, b, active);
+        s.contact_pairs.friction[chunk] += sum_of(contacts.size(), b.friction);
     }
 }
 
-void store_active(std::int32_t block, ContactPairList& list) {
+void store_active(std::int32_t chunk, ContactPairList& list) {
     const ActiveContacts& active = list.active;
-    const std::int32_t begin = list.first_watched(block);
-    for (std::int32_t i = begin; i < begin + active.count[block]; ++i) {
+    const std::int32_t begin = list.first_watched(chunk);
+    for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
         const auto pair = static_cast<std::size_t>(active.pair[i]);
         const bool near_first = active.place[i] < 0.5;
         list.contacts[pair] = {active.live[i] != 0,         near_first,        active.area[i],
@@ -156,12 +156,12 @@ void store_active(std::int32_t block, ContactPairList& list) {
     }
 }
 
-void append_active(const GrainSurface& surface, std::int32_t block, std::int32_t index, ContactPairList& list) {
+void append_active(const GrainSurface& surface, std::int32_t chunk, std::int32_t index, ContactPairList& list) {
     ActiveContacts& active = list.active;
-    const std::int32_t at = list.first_watched(block) + active.count[block]++;
+    const std::int32_t at = list.first_watched(chunk) + active.count[chunk]++;
     const auto& [first, second] = surface.edges[list.pairs[index].edge].nodes;
     const NodeEdgeContact& contact = list.contacts[index];
-    active.changed[block] = active.changed[block] != 0 || active.pair[at] != index ? 1 : 0;
+    active.changed[chunk] = active.changed[chunk] != 0 || active.pair[at] != index ? 1 : 0;
     active.pair[at] = index;
     active.nodes[at] = {list.pairs[index].node, first, second};
     active.live[at] = contact.active ? 1 : 0;
@@ -193,14 +193,14 @@ void load_active(const Assemblage& a, ContactPairList& list) {
         values->resize(n);
     }
     active.forces.resize(3 * n);
-    active.count.assign(list.blocks.size(), 0);
-    active.changed.assign(list.blocks.size(), 0);
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-        const std::int32_t end = list.watched_groups[list.blocks[block].end - 1].end;
-        for (std::int32_t i = list.first_watched(block); i < end; ++i) {
+    active.count.assign(list.chunks.size(), 0);
+    active.changed.assign(list.chunks.size(), 0);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
+        const std::int32_t end = list.watched_groups[list.chunks[chunk].end - 1].end;
+        for (std::int32_t i = list.first_watched(chunk); i < end; ++i) {
             const NodeEdgeContact& contact = list.contacts[list.watched[i]];
             if (contact.active || contact.release_correction != 0) {
-                append_active(a.surface, block, list.watched[i], list);
+                append_active(a.surface, chunk, list.watched[i], list);
             }
         }
     }
@@ -218,7 +218,7 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     };
     list.node_forces.clear();
     if (std::all_of(active.count.begin(), active.count.end(), [](std::int32_t count) { return count == 0; })) {
-        std::fill(list.node_forces_of_block.begin(), list.node_forces_of_block.end(), Range{});
+        std::fill(list.node_forces_of_chunk.begin(), list.node_forces_of_chunk.end(), Range{});
         return;
     }
     std::vector<std::int32_t>& end_of_node = list.node_force_scratch;  // where the next force of a node goes
@@ -230,16 +230,16 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     });
     list.node_force_slots.resize(total);
     std::int32_t at = 0;
-    for (std::size_t block = 0; block < a.grain_blocks.size(); ++block) {
+    for (std::size_t chunk = 0; chunk < a.grain_chunks.size(); ++chunk) {
         const auto first = static_cast<std::int32_t>(list.node_forces.size());
-        for (std::int32_t node = a.grain_blocks[block].nodes.begin; node < a.grain_blocks[block].nodes.end; ++node) {
+        for (std::int32_t node = a.grain_chunks[chunk].nodes.begin; node < a.grain_chunks[chunk].nodes.end; ++node) {
             if (const std::int32_t count = end_of_node[node]; count > 0) {
                 list.node_forces.push_back({node, {at, at + count}});
                 end_of_node[node] = at;
                 at += count;
             }
         }
-        list.node_forces_of_block[block] = {first, static_cast<std::int32_t>(list.node_forces.size())};
+        list.node_forces_of_chunk[chunk] = {first, static_cast<std::int32_t>(list.node_forces.size())};
     }
     for_forces([&](std::int32_t node, std::int32_t slot) { list.node_force_slots[end_of_node[node]++] = slot; });
 }

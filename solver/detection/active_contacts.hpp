@@ -10,20 +10,20 @@
 
 namespace graincrack {
 
-/// Moves the active contacts of a block to the present displacements: their forces, friction into the sums.
-void move_active_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t block, State& state);
+/// Moves the active contacts of a chunk to the present displacements: their forces, friction into the sums.
+void move_active_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t chunk, State& state);
 
-/// Writes the active contacts of a block into the list.
-void store_active(std::int32_t block, ContactPairList& list);
+/// Writes the active contacts of a chunk into the list.
+void store_active(std::int32_t chunk, ContactPairList& list);
 
 /// Makes the contacts of the list active ones, after an update or where a run continues from a saved state.
 void load_active(const Assemblage& assemblage, ContactPairList& list);
 
-/// Finds by node where the forces of the active contacts are; to be called where a detection has changed them.
+/// Builds the index by which nodes find the forces of active contacts; needed after every detection that has changed them.
 void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 
-/// Adds a pair of the list to the active ones of its block.
-void append_active(const GrainSurface& surface, std::int32_t block, std::int32_t index, ContactPairList& list);
+/// Adds a pair of the list to the active ones of its chunk.
+void append_active(const GrainSurface& surface, std::int32_t chunk, std::int32_t index, ContactPairList& list);
 
 /// Stored in all node–edge contacts, J.
 double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& list);

@@ -13,22 +13,26 @@ namespace {
 
 using namespace detection_rule;
 
-constexpr double bond_width = 3e-3;  // of the mean edge: a node no farther behind a bonded edge is in the bond, not in the grain
-constexpr double min_area = 0.1;     // of what a node stands for, in a crowd
-constexpr double aligned = 0.5;      // cosine of two normals up to which two edges count as one surface
-constexpr double corner = 0.05;      // sine of a turn of the surface from which on its two edges are two faces
+/// Over the mean edge: a node less far behind a bonded edge is in the bond, not in the grain.
+constexpr double bond_width = 3e-3;
+/// Least area of a contact where many meet, over the tributary area of its node.
+constexpr double min_area = 0.1;
+/// Cosine of the angle between two normals above which two edges are of one surface.
+constexpr double aligned = 0.5;
+/// Sine of a turn of the surface beyond which its two edges are two faces.
+constexpr double corner = 0.05;
 
-/// What a block of nodes is worked on with.
-struct Block {
+/// Data of detection in a chunk of watched pairs.
+struct Chunk {
     const Assemblage& assemblage;
     const StepParameters& parameters;
     State& state;
-    PairGeometries& geometry;  ///< by place among the block's watched pairs
+    PairGeometries& geometry;  ///< by place among the chunk's watched pairs
     std::int32_t index;
     double friction = 0;
 };
 
-/// Prefetches what the watched pairs of a block remember: they lie scattered in a long list.
+/// Prefetches the contacts of the watched pairs of a chunk, which are scattered in a long list.
 void prefetch(const ContactPairList& list, Range watched) {
     for (std::int32_t i = watched.begin; i < watched.end; ++i) {
         const auto pair = static_cast<std::size_t>(list.watched[i]);
@@ -39,28 +43,28 @@ void prefetch(const ContactPairList& list, Range watched) {
 
 /// The watched pairs of one node.
 struct Group {
-    Block& block;
+    Chunk& chunk;
     Range watched;
-    std::int32_t origin;  ///< first watched pair of the block
+    std::int32_t origin;  ///< first watched pair of the chunk
 
     [[nodiscard]] std::int32_t size() const { return watched.size(); }
     [[nodiscard]] std::int32_t at(std::int32_t i) const { return watched.begin - origin + i; }
-    [[nodiscard]] std::int32_t pair(std::int32_t i) const { return block.state.contact_pairs.watched[watched.begin + i]; }
-    [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return block.state.contact_pairs.pairs[pair(i)].edge; }
-    [[nodiscard]] const SurfaceEdge& edge(std::int32_t i) const { return block.assemblage.surface.edges[edge_index(i)]; }
-    [[nodiscard]] NodeEdgeContact& contact(std::int32_t i) const { return block.state.contact_pairs.contacts[pair(i)]; }
+    [[nodiscard]] std::int32_t pair(std::int32_t i) const { return chunk.state.contact_pairs.watched[watched.begin + i]; }
+    [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return chunk.state.contact_pairs.pairs[pair(i)].edge; }
+    [[nodiscard]] const SurfaceEdge& edge(std::int32_t i) const { return chunk.assemblage.surface.edges[edge_index(i)]; }
+    [[nodiscard]] NodeEdgeContact& contact(std::int32_t i) const { return chunk.state.contact_pairs.contacts[pair(i)]; }
     [[nodiscard]] Vector2* forces(std::int32_t i) const {
-        return &block.state.contact_pairs.forces[3 * static_cast<std::size_t>(pair(i))];
+        return &chunk.state.contact_pairs.forces[3 * static_cast<std::size_t>(pair(i))];
     }
-    [[nodiscard]] std::int32_t node() const { return block.state.contact_pairs.pairs[pair(0)].node; }
-    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return block.geometry[at(i)]; }
-    [[nodiscard]] double depth(std::int32_t i) const { return block.geometry.depth(at(i)); }
+    [[nodiscard]] std::int32_t node() const { return chunk.state.contact_pairs.pairs[pair(0)].node; }
+    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return chunk.geometry[at(i)]; }
+    [[nodiscard]] double depth(std::int32_t i) const { return chunk.geometry.depth(at(i)); }
 };
 
 bool is_over(const PairGeometry& g, double beyond) { return g.place >= -beyond && g.place <= 1 + beyond; }
 
-/// Of the two edges that follow edge `i` around a convex corner of the grain, the one whose face the node is nearer to than
-/// `depth`; −1 if there is none in the list.
+/// Of the two edges next to edge `i` around a convex corner of the grain, the one to whose face the node is nearest, if nearer
+/// than `depth` (m); −1 if there is none among the watched pairs.
 std::int32_t nearer_face(const Group& group, std::int32_t i, double depth) {
     const SurfaceEdge& edge = group.edge(i);
     const Vector2 t = group.geometry(i).tangent;
@@ -81,7 +85,8 @@ std::int32_t nearer_face(const Group& group, std::int32_t i, double depth) {
     return found;
 }
 
-/// Where a node that has left edge `i` at its end goes on: the edge of the same surface whose depth differs least; −1 for none.
+/// The edge on which the contact of a node that has left edge `i` at its end continues: the one of the same surface whose depth
+/// differs least; −1 for none.
 std::int32_t next_edge(const Group& group, std::int32_t i) {
     const PairGeometry from = group.geometry(i);
     double nearest = slack / from.inv_length;
@@ -103,9 +108,9 @@ void clear(Group& group, std::int32_t i) {
     std::fill_n(group.forces(i), 3, Vector2{});
 }
 
-/// Ends a contact; what its springs still store is lost as the node slips off.
+/// Ends a contact as its node slips off; the energy of its springs is lost and booked as friction.
 void end_contact(Group& group, std::int32_t i) {
-    group.block.friction += node_edge_energy(group.block.parameters.law, group.contact(i));
+    group.chunk.friction += node_edge_energy(group.chunk.parameters.law, group.contact(i));
     clear(group, i);
 }
 
@@ -134,7 +139,7 @@ std::int32_t continue_contact(Group& group, std::int32_t i) {
 }
 
 /// Decides how the contacts of a node continue; those that do become active.
-void continue_contact(Group& group) {
+void continue_contacts(Group& group) {
     std::array<std::int32_t, 16> active{};
     std::size_t count = 0;
     for (std::int32_t i = 0; i < group.size(); ++i) {
@@ -147,41 +152,44 @@ void continue_contact(Group& group) {
     }
     for (std::size_t k = 0; k < count; ++k) {
         if (const std::int32_t on = continue_contact(group, active[k]); on >= 0) {
-            append_active(group.block.assemblage.surface, group.block.index, group.pair(on), group.block.state.contact_pairs);
+            append_active(group.chunk.assemblage.surface, group.chunk.index, group.pair(on), group.chunk.state.contact_pairs);
         }
     }
 }
 
-/// The area that is still available at a node: what its bonds had at the start, which the stable step assumes, less what its
-/// bonds and contacts occupy now. Many corners on the end of one edge would be stiffer together than any bond was.
+/// The area that is still available at a node: that of its bonds at the start, for which the stable step was found, less the area
+/// that its bonds and node–edge contacts occupy now. Without this limit many corners at one end of an edge would be stiffer
+/// together than any bond was.
 double available_area(const GrainSurface& surface, const std::vector<ContactGeometry>& contacts, const ContactPairList& list,
                       std::int32_t node) {
-    double room = 2 * surface.tributary[node] - list.occupied_area[node];
+    double area = 2 * surface.tributary[node] - list.occupied_area[node];
     for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
         const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
-        room -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
+        area -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
     }
-    return room;
+    return area;
 }
 
-/// Area of a new contact: what the node stands for, or less where others occupy node or edge already.
+/// Area of a new contact: the tributary area of the node, or less where other contacts already occupy the node or the end of the
+/// edge.
 double area_of(const Group& group, std::int32_t i) {
-    const Assemblage& a = group.block.assemblage;
-    const auto room = [&](std::int32_t node) {
-        return available_area(a.surface, a.contacts, group.block.state.contact_pairs, node);
+    const Assemblage& a = group.chunk.assemblage;
+    const auto available = [&](std::int32_t node) {
+        return available_area(a.surface, a.contacts, group.chunk.state.contact_pairs, node);
     };
     const double tributary = a.surface.tributary[group.node()];
     const std::int32_t end = group.edge(i).nodes[group.geometry(i).place < 0.5 ? 0 : 1];
-    return std::clamp(std::min(room(group.node()), room(end)), min_area * tributary, tributary);
+    return std::clamp(std::min(available(group.node()), available(end)), min_area * tributary, tributary);
 }
 
-/// Whether a contact may begin: the node is in the grain, and no other contact keeps it out of there.
+/// Whether a contact may begin: the node is inside the grain, came in through this edge, and has no other contact with this grain
+/// or with the same surface.
 bool may_begin(const Group& group, std::int32_t i) {
     const PairGeometry g = group.geometry(i);
     if (group.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {
         return false;
     }
-    const bool is_deep = g.depth > deep * group.block.assemblage.surface.mean_length;
+    const bool is_deep = g.depth > deep * group.chunk.assemblage.surface.mean_length;
     if (!is_deep && !is_over(g, -corner_zone)) {
         return false;
     }
@@ -191,8 +199,8 @@ bool may_begin(const Group& group, std::int32_t i) {
             return false;
         }
     }
-    return !came_through_neighbour(group.block.assemblage, group.block.state,
-                                   group.block.state.contact_pairs.pairs[group.pair(i)], g, 0);
+    return !came_through_neighbour(group.chunk.assemblage, group.chunk.state,
+                                   group.chunk.state.contact_pairs.pairs[group.pair(i)], g, 0);
 }
 
 void begin_contacts(Group& group) {
@@ -200,7 +208,7 @@ void begin_contacts(Group& group) {
         if (may_begin(group, i)) {
             const PairGeometry g = group.geometry(i);
             group.contact(i) = {true, g.place < 0.5, area_of(group, i), g.depth, 0, 0, 0};
-            append_active(group.block.assemblage.surface, group.block.index, group.pair(i), group.block.state.contact_pairs);
+            append_active(group.chunk.assemblage.surface, group.chunk.index, group.pair(i), group.chunk.state.contact_pairs);
         }
     }
 }
@@ -218,15 +226,13 @@ bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, c
 
 bool came_through_neighbour(const Assemblage& a, const State& s, const CandidatePair& pair, const PairGeometry& g,
                             double margin) {
-    const auto place_of = [&](std::int32_t n) { return a.position[n] + s.displacement[n]; };
     const SurfaceEdge& edge = a.surface.edges[pair.edge];
-    const Vector2 node = place_of(pair.node);
     for (const std::int32_t index : {edge.previous, edge.next}) {
         if (index < 0) {
             continue;
         }
         const SurfaceEdge& neighbour = a.surface.edges[index];
-        const PairGeometry other = pair_geometry(node, place_of(neighbour.nodes[0]), place_of(neighbour.nodes[1]));
+        const PairGeometry other = pair_geometry(a, s, CandidatePair{pair.node, index});
         const double turn = g.tangent.x * other.tangent.y - g.tangent.y * other.tangent.x;
         const bool convex = index == edge.next ? turn > corner : turn < -corner;
         const double front =
@@ -240,29 +246,29 @@ bool came_through_neighbour(const Assemblage& a, const State& s, const Candidate
 
 void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t index, State& s) {
     ContactPairList& list = s.contact_pairs;
-    const Range groups = list.blocks[index];
+    const Range groups = list.chunks[index];
     const std::int32_t origin = list.first_watched(index);
     const std::int32_t count = list.watched_groups[groups.end - 1].end - origin;
     prefetch(list, {origin, origin + count});
     store_active(index, list);
     static thread_local PairGeometries geometry;
-    Block block{a, parameters, s, geometry, index};
+    Chunk chunk{a, parameters, s, geometry, index};
     geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[origin + i]; });
     const auto for_groups = [&](auto&& act) {
         for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-            Group group{block, list.watched_groups[i], origin};
+            Group group{chunk, list.watched_groups[i], origin};
             act(group);
         }
     };
     const std::int32_t before = list.active.count[index];
     list.active.count[index] = 0;
     list.active.changed[index] = 0;
-    for_groups([](Group& group) { continue_contact(group); });
+    for_groups(continue_contacts);
     move_active_contacts(a, parameters, index, s);
     store_active(index, list);
     for_groups(begin_contacts);
     list.active.changed[index] = list.active.changed[index] != 0 || list.active.count[index] != before ? 1 : 0;
-    list.friction[index] += block.friction;
+    list.friction[index] += chunk.friction;
 }
 
 }  // namespace graincrack

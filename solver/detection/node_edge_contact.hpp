@@ -9,9 +9,9 @@
 //   normal    kt A e on the node along n, stored ½ kt A e²
 //   friction  τ = ks q within ±kt e tan φc, q the elastic part of the sliding of the node along the edge; stored ½ ks A q²
 //
-// A contact ends between two steps: the node is past the edge by o when it is found to be out, and the scheme has taken more from
-// the spring than it stored, ½ kt A e o; a rattling grain would gain energy at every impact. The step after the last one corrects
-// that by a tension of ½ kt A e o/(e + o), whose work over two steps, 2 (e + o), in the mean of the scheme is that energy.
+// A contact ends between two steps: when the node is found outside it is past the edge by o, and the scheme has taken ½ kt A e o
+// more energy from the spring than it stored; a grain would gain energy at every impact. In the following step a tension of ½ kt
+// A e o/(e + o) corrects this: its work in the mean of the scheme, over the distance 2 (e + o) of two steps, is that energy.
 //
 // kt, ks, φc are those of a contact that failed (Kazerani & Zhao 2014, Eqs 10, 12), so a bonded contact that has lost its
 // cohesion turns into node–edge contacts of the same force and energy. The edge takes the opposite forces at its nodes in the
@@ -28,7 +28,7 @@
 
 namespace graincrack {
 
-/// Where a node stands to an edge.
+/// Position of a node relative to an edge.
 struct PairGeometry {
     Vector2 tangent;
     Vector2 normal;         ///< outward, t turned by −90°
@@ -54,7 +54,7 @@ struct NodeEdgeForces {
 struct NodeEdgeResponse {
     NodeEdgeContact contact;
     NodeEdgeForces forces;
-    double friction = 0;  ///< dissipated on the way here, J
+    double friction = 0;  ///< dissipated since the last update, J
 };
 
 /// Stored in the springs of a node–edge contact, J.
@@ -71,7 +71,7 @@ GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const ContactLaw& law, const N
     return {on_node, -(1 - g.place) * on_node - couple, -g.place * on_node + couple};
 }
 
-/// Moves an active contact to a new place.
+/// Moves an active contact to a new position.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
 GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law, const NodeEdgeContact& old,

@@ -1,4 +1,4 @@
-// Where the nodes of many pairs stand to their edges: gathered one by one, found side by side.
+// Positions of the nodes of many pairs relative to their edges: gathered one by one, computed side by side.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,17 @@
 
 namespace graincrack {
 
+/// Present position of a node, m.
+inline Vector2 position_of(const Assemblage& a, const State& s, std::int32_t node) {
+    return a.position[node] + s.displacement[node];
+}
+/// Geometry of one pair in the present displacements.
+inline PairGeometry pair_geometry(const Assemblage& a, const State& s, const CandidatePair& pair) {
+    const auto [first, second] = a.surface.edges[pair.edge].nodes;
+    return pair_geometry(position_of(a, s, pair.node), position_of(a, s, first), position_of(a, s, second));
+}
+
+/// Geometry of many pairs.
 class PairGeometries {
 public:
     /// Finds the geometry of `count` pairs in the present displacements.

@@ -1,4 +1,3 @@
-// The update of the pair list: which contacts have debonded or are released, when to search anew, and which pairs are watched.
 #include "solver/detection/pair_list.hpp"
 
 #include <algorithm>
@@ -15,32 +14,41 @@
 namespace graincrack {
 namespace {
 
-constexpr double buffer = 0.04;  // of the mean edge: pairs nearer than this are listed
-constexpr double release_travel =
-    0.005;  // of a contact's length: sliding or opening from which on it is released to node–edge contacts
-constexpr double debonding_travel =
-    0.001;                               // of a contact's length: a failed point that has moved so far no longer links its nodes
-constexpr std::int64_t max_steps = 128;  // between two updates
+// Travels of contacts are over the contact's length, all other lengths over the mean edge of the grains.
+
+/// Sliding or opening beyond which a contact without cohesion is released to node–edge contacts.
+constexpr double release_travel = 0.005;
+/// Sliding or opening beyond which a failed point no longer links its nodes.
+constexpr double debonding_travel = 0.001;
+/// Pairs nearer than this are listed.
+constexpr double buffer = 0.04;
+/// One node in so many is faster than the 95th percentile of speed. Intervals follow this speed rather than the largest, as fast
+/// fragments must not shorten them.
+constexpr std::size_t fastest_one_in = 20;
+/// After debonding a search waits until nodes of that speed may have moved so far.
+constexpr double rebuild_delay_distance = 1e-3;
+/// What nodes of that speed, and the fastest, may move between two updates, if steps are short enough.
+constexpr double max_travel_p95 = 1e-3;
+constexpr double max_travel_fastest = 1e-2;
+/// A pair is watched if it is nearer than the first times the travel of its node and edge up to the next update plus the second
+/// times the travel at the 95th percentile.
+constexpr double safety_factor = 8;
+constexpr double safety_factor_p95 = 2;
+/// Steps between two updates.
 constexpr std::int64_t min_steps = 4;
+constexpr std::int64_t max_steps = 128;
 constexpr std::int64_t detections_between_updates = 8;
-constexpr std::size_t fastest_one_in =
-    20;  // nodes are faster than the 95th percentile: fast fragments must not shorten the interval
-constexpr double rebuild_delay_distance =
-    1e-3;                                // of the mean edge: a new search waits until nodes of that speed may have moved so far
-constexpr double max_travel_p95 = 1e-3;  // of the mean edge, that such nodes may move between two updates where possible,
-constexpr double max_travel_fastest = 1e-2;  // and that the fastest may
-constexpr double safety_factor = 8;          // times the travel of node and edge until the next update, plus
-constexpr double safety_factor_p95 = 2;      // times the travel at the 95th percentile: a pair nearer than that is watched
-constexpr std::size_t groups_per_block = 32;
+/// Groups of watched pairs, of one node each, in a chunk.
+constexpr std::size_t groups_per_chunk = 32;
 
-Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
-
+/// Whether a contact point has no cohesion left.
+template <class Law>
 bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
-    return s.failed[point] != 0 && damage(law, history_of(s, point)) >= 1;
+    return s.failed[point] != 0 && contact_law::damage<Law>(law, point_history(s, point)) >= 1;
 }
 
-/// Contact points that debonded since the last update.
-/// \return whether there are any
+/// Marks contact points that debonded since the last update. \return whether there are any
+template <class Law>
 bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
     bool found = false;
     for (std::size_t point = 0; point < s.contact_pairs.debonded.size(); ++point) {
@@ -48,7 +56,7 @@ bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
             continue;
         }
         const double far = debonding_travel * 2 * a.contacts[point / 2].point_area;
-        if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost(law, s, point)) {
+        if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost<Law>(law, s, point)) {
             s.contact_pairs.debonded[point] = 1;
             found = true;
         }
@@ -56,7 +64,8 @@ bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
     return found;
 }
 
-/// Contacts without cohesion that have moved far.
+/// Contacts without cohesion that have moved by more than `release_travel`.
+template <class Law>
 std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaw& law, const State& s) {
     std::vector<std::int32_t> released_now;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
@@ -67,7 +76,7 @@ std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaw& l
         const double far = release_travel * 2 * a.contacts[c].point_area;
         const double moved =
             std::max({std::abs(s.sliding[2 * c]), std::abs(s.sliding[2 * c + 1]), s.opening[2 * c], s.opening[2 * c + 1]});
-        if (moved > far && is_lost(law, s, 2 * c) && is_lost(law, s, 2 * c + 1)) {
+        if (moved > far && is_lost<Law>(law, s, 2 * c) && is_lost<Law>(law, s, 2 * c + 1)) {
             released_now.push_back(static_cast<std::int32_t>(c));
         }
     }
@@ -115,12 +124,13 @@ void search(const Assemblage& a, const ContactLaw& law, State& s) {
     list.displacement_at_search = s.displacement;
 }
 
-/// How far a node has to go along an edge to be over the part between `inset` (of its length) of its ends, m; not above 0 there.
+/// How far a node has to move along an edge to be over the edge without `inset` (of its length) at either end, m; 0 or less
+/// there.
 double distance_along(const PairGeometry& g, double inset) {
     return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length;
 }
 
-/// How far a node has to move to where a node–edge contact may begin, m; not above 0 there.
+/// How far a node has to move to where a node–edge contact may begin, m; 0 or less there.
 double travel_to_begin(const PairGeometry& g, double mean_length) {
     return std::min(std::max(-g.depth, distance_along(g, detection_rule::corner_zone)),
                     std::max(detection_rule::deep * mean_length - g.depth, distance_along(g, 0)));
@@ -145,8 +155,8 @@ public:
         begin_ = pairs.begin;
         geometry_.find(assemblage_, state_, pairs.size(), [&](std::int32_t i) { return pairs.begin + i; });
     }
-    /// Appends the pairs of a node, of those found, that are in contact, may come into contact, or may take a contact over,
-    /// before the next update.
+    /// Appends to `watched` the pairs of a node that are in contact, or may come into contact or receive a transferred contact
+    /// before the next update. Their geometry must have been found.
     void add_watched(Range pairs, std::vector<std::int32_t>& watched) {
         const ContactPairList& list = state_.contact_pairs;
         active_.clear();
@@ -158,7 +168,7 @@ public:
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (continues_[p] != 0 || matters(p, geometry_[p - begin_])) {
+            if (continues_[p] != 0 || may_be_in_contact(p, geometry_[p - begin_])) {
                 watched.push_back(p);
             }
         }
@@ -189,7 +199,7 @@ private:
             speed_[state_.contact_pairs.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
         return duration_ * (safety_factor * closing + safety_factor_p95 * speed_p95_);
     }
-    [[nodiscard]] bool matters(std::int32_t pair, const PairGeometry& g) const {
+    [[nodiscard]] bool may_be_in_contact(std::int32_t pair, const PairGeometry& g) const {
         const double near = reach(pair);
         if (travel_to_begin(g, assemblage_.surface.mean_length) < near &&
             !came_through_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
@@ -223,14 +233,13 @@ private:
         std::int32_t edge;
         double depth;  ///< m
     };
-    std::vector<double> speed_;  ///< [n] m/s
-    std::vector<std::uint8_t>
-        continues_;  ///< [pairs] 1 for a contact, or one that has just ended and corrects its energy in the next step
+    std::vector<double> speed_;            ///< [n] m/s
+    std::vector<std::uint8_t> continues_;  ///< [pairs] 1 for a contact, or one that has ended and is corrected in the next step
     std::vector<Active> active_;
     double overlap_ = 0;  ///< largest of the contacts of the node, m
 };
 
-/// Pairs that matter up to the next update, by node; the forces of the others are zero.
+/// Finds the watched pairs, node by node; the forces of the others are zero.
 void find_watched(const Assemblage& a, double duration, double speed_p95, State& s) {
     ContactPairList& list = s.contact_pairs;
     Watch watch(a, duration, speed_p95, s);
@@ -240,7 +249,7 @@ void find_watched(const Assemblage& a, double duration, double speed_p95, State&
     for (std::size_t i = 0; i < list.groups.size(); ++i) {
         const Range pairs = list.groups[i];
         if (pairs.begin == seen.end) {
-            seen = {pairs.begin, list.groups[std::min(i + groups_per_block, list.groups.size()) - 1].end};
+            seen = {pairs.begin, list.groups[std::min(i + groups_per_chunk, list.groups.size()) - 1].end};
             watch.find_geometry(seen);
         }
         const auto begin = static_cast<std::int32_t>(list.watched.size());
@@ -259,12 +268,12 @@ void watch_pairs(const Assemblage& a, double duration, double speed_p95, State& 
     ContactPairList& list = s.contact_pairs;
     list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
     find_watched(a, duration, speed_p95, s);
-    list.blocks.clear();
-    for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_block) {
-        const std::size_t end = std::min(i + groups_per_block, list.watched_groups.size());
-        list.blocks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
+    list.chunks.clear();
+    for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_chunk) {
+        const std::size_t end = std::min(i + groups_per_chunk, list.watched_groups.size());
+        list.chunks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
     }
-    list.friction.assign(list.blocks.size(), 0.0);
+    list.friction.assign(list.chunks.size(), 0.0);
     load_active(a, list);
 }
 
@@ -283,9 +292,7 @@ void find_occupied_area(const Assemblage& a, ContactPairList& list) {
 void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
     for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
         if (s.contact_pairs.contacts[i].active || s.contact_pairs.contacts[i].release_correction != 0) {
-            const SurfaceEdge& edge = a.surface.edges[s.contact_pairs.pairs[i].edge];
-            const PairGeometry g = pair_geometry(place_of(a, s, s.contact_pairs.pairs[i].node), place_of(a, s, edge.nodes[0]),
-                                                 place_of(a, s, edge.nodes[1]));
+            const PairGeometry g = pair_geometry(a, s, s.contact_pairs.pairs[i]);
             const NodeEdgeForces forces = node_edge_forces(law, s.contact_pairs.contacts[i], g);
             s.contact_pairs.forces[3 * i] = forces.on_node;
             s.contact_pairs.forces[3 * i + 1] = forces.on_first;
@@ -294,27 +301,29 @@ void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
     }
 }
 
-/// What a point of a released contact carried, as a contact of a node and an edge that face each other.
+/// State of a point of a contact at its release, as that of a node–edge contact between nodes and edges that faced each other.
 struct ReleasedContact {
     std::int32_t contact, point;
     double overlap, elastic_slip;  ///< m
 };
 
-/// Takes the tractions off the contacts that are released.
+/// Releases contacts: removes their forces. \return their closed points
+template <class Law>
 std::vector<ReleasedContact> release_contacts(const ContactLaw& law, const std::vector<std::int32_t>& released_now, State& s) {
     std::vector<ReleasedContact> carried;
     for (const std::int32_t c : released_now) {
         s.contact_pairs.released[c] = 1;
         for (std::int32_t p = 0; p < 2; ++p) {
             const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
-            const ContactHistory h = history_of(s, point);
+            const ContactHistory h = point_history(s, point);
             if (h.motion.opening < 0) {
-                carried.push_back({c, p, -h.motion.opening, update_contact(law, h.motion, h).traction.shear / law.ks});
+                const double shear = contact_law::update<Law>(law, h.motion, h).traction.shear;
+                carried.push_back({c, p, -h.motion.opening, shear / law.ks});
             }
         }
         for (std::int32_t k = 0; k < 4; ++k) {
             const std::int32_t slot = slot_of(c, k);
-            s.contact_force[slot] = s.contact_force[slot + contacts_per_block] = 0;
+            s.contact_force[slot] = s.contact_force[slot + contacts_per_chunk] = 0;
         }
     }
     return carried;
@@ -324,20 +333,19 @@ void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& 
     ContactPairList& list = s.contact_pairs;
     for (const ReleasedContact& h : carried) {
         const ContactGeometry& contact = a.contacts[h.contact];
-        // Of the two nodes of the point one is over the other grain's edge; of two, the one that is farther from its ends.
+        // Of the two nodes of the point, the one that is over the edge of the other grain; if both are, the one farther from its
+        // ends.
         std::ptrdiff_t best = -1;
         double inside = -std::numeric_limits<double>::max();
         double depth = 0;
         double place = 0;
         for (std::int32_t side = 0; side < 2; ++side) {
-            const std::int32_t node = contact.nodes[2 * (1 - side) + h.point];
-            const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), CandidatePair{node, 2 * h.contact + side});
-            if (it == list.pairs.end() || *it != CandidatePair{node, 2 * h.contact + side}) {
+            const CandidatePair pair{contact.nodes[2 * (1 - side) + h.point], 2 * h.contact + side};
+            const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), pair);
+            if (it == list.pairs.end() || *it != pair) {
                 continue;
             }
-            const SurfaceEdge& edge = a.surface.edges[it->edge];
-            const PairGeometry g =
-                pair_geometry(place_of(a, s, node), place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]));
+            const PairGeometry g = pair_geometry(a, s, *it);
             const double margin = std::min(g.place, 1 - g.place);
             if (margin > inside) {
                 inside = margin;
@@ -365,57 +373,76 @@ Speeds find_speeds(const std::vector<Vector2>& velocity) {
     return {std::sqrt(*speed_p95), std::sqrt(*std::max_element(speed_p95, squared.end()))};
 }
 
+/// Steps to the next update, at most. The faster the nodes, the fewer; else pairs would have to be watched from far away.
+/// \param travel_p95, travel_fastest of nodes in a step, m
+std::int64_t max_interval(double mean_length, double travel_p95, double travel_fastest) {
+    const double steps = mean_length * std::min(max_travel_p95 / std::max(travel_p95, 1e-300),
+                                                max_travel_fastest / std::max(travel_fastest, 1e-300));
+    return std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, max_steps);
+}
+
+/// Largest distance of a node from its position at the last search, m; 0 before the first.
+double travel_since_search(const State& s) {
+    const std::vector<Vector2>& at_search = s.contact_pairs.displacement_at_search;
+    double squared = 0;
+    for (std::size_t i = 0; i < at_search.size(); ++i) {
+        const Vector2 travel = s.displacement[i] - at_search[i];
+        squared = std::max(squared, dot(travel, travel));
+    }
+    return std::sqrt(squared);
+}
+
+/// Releases contacts and searches anew.
+void rebuild(const Assemblage& a, const ContactLaw& law, const std::vector<std::int32_t>& released_now, State& s) {
+    const std::vector<ReleasedContact> carried =
+        contact_law::with_law(law.variant, [&](auto kind) { return release_contacts<decltype(kind)>(law, released_now, s); });
+    search(a, law, s);
+    transfer_to_pairs(a, carried, s);
+    refresh_forces(a, law, s);
+    s.contact_pairs.wants_rebuild = false;
+    s.contact_pairs.travel_since_rebuild = 0;
+}
+
 }  // namespace
 
 bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
     ContactPairList& list = s.contact_pairs;
     const ContactLaw& law = parameters.law;
     const bool scaled = parameters.mass_scaling.is_on();
-    const bool debonded_now = find_debonded(a, law, s);
-    const std::vector<std::int32_t> released_now = find_released(a, law, s);
+    bool debonded_now = false;
+    std::vector<std::int32_t> released_now;
+    contact_law::with_law(law.variant, [&](auto kind) {
+        debonded_now = find_debonded<decltype(kind)>(a, law, s);
+        released_now = find_released<decltype(kind)>(a, law, s);
+    });
     if (scaled && !released_now.empty()) {
         return true;
     }
     const bool is_first = list.displacement_at_search.empty();
-    // How far nodes have moved since the last search, and how fast they are now.
-    double gone = 0;
-    for (std::size_t i = 0; i < s.velocity.size() && !is_first; ++i) {
-        const Vector2 way = s.displacement[i] - list.displacement_at_search[i];
-        gone = std::max(gone, dot(way, way));
-    }
-    gone = std::sqrt(gone);
     const Speeds speeds = find_speeds(s.velocity);
     const double travel_fastest = speeds.fastest * parameters.time_step;
     const double travel_p95 = speeds.p95 * parameters.time_step;
-    // The faster the nodes, the shorter the interval; else pairs would have to be watched from afar.
-    const double calm = a.surface.mean_length * std::min(max_travel_p95 / std::max(travel_p95, 1e-300),
-                                                         max_travel_fastest / std::max(travel_fastest, 1e-300));
-    const std::int64_t longest =
-        std::max(std::clamp(static_cast<std::int64_t>(std::min(calm, 1e6)), min_steps, max_steps), shortest);
-    const double allowed = 0.5 * buffer * a.surface.mean_length;  // two nodes may go towards each other
-    // What has debonded may wait for a search as long as nothing has moved far since.
+    const std::int64_t longest = std::max(max_interval(a.surface.mean_length, travel_p95, travel_fastest), shortest);
+    const double allowed = 0.5 * buffer * a.surface.mean_length;  // two nodes may move towards each other
+    double travel = travel_since_search(s);
+    // After debonding a search may wait as long as nothing has moved far since.
     list.wants_rebuild = list.wants_rebuild || debonded_now || !released_now.empty();
     list.travel_since_rebuild += list.wants_rebuild ? static_cast<double>(longest) * travel_p95 : 0.0;
-    if (is_first || gone + static_cast<double>(longest) * travel_fastest > allowed ||
+    if (is_first || travel + static_cast<double>(longest) * travel_fastest > allowed ||
         list.travel_since_rebuild > rebuild_delay_distance * a.surface.mean_length) {
-        const std::vector<ReleasedContact> carried = release_contacts(law, released_now, s);
-        search(a, law, s);
-        transfer_to_pairs(a, carried, s);
-        refresh_forces(a, law, s);
-        list.wants_rebuild = false;
-        list.travel_since_rebuild = 0;
-        gone = 0;
+        rebuild(a, law, released_now, s);
+        travel = 0;
     }
     list.detection_interval = std::max<std::int64_t>(longest / detections_between_updates, 1);
     watch_pairs(a, static_cast<double>(longest) * parameters.time_step, speeds.p95, s);
     find_occupied_area(a, list);
     if (scaled) {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(list.blocks.size()); ++block) {
-            detect_contacts(a, parameters, block, s);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
+            detect_contacts(a, parameters, chunk, s);
         }
-        list.blocks.clear();
+        list.chunks.clear();
     }
-    const double steps = travel_fastest > 0 ? 0.5 * (allowed - gone) / travel_fastest : static_cast<double>(max_steps);
+    const double steps = travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_steps);
     list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(min_steps, longest), longest);
     return scaled &&
            std::any_of(list.contacts.begin(), list.contacts.end(), [](const NodeEdgeContact& contact) { return contact.active; });

@@ -1,4 +1,4 @@
-// The list of pairs between two steps: what is listed, released and watched.
+// The update of the pair list between two steps: which contacts are released, which pairs are listed and watched.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,14 @@
 
 namespace graincrack {
 
-/// Updates the list between two steps: finds contacts that have lost their cohesion, releases those that moved far, searches anew
-/// where that or the travel of the nodes since the last search asks for it, and sets the step of the next update (`next_check`).
-/// With mass scaling there are no node–edge contacts: it changes nothing but the list and returns true when one begins, or a
-/// contact is to be released, and is to be called again with unscaled masses. Serial; what it does depends on the state only.
-/// \param shortest steps to the next update at least
+/// Updates the list between two steps: finds points that have debonded, releases contacts that have moved far, searches anew
+/// where that or the travel of the nodes since the last search makes it necessary, chooses the watched pairs, and sets the step
+/// of the next update (`next_check`). Serial; the result depends on the state only.
+///
+/// With mass scaling there are no node–edge contacts: it changes nothing but the list.
+/// \param shortest least number of steps to the next update
+/// \return with mass scaling, whether a node–edge contact begins or a contact is to be released: mass scaling has to end, and the
+/// list is to be updated again without it
 bool update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
 
 }  // namespace graincrack

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <numeric>
 
+#include "solver/detection/pair_geometry.hpp"
+
 namespace graincrack {
 namespace {
 
-Vector2 place_of(const Assemblage& a, const State& s, std::int32_t node) { return a.position[node] + s.displacement[node]; }
-
-/// Nodes that are linked by contact points that have not debonded, at a vertex of the specimen: the smallest node of the group
-/// that each belongs to.
+/// For each node, the lowest of the nodes that it is linked with at a vertex of the specimen, by contact points that have not
+/// debonded.
 std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairList& list) {
     std::vector<std::int32_t> root(a.position.size());
     std::iota(root.begin(), root.end(), 0);
@@ -44,8 +44,8 @@ bool is_debonded(const ContactPairList& list, std::int32_t contact) {
 }
 
 bool is_exposed(const ContactPairList& list, const GrainSurface& surface, const SurfaceEdge& edge) {
-    const auto has_loose = [&](std::int32_t e) { return e >= 0 && is_debonded(list, surface.edges[e].contact); };
-    return edge.contact < 0 || is_debonded(list, edge.contact) || has_loose(edge.previous) || has_loose(edge.next);
+    const auto has_debonded = [&](std::int32_t e) { return e >= 0 && is_debonded(list, surface.edges[e].contact); };
+    return edge.contact < 0 || is_debonded(list, edge.contact) || has_debonded(edge.previous) || has_debonded(edge.next);
 }
 
 struct Box {
@@ -56,11 +56,11 @@ Box around(const Vector2& p, const Vector2& q, double margin) {
             {std::max(p.x, q.x) + margin, std::max(p.y, q.y) + margin}};
 }
 
-bool holds(const Box& box, const Vector2& p) {
+bool contains(const Box& box, const Vector2& p) {
     return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-/// Square cells that hold the exposed edges near them. The origin is the lower left corner of all edges.
+/// Square cells with the exposed edges near them. The origin is the lower left corner of all edges.
 class Cells {
 public:
     Cells(const std::vector<Box>& boxes, double size) : size_(size) {
@@ -73,11 +73,11 @@ public:
             all = {{std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)},
                    {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)}};
         }
-        // Fragments may fly far: cells grow rather than become many more than edges.
+        // Fragments may fly far: cells then grow, so that there are not many more cells than edges.
         const double area = (all.high.x - all.low.x) * (all.high.y - all.low.y);
         size_ = std::max(size_, std::sqrt(area / (4 * static_cast<double>(boxes.size()) + 64)));
         origin_ = all.low;
-        columns_ = column((all.high.x)) + 1;
+        columns_ = column(all.high.x) + 1;
         rows_ = row(all.high.y) + 1;
         begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
         for_cells_of(boxes, [this](std::size_t cell, std::int32_t) { ++begin_[cell + 1]; });
@@ -133,7 +133,7 @@ std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, const 
         const SurfaceEdge& edge = surface.edges[e];
         if (is_exposed(s.contact_pairs, surface, edge)) {
             edges.push_back(e);
-            boxes.push_back(around(place_of(a, s, edge.nodes[0]), place_of(a, s, edge.nodes[1]), margin));
+            boxes.push_back(around(position_of(a, s, edge.nodes[0]), position_of(a, s, edge.nodes[1]), margin));
             is_exposed_node[edge.nodes[0]] = is_exposed_node[edge.nodes[1]] = 1;
         }
     }
@@ -144,23 +144,23 @@ std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, const 
         if (is_exposed_node[node] == 0) {
             continue;
         }
-        const Vector2 p = place_of(a, s, node);
+        const Vector2 p = position_of(a, s, node);
         cells.visit_near(p, [&](std::int32_t box) {
             const SurfaceEdge& edge = surface.edges[edges[box]];
-            if (!holds(boxes[box], p) || edge.grain == surface.grain_of_node[node]) {
+            if (!contains(boxes[box], p) || edge.grain == surface.grain_of_node[node]) {
                 return;
             }
-            const Vector2 first = place_of(a, s, edge.nodes[0]);
-            const Vector2 along = place_of(a, s, edge.nodes[1]) - first;
+            const Vector2 first = position_of(a, s, edge.nodes[0]);
+            const Vector2 along = position_of(a, s, edge.nodes[1]) - first;
             const double place = std::clamp(dot(p - first, along) / dot(along, along), 0.0, 1.0);
             if (length(p - first - place * along) > margin) {
                 return;
             }
-            const bool is_tied = linked[node] == linked[edge.nodes[0]] || linked[node] == linked[edge.nodes[1]];
+            const bool is_linked = linked[node] == linked[edge.nodes[0]] || linked[node] == linked[edge.nodes[1]];
             const bool is_partner =
                 edge.contact >= 0 && std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
                                                node) != a.contacts[edge.contact].nodes.end();
-            if (is_partner ? s.contact_pairs.released[edge.contact] != 0 : !is_tied) {
+            if (is_partner ? s.contact_pairs.released[edge.contact] != 0 : !is_linked) {
                 pairs.push_back({node, edges[box]});
             }
         });

@@ -6,23 +6,23 @@
 //   z = [1 − (a+b−1)/(a+b) e^(D (a+cb)/((a+b)(1−a−b)))] [a (1−D) + b (1−D)^c],  a = 0.63, b = 1.8, c = 6
 //   D = √(⟨(o−o_p)/(o_r−o_p)⟩² + ⟨(s−s_p)/(s_r−s_p)⟩²)   with the largest opening o and sliding s so far, 0 to 1
 //
-// Before a peak a point is elastic: the parabola has an energy. What has passed its peak un- and reloads on the secant, P(x) =
-// x/(largest x). o_r and s_r make the area under a curve torn in one mode G_I, or G_II:
+// Before a peak a point is elastic along the parabola. Past the peak it unloads and reloads on the secant, P(x) = x/(largest x).
+// o_r and s_r follow from the fracture energies: the area under the curve of pure opening is G_I, that of pure sliding G_II:
 //
 //   ∫σ do = tc o_p (2/3 + I (o_r−o_p)/o_p),  I = ∫0^1 z dD = 0.386307…
 //
-// A point that has failed in either mode and is closed bears friction beside its cohesion, on all of its area, from zero at the
+// A closed point that has failed in either mode bears friction beside its cohesion, on all of its area, starting from zero in the
 // step in which it fails: τ += ks (δs − slip) within ±σres. The strength under compression is then nearly cc + |σn| tan φc, as in
-// those codes: it falls short by what z loses while friction is mobilised, over a sliding of |σn| tan φc/ks.
+// those codes. It is less by the fall of z while friction is mobilised, over a sliding of |σn| tan φc/ks.
 //
 // Energy: z (tc o_p E(δn/o_p) + cc s_p E(δs/s_p)) + ½ kt⟨−δn⟩² + ½ ks (δs − slip)², E = ∫P. Each of its history variables only
-// lowers it: dissipation is never negative. It is continuous at δn = 0: no mismatch. Coupling is full by nature.
+// lowers it, so dissipation is never negative. It is continuous at δn = 0, so the law has a potential. Failure in one mode always
+// weakens the other (full coupling).
 #pragma once
 
 #include <cmath>
 
 #include "solver/law/exponential.hpp"
-#include "solver/law/friction.hpp"
 #include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
@@ -31,7 +31,7 @@ namespace graincrack::contact_law {
 /// J0 = (1 − e^(−k))/k, k = (a+6b)/((a+b)(a+b−1)).
 inline constexpr double softening_area = 0.386307294743942625;
 
-/// z(D): what is left of the strengths at a damage D ≥ 0.
+/// z(D): remaining share of the strengths at a damage D ≥ 0.
 inline double munjiza_softening(double damage) {
     constexpr double a = 0.63;
     constexpr double b = 1.8;
@@ -68,7 +68,7 @@ struct Combined {
     static Stretch stretch_of(const ContactLaw& law, const ContactMotion& m) {
         return {std::max(0.0, m.opening) * law.inv_op, std::abs(m.sliding) * law.inv_sp};
     }
-    /// What a point remembers of its cohesion: the largest stretches past the peaks, 0 or at least 1, and z.
+    /// The cohesion of a point: the largest stretches, each 0 up to its peak and at least 1 past it, and z.
     struct Cohesion {
         Stretch largest;
         double left;
@@ -91,8 +91,17 @@ struct Combined {
                (law.tc * law.op * rise_energy(at.open, c.largest.open) + law.cc * law.sp * rise_energy(at.slid, c.largest.slid));
     }
 
-    /// Takes the cohesion of a point to a motion on the same side; returns its traction, without compression.
-    static ContactTraction stretch(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    /// Friction beside the cohesion of a closed point. It starts from zero in the step in which the point fails.
+    static void advance_friction(const ContactLaw& law, const ContactMotion& to, bool rubs, ContactResponse& r) {
+        if (rubs) {
+            slide(law, to, friction_limit(law, to), r);
+        } else {
+            r.history.slip = to.sliding;
+            r.traction.shear = 0;
+        }
+    }
+    /// Moves the cohesion of a point to a motion on the same side of δn = 0. \return its traction, without compression
+    static ContactTraction soften(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         constexpr double lost_at_peak = 2.0 / 3 - 0.5;  // from the parabola's energy to the secant's
         ContactHistory& h = r.history;
         const Stretch from = stretch_of(law, h.motion);
@@ -119,23 +128,21 @@ struct Combined {
         return {now.left * law.tc * rise(at.open, now.largest.open),
                 std::copysign(now.left * law.cc * rise(at.slid, now.largest.slid), to.sliding)};
     }
-    static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-        r.traction = stretch(law, to, r);
-        r.history.motion = to;
-    }
-    static void advance_closed(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         const bool rubs = r.history.failed();
-        const ContactTraction cohesive = stretch(law, to, r);
-        if (rubs) {
-            slide(law, to, friction_limit(law, to), r);
-        } else {
-            r.history.slip = to.sliding;
-            r.traction.shear = 0;
+        if (!rubs && advance_intact<Combined>(law, to, r)) {
+            return;
         }
-        r.traction = {law.kt * to.opening, r.traction.shear + cohesive.shear};
+        const ContactTraction cohesive = soften(law, to, r);
+        if (to.opening >= 0) {
+            r.traction = cohesive;
+        } else {
+            advance_friction(law, to, rubs, r);
+            r.traction = {law.kt * to.opening, r.traction.shear + cohesive.shear};
+        }
         r.history.motion = to;
     }
-    /// A contact closes: no normal traction yet, so no friction.
+    /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {

@@ -1,17 +1,17 @@
 // The contact laws: pure functions of motion and history. `update_contact` is the law; each law has a file in solver/law.
 //
-// Most are readings of the cohesive law of Kazerani & Zhao (2014), §3.1. Symbols as in the paper:
+// Most are variants of the cohesive law of Kazerani & Zhao (2014), §3.1. Symbols as in the paper:
 //
 //   kt, ks   initial stiffnesses (Eqs 3–5)        δct = e tc/kt, δcs = e cc/ks   critical displacements (Eqs 8, 11)
 //   tc, cc   tensile strength, cohesion           δut                           ultimate displacement (Eq 14)
 //   φc       friction angle of a failed contact   κ = ks/kt
 //
-// Every law has an open branch (δn ≥ 0) and a closed one (δn < 0). An update that changes sides is led to δn = 0 on the one,
-// over it, and away from it on the other.
+// Every law has an open branch (δn ≥ 0) and a closed one (δn < 0). An update that changes sides moves to δn = 0 on the one,
+// crosses to the other, and moves away from δn = 0 on that.
 //
-// Energy. `stored_energy` is a function of state. Dissipation is booked where the law says it happens, each kind from its own
-// formula: damage and the fall from a peak (fracture), slip against friction (friction). Where a law has no potential, the
-// difference is booked as mismatch.
+// Energy. `stored_energy` is a function of state. Each kind of dissipation is booked from its own formula: damage and the fall
+// from a peak as fracture, slip against friction as friction. Where a law has no potential, the difference between the work done
+// on a point and the change of its energy and dissipation is booked as non-conservative work.
 //
 // Valid for |δ| small against the contact's length.
 #pragma once
@@ -48,9 +48,67 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     return law;
 }
 
-/// The least fracture energies with which a law works: what its peaks take.
+/// The least fracture energies with which a law works: the energies up to its peaks.
 inline FractureEnergies min_fracture_energies(const ContactLaw& law) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::min_energies(law); });
+}
+
+namespace contact_law {
+
+/// Takes a contact point over δn = 0, where the branches meet. The difference of their stored energies is non-conservative work.
+template <class Law>
+void cross(const ContactLaw& law, bool opens, ContactResponse& r) {
+    const double before = Law::stored_energy(law, r.history);
+    const double booked = r.dissipation.fracture + r.dissipation.friction;
+    const ContactMotion edge{0, r.history.motion.sliding};
+    r.history.motion = edge;
+    if (opens) {
+        Law::advance(law, edge, r);
+    } else {
+        Law::close(law, r.history);
+        r.history.motion.opening = -std::numeric_limits<double>::denorm_min();  // the closed branch at δn → 0−
+    }
+    const double released = before - Law::stored_energy(law, r.history);
+    r.dissipation.non_conservative_work += released - (r.dissipation.fracture + r.dissipation.friction - booked);
+}
+
+/// Moves the point with the history `r.history`; adds to `r.dissipation`.
+template <class Law>
+void move_point(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    const ContactMotion from = r.history.motion;
+    const bool was_open = from.opening >= 0;
+    const bool is_open = to.opening >= 0;
+    if (was_open != is_open) {
+        const double share = from.opening / (from.opening - to.opening);
+        const double sliding = from.sliding + share * (to.sliding - from.sliding);
+        Law::advance(law, {was_open ? 0.0 : -std::numeric_limits<double>::denorm_min(), sliding}, r);
+        cross<Law>(law, is_open, r);
+    }
+    Law::advance(law, to, r);
+}
+
+template <class Law>
+ContactResponse update(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
+    ContactResponse r{{}, history, {}};
+    move_point<Law>(law, to, r);
+    return r;
+}
+
+template <class Law>
+double damage(const ContactLaw& law, const ContactHistory& history) {
+    return history.separated ? 1 : Law::damage(law, history);
+}
+
+}  // namespace contact_law
+
+// The functions below find the law anew at every call. What works on many points binds the law once, by `with_law`.
+
+/// The law: motion and old history in; traction, new history and dissipated energies out.
+///
+/// \param to the new motion of the contact point, m
+/// \param history of the point; `history.motion` is the motion before
+inline ContactResponse update_contact(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::update<decltype(kind)>(law, to, history); });
 }
 
 /// Recoverable energy per area of a contact point in its present motion, J/m².
@@ -60,69 +118,7 @@ inline double stored_energy(const ContactLaw& law, const ContactHistory& history
 
 /// Damage D of a contact point, 0 to 1 (Eq 9).
 inline double damage(const ContactLaw& law, const ContactHistory& history) {
-    if (history.separated) {
-        return 1;
-    }
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::damage(law, history); });
-}
-
-/// Whether friction while closed is all that is left of a point. \see residual_response
-inline bool is_residual(const ContactLaw& law, const ContactHistory& history) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::is_residual(law, history); });
-}
-
-/// What the law gives for an intact point, without a branch. \see solver/step/contact_forces.cpp
-inline IntactResponse intact_response(const ContactLaw& law, const IntactPoint& point) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::intact(law, point); });
-}
-
-namespace contact_law {
-
-/// Takes a contact over δn = 0, where the branches meet: what their stored energies differ by is mismatch.
-template <class Law>
-void cross(const ContactLaw& law, bool opens, double sliding, ContactResponse& r) {
-    const double before = Law::stored_energy(law, r.history);
-    const double booked = r.dissipation.fracture + r.dissipation.friction;
-    const ContactMotion edge{0, sliding};
-    if (opens) {
-        Law::advance_open(law, edge, r);
-    } else {
-        r.history.motion = edge;
-        Law::close(law, r.history);
-    }
-    // Stored energy of the closed branch at δn → 0−: a zero opening counts as open, so approach it from below.
-    ContactHistory after = r.history;
-    after.motion.opening = opens ? 0.0 : -std::numeric_limits<double>::denorm_min();
-    r.dissipation.mismatch +=
-        before - Law::stored_energy(law, after) - (r.dissipation.fracture + r.dissipation.friction - booked);
-    r.history.motion.opening = after.motion.opening;
-}
-
-template <class Law>
-ContactResponse update(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
-    ContactResponse r{{}, history, {}};
-    const bool was_open = history.motion.opening >= 0;
-    const bool is_open = to.opening >= 0;
-    if (was_open != is_open) {
-        const double share = history.motion.opening / (history.motion.opening - to.opening);
-        const double sliding = history.motion.sliding + share * (to.sliding - history.motion.sliding);
-        // First along the old branch to the edge, then over it.
-        const ContactMotion edge{was_open ? 0.0 : -std::numeric_limits<double>::denorm_min(), sliding};
-        was_open ? Law::advance_open(law, edge, r) : Law::advance_closed(law, edge, r);
-        cross<Law>(law, is_open, sliding, r);
-    }
-    is_open ? Law::advance_open(law, to, r) : Law::advance_closed(law, to, r);
-    return r;
-}
-
-}  // namespace contact_law
-
-/// The law: motion and old history in; traction, new history and what was dissipated out.
-///
-/// \param to the new motion of the contact point, m
-/// \param history what it remembers; `history.motion` is the motion before
-inline ContactResponse update_contact(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::update<decltype(kind)>(law, to, history); });
+    return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::damage<decltype(kind)>(law, history); });
 }
 
 }  // namespace graincrack

@@ -1,14 +1,13 @@
-// The reading `continuous`: single-valued before damage.
+// The variant `continuous`: single-valued before damage.
 //
 // Open: λ = √((δn/δct)² + (δs/δcs)²); (σn, τ) = (kt δn, ks δs) e^(−λ) up to λ = 1, where δpk = max(δct, |δ|); then
 // (σn, τ) = g (kt δn, ks δs), g = (1 − D)(δpk/δmax)/e, D = (δmax − δpk)/(δut − δct).
 //
-// There is no potential on open paths before damage unless cc = tc √κ: the part of the traction that is no gradient is booked
-// as mismatch.
+// On open paths before damage there is no potential unless cc = tc √κ: the work of the part of the traction that is not the
+// gradient of an energy is booked as non-conservative work.
 #pragma once
 
 #include "solver/law/compression.hpp"
-#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 
@@ -34,7 +33,7 @@ inline double continuous_reduction(const ContactLaw& law, const ContactHistory& 
 }
 /// Work per area of the non-gradient part of the traction between two open motions before failure (midpoint rule):
 /// with ψ = q h(λ), T − ∇ψ = (e^(−λ)/2 − h)(∇q − (q/λ²)∇λ²).
-inline double continuous_mismatch(const ContactLaw& law, const ContactMotion& from, const ContactMotion& to) {
+inline double continuous_non_conservative_work(const ContactLaw& law, const ContactMotion& from, const ContactMotion& to) {
     const ContactMotion mid{0.5 * (from.opening + to.opening), 0.5 * (from.sliding + to.sliding)};
     const double l2 = lambda_squared(law, mid);
     if (l2 == 0) {
@@ -50,7 +49,7 @@ inline double continuous_mismatch(const ContactLaw& law, const ContactMotion& fr
     return (0.5 * e - exponential_energy(lambda, e)) * gradient;
 }
 
-struct Continuous : PaperCompression {
+struct Continuous : PaperLaw<Continuous> {
     static constexpr LawDescription description{.variant = LawVariant::continuous,
                                                 .name = "continuous",
                                                 .meaning = "single-valued before damage; shear strength c_c while open",
@@ -60,15 +59,11 @@ struct Continuous : PaperCompression {
 
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
-        if (is_lost_open(law, h)) {
-            advance_lost(to, r);
-            return;
-        }
         const double l2 = lambda_squared(law, to);
         const double q = quadratic_form(law, to);
         double reduction = 0;
         if (!h.failed_open) {
-            r.dissipation.mismatch += continuous_mismatch(law, h.motion, to);
+            r.dissipation.non_conservative_work += continuous_non_conservative_work(law, h.motion, to);
             const double lambda = std::sqrt(l2);
             reduction = exp_of_minus(lambda);
             if (lambda > 1) {
@@ -87,28 +82,18 @@ struct Continuous : PaperCompression {
         }
         h.separated = h.separated || (h.failed_open && reduction == 0);
         r.traction = {law.kt * reduction * to.opening, law.ks * reduction * to.sliding};
-        h.motion = to;
     }
-    static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
-        if (h.motion.opening < 0) {
-            return closed_energy(law, h);
-        }
-        if (is_lost_open(law, h)) {
-            return 0;
-        }
+    static double open_energy(const ContactLaw& law, const ContactHistory& h) {
         if (h.failed_open) {
             return 0.5 * continuous_reduction(law, h) * quadratic_form(law, h.motion);
         }
         const double lambda = std::sqrt(lambda_squared(law, h.motion));
         return quadratic_form(law, h.motion) * exponential_energy(lambda, exp_of_minus(lambda));
     }
-    static double damage(const ContactLaw& law, const ContactHistory& h) {
-        if (is_lost_open(law, h)) {
-            return 1;
-        }
+    static double open_damage(const ContactLaw& law, const ContactHistory& h) {
         return h.failed_open ? continuous_damage(law, h.max_displacement, h.peak_displacement) : 0;
     }
-    /// Closed points only: open ones book mismatch.
+    /// Holds for closed points only: open ones book non-conservative work.
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double load = std::sqrt(law.inv_dcs * law.inv_dcs * p.sliding * p.sliding);
         return {law.kt * p.opening, law.ks * exp_of_minus(load) * p.sliding,

@@ -5,17 +5,17 @@
 //   fails if  σn > T  or  |τ| > c − σn tan φ    T, c, φ: tensile strength, cohesion, friction angle; the Coulomb line goes on
 //                                               into tension, where it ends at zero
 //
-// A point that failed in either way has the residual values T_r, c_r, φ_r in place of T, c, φ, at once (displacement-weakening).
-// Then |τ| ≤ c_r − σn tan φ_r by slip. If it is pulled above T_r, or failed above it, it separates: open it carries nothing, and
-// never again; closed it pushes and slips as before. T_r = 0 unless given, so a failed point that opens has separated.
+// A point that failed in either way has the residual values T_r, c_r, φ_r in place of T, c, φ at once. From then on slip keeps
+// |τ| ≤ c_r − σn tan φ_r. A point that is pulled above T_r, or fails above it, separates: from then on it carries nothing while
+// open, and compression and friction while closed. T_r = 0 unless given, so a failed point that opens has separated.
 //
-// Energy: ½ kt δn² + ½ ks (δs − slip)², nothing while open and separated. The fall from the peak is fracture, slip is friction:
-// against what is left of the limit, which on opening is nothing, so that shear on c_r relaxes as friction. No mismatch.
+// Energy: ½ kt δn² + ½ ks (δs − slip)², zero while open and separated. The fall from the peak dissipates fracture energy, slip
+// dissipates friction. When a point separates its limit falls to zero, and the shear it carried by c_r relaxes as friction. The
+// law has a potential.
 #pragma once
 
 #include <cmath>
 
-#include "solver/law/friction.hpp"
 #include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
@@ -35,20 +35,17 @@ struct CoulombSlip {
         return std::max(0.0, cohesion - normal * tan_phi);
     }
 
-    /// Both branches: the law does not know δn = 0 until it has separated.
+    /// Both branches: until it has separated a point behaves the same on both sides of δn = 0.
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
-        const bool open = to.opening >= 0;
-        const double normal = law.kt * to.opening;
-        const double shear = law.ks * (to.sliding - h.slip);
         if (!h.failed()) {
-            if (normal <= law.tc && std::abs(shear) <= shear_limit(law.cc, law.tan_phi, normal)) {
-                r.traction = {normal, shear};
-                h.motion = to;
+            if (advance_intact<CoulombSlip>(law, to, r)) {
                 return;
             }
             fail(law, to, r);
         }
+        const bool open = to.opening >= 0;
+        const double normal = law.kt * to.opening;
         if (open && !h.separated && normal > law.residual_tc) {
             h.separated = true;
             r.dissipation.fracture += 0.5 * law.residual_tc * law.residual_tc / law.kt;
@@ -58,8 +55,6 @@ struct CoulombSlip {
         slide(law, to, bears ? shear_limit(law.residual_cc, law.residual_tan_phi, normal) : 0.0, r);
         h.motion = to;
     }
-    static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) { advance(law, to, r); }
-    static void advance_closed(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) { advance(law, to, r); }
     static void close(const ContactLaw& /*law*/, ContactHistory& /*h*/) {}
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
@@ -79,7 +74,7 @@ struct CoulombSlip {
     }
 
 private:
-    /// From the elastic state at `to` to the residual one: what the spring loses is fracture.
+    /// From the elastic state at `to` to the residual one: the energy that the springs lose is fracture energy.
     static void fail(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         const double normal = law.kt * to.opening;
@@ -94,7 +89,7 @@ private:
         const double left = std::clamp(shear, -limit, limit);
         r.dissipation.fracture += 0.5 * (shear * shear - left * left) / law.ks;
         h.slip = to.sliding - left / law.ks;
-        h.motion.sliding = to.sliding;  // `slide` goes on from here
+        h.motion.sliding = to.sliding;  // `slide` starts from here
     }
 };
 

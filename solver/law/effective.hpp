@@ -1,13 +1,12 @@
-// The readings `literal` and `scaled`: one effective displacement in the open branch.
+// The variants `literal` and `scaled`: one effective displacement in the open branch.
 //
 // δeff = √(δn² + w δs²) with w = 1 (Eq 2) or κ = ks/kt; (σn, τ) = (σ/δeff)(δn, w δs) (Eq 13), where σ = kt δeff e^(−δeff/δct)
 // up to δct, then softening tc (1 − D) with secant unloading (Eqs 7–9).
 //
-// The stored energies of the two branches differ at δn = 0: that is booked as mismatch.
+// The stored energies of the two branches differ at δn = 0: the difference is booked as non-conservative work.
 #pragma once
 
 #include "solver/law/compression.hpp"
-#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 
@@ -18,7 +17,7 @@ inline double effective_displacement(const ContactLaw& law, const ContactMotion&
 inline double reduced_stiffness(const ContactLaw& law, double max_displacement) {
     return max_displacement >= law.dut ? 0 : law.tc * (law.dut - max_displacement) / ((law.dut - law.dct) * max_displacement);
 }
-/// Dissipated on the way to δmax ≥ δct: the area under the curve less the recoverable triangle, J/m².
+/// Dissipated on the path to δmax ≥ δct: the area under the curve less the recoverable triangle, J/m².
 inline double softening_dissipation(const ContactLaw& law, double max_displacement) {
     const double m = std::min(max_displacement, law.dut);
     const double past = m - law.dct;
@@ -27,41 +26,25 @@ inline double softening_dissipation(const ContactLaw& law, double max_displaceme
     return area - 0.5 * reduced_stiffness(law, m) * m * m;
 }
 
-struct Effective : PaperCompression {
+struct Effective : PaperLaw<Effective> {
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
-        if (is_lost_open(law, h)) {
-            advance_lost(to, r);
-            return;
-        }
         const double d = effective_displacement(law, to);
-        double stiffness = 0;
-        if (!h.failed_open && d <= law.dct) {
-            stiffness = law.kt * exp_of_minus(d * law.inv_dct);
-        } else {
-            const double before = h.failed_open ? softening_dissipation(law, h.max_displacement) : 0;
-            if (!h.failed_open) {
-                mark_failed(h, CrackMode::tensile);
-                h.peak_displacement = law.dct;
-                h.max_displacement = d;
-            }
-            if (d >= h.max_displacement) {
-                h.max_displacement = d;
-                r.dissipation.fracture += softening_dissipation(law, d) - before;
-            }
-            h.separated = h.separated || h.max_displacement >= law.dut;
-            stiffness = reduced_stiffness(law, h.max_displacement);
+        const double before = h.failed_open ? softening_dissipation(law, h.max_displacement) : 0;
+        if (!h.failed_open) {
+            mark_failed(h, CrackMode::tensile);
+            h.peak_displacement = law.dct;
+            h.max_displacement = d;
         }
+        if (d >= h.max_displacement) {
+            h.max_displacement = d;
+            r.dissipation.fracture += softening_dissipation(law, d) - before;
+        }
+        h.separated = h.separated || h.max_displacement >= law.dut;
+        const double stiffness = reduced_stiffness(law, h.max_displacement);
         r.traction = {stiffness * to.opening, stiffness * law.w * to.sliding};
-        h.motion = to;
     }
-    static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
-        if (h.motion.opening < 0) {
-            return closed_energy(law, h);
-        }
-        if (is_lost_open(law, h)) {
-            return 0;
-        }
+    static double open_energy(const ContactLaw& law, const ContactHistory& h) {
         const double d = effective_displacement(law, h.motion);
         if (h.failed_open) {
             return 0.5 * reduced_stiffness(law, h.max_displacement) * d * d;
@@ -69,10 +52,7 @@ struct Effective : PaperCompression {
         const double x = d * law.inv_dct;
         return law.kt * d * d * exponential_energy(x, exp_of_minus(x));
     }
-    static double damage(const ContactLaw& law, const ContactHistory& h) {
-        if (is_lost_open(law, h)) {
-            return 1;
-        }
+    static double open_damage(const ContactLaw& law, const ContactHistory& h) {
         if (!h.failed_open) {
             return 0;
         }

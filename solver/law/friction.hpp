@@ -1,35 +1,47 @@
-// Friction of a failed, closed contact: Kazerani & Zhao (2014), Eqs 10, 12, as signed increments.
+// Coulomb friction of a contact point: Kazerani & Zhao (2014), Eqs 10, 12, as signed increments.
 //
-// τ = ks (δs − slip) within ±limit, σres = −kt δn tan φc in the paper. The slip is the state; as printed, Eq 12 would feed energy
-// on a reversal.
+// τ = ks (δs − slip) within ±limit; the limit is −kt δn tan φc in the paper. The slip is the history variable. As printed, Eq 12
+// would create energy when the slip reverses.
 //
-// Energy. A step of a scheme with central differences does the work ½ (τ0 + τ1) Δδs, of which ½ (τ0 + τ1)(Δδs − Δslip) is stored:
-// friction is ½ (τ0 + τ1) Δslip, exactly. That is negative in one case: the point turns from slip in one direction to slip in the
-// other within a step while its limit falls, τ0 > 0, τ1 = −limit, τ0 > limit, Δslip < 0. No admissible traction τ1 would help: as
-// τ1 ≥ −limit > −τ0 the sum stays positive, and Δslip ≥ 0 would need τ1 ≤ τ0 + ks Δδs < −limit. Both claims cannot hold in such a
-// step, so the first gives way: nothing is booked, and the scheme's error, at most ½ τ0 |Δδs| per area, second order in the step,
-// stays in the residual of the ledger where it can be seen.
+// Energy. Over a step, the central-difference scheme does the work ½ (τ0 + τ1) Δδs on a point, of which ½ (τ0 + τ1)(Δδs − Δslip)
+// is stored. Friction dissipates the rest, ½ (τ0 + τ1) Δslip. This is negative in one case: within one step the point turns from
+// slip in one direction to slip in the other while its limit falls (τ0 > 0, τ1 = −limit, limit < τ0, Δslip < 0). No admissible
+// traction avoids it: τ1 ≥ −limit > −τ0 keeps the sum positive, and Δslip ≥ 0 would need τ1 ≤ τ0 + ks Δδs < −limit. In such a
+// step no dissipation is booked. The error of the scheme, at most ½ τ0 |Δδs| per area and of second order in the step, remains
+// visible in the residual of the energy balance.
 #pragma once
 
 #include <algorithm>
 
-#include "solver/law/constants.hpp"
+#include "solver/law/types.hpp"
 
 namespace graincrack::contact_law {
 
 /// Largest frictional traction at a closed motion, Pa.
 inline double friction_limit(const ContactLaw& law, const ContactMotion& m) { return -law.kt * m.opening * law.tan_phi; }
 
-/// Moves a frictional contact to a motion where it bears `limit`: sets the shear traction and the slip, books friction.
+/// The state of a frictional point after a motion.
+struct FrictionReturn {
+    double shear;       ///< Pa
+    double slip;        ///< m
+    double dissipated;  ///< J/m²
+};
+/// Returns the elastic shear traction to within ±`limit` (Pa). Has no branch, so that vector units can work on it.
+inline FrictionReturn friction_return(double ks, double old_sliding, double sliding, double old_slip, double limit) {
+    const double old_shear = ks * (old_sliding - old_slip);
+    const double trial = ks * (sliding - old_slip);
+    const double shear = std::min(std::max(trial, -limit), limit);
+    const double slip = shear != trial ? sliding - shear / ks : old_slip;
+    return {shear, slip, std::max(0.0, 0.5 * (old_shear + shear) * (slip - old_slip))};
+}
+
+/// Moves a point whose friction is limited by ±`limit` (Pa): sets the shear traction and the slip, books what friction
+/// dissipates.
 inline void slide(const ContactLaw& law, const ContactMotion& to, double limit, ContactResponse& r) {
-    const double old_shear = law.ks * (r.history.motion.sliding - r.history.slip);
-    const double trial = law.ks * (to.sliding - r.history.slip);
-    r.traction.shear = std::clamp(trial, -limit, limit);
-    if (trial != r.traction.shear) {
-        const double slip = to.sliding - r.traction.shear / law.ks;
-        r.dissipation.friction += std::max(0.0, 0.5 * (old_shear + r.traction.shear) * (slip - r.history.slip));
-        r.history.slip = slip;
-    }
+    const FrictionReturn friction = friction_return(law.ks, r.history.motion.sliding, to.sliding, r.history.slip, limit);
+    r.traction.shear = friction.shear;
+    r.history.slip = friction.slip;
+    r.dissipation.friction += friction.dissipated;
 }
 
 }  // namespace graincrack::contact_law

@@ -1,19 +1,19 @@
-// The table of contact laws: options, files, dispatch and tests take what laws there are from here.
+// The table of contact laws: options, files, dispatch and tests take the list of laws from here.
 //
 // A law is a type with static pure functions; share/doc/adding-a-law.md tells how to add one:
 //
 // - `description`: its row of the table
-// - `least_energies(law)`: the least Gf (G_I) and G_II with which the law works; 0 where it has none
+// - `min_energies(law)`: the least Gf (G_I) and G_II with which the law works; 0 where it has none
 // - `complete(law)`: sets the constants that are its own; `stiffest_shear` in any case
-// - `advance_open(law, to, r)`: an open point moves to an open motion: r.history changes, r.traction is set, r.dissipation grows
-// - `advance_closed(law, to, r)`: the same for closed motions
-// - `close(law, history)`: an open point arrives at δn = 0 and will be closed; history.motion is there already
+// - `advance(law, to, r)`: a point moves to a motion on its side of δn = 0: sets r.traction, brings r.history up to date, adds to
+//   r.dissipation
+// - `close(law, history)`: an open point has arrived at δn = 0 (as history.motion says) and is about to be closed
 // - `stored_energy(law, history)`: recoverable energy per area, a function of state
 // - `damage(law, history)`: 0 to 1
-// - `intact(law, point)`: what vector units work on: the same for intact points, without a branch
-// - `is_residual(law, history)`: true if friction while closed is all that is left, as `residual_response` has it; false is
-// always right
-// - `damages_intact`: true if that changes `integrity` or books fracture
+// - `intact(law, point)`: the response of a point that has not failed, without a branch
+// - `is_residual(law, history)`: true if friction while closed is all that is left, as in `residual_response`; a law may always
+//   answer false
+// - `damages_intact`: true if `intact` changes the integrity or dissipates fracture energy
 #pragma once
 
 #include <array>

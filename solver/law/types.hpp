@@ -1,4 +1,4 @@
-// What the contact laws speak of: motion and traction, what a contact point remembers, what an update gives back.
+// The types of the contact laws: constants, motion and traction of a contact point, its history, the response to a motion.
 //
 // Signs: opening δn > 0 and tension σn > 0; sliding δs and shear traction τ are signed.
 #pragma once
@@ -28,13 +28,33 @@ struct LawDescription {
     LawVariant variant;
     std::string_view name;     ///< as options and files spell it
     std::string_view meaning;  ///< in a few words
-    bool potential = false;    ///< it has an energy everywhere: no mismatch, whatever the path
+    bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
     // What it uses beyond stiffnesses, tensile strength, cohesion and friction angle:
     bool coupling = false;                 ///< --coupling; a law without couples the modes by nature
     bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II
     bool mode_ii_fracture_energy = false;  ///< G_II
     bool open_shear_strength = false;      ///< shear strength while open
     bool residual_strength = false;        ///< residual tensile strength, cohesion and friction angle
+};
+
+/// Constants of a law. Symbols as in the paper. \see make_contact_law
+struct ContactLaw {
+    LawVariant variant;
+    Coupling coupling;
+    double kt, ks;   ///< initial stiffnesses (Eqs 3–5), Pa/m
+    double tc, cc;   ///< tensile strength, cohesion, Pa
+    double tan_phi;  ///< of the friction angle φc
+    double gf, g2;   ///< Gf or G_I, and G_II, J/m²
+    double residual_tc, residual_cc, residual_tan_phi;
+    double dct, dcs, dut;        ///< δct, δcs, δut (Eqs 8, 11, 14), m
+    double inv_dct, inv_dcs;     ///< 1/m
+    double w;                    ///< weight of δs² in δeff² of the open branch: 1 (literal) or κ = ks/kt
+    double stiffest_shear;       ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
+    double open_shear_strength;  ///< to (consistent), Pa
+    double inv_dso;              ///< 1/δso, δso = e to/ks (consistent)
+    double op, sp;               ///< o_p, s_p: displacements at the peaks (combined), m
+    double inv_op, inv_sp;       ///< 1/m
+    double o_range, s_range;     ///< (o_r − o_p)/o_p, (s_r − s_p)/s_p (combined)
 };
 
 struct ContactMotion {
@@ -47,7 +67,7 @@ struct ContactTraction {
     double shear = 0;   ///< τ, Pa
 };
 
-/// What a contact point remembers.
+/// The history of a contact point: its last motion and everything the next response depends on.
 struct ContactHistory {
     ContactMotion motion;                       ///< of the last update
     double max_displacement = 0;                ///< δmax once failed open (literal, scaled, continuous), m
@@ -66,12 +86,13 @@ struct ContactHistory {
     friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
 };
 
-/// Energies per area booked in one update, J/m².
+/// Energies per area dissipated in one update, J/m².
 struct ContactDissipation {
     double fracture = 0;
     double friction = 0;
-    double mismatch = 0;  ///< lost (positive) or made where the law has no potential
+    double non_conservative_work = 0;  ///< lost (positive) or gained (negative) where the law has no potential
 };
+/// What an update gives for a motion.
 struct ContactResponse {
     ContactTraction traction;
     ContactHistory history;
@@ -101,6 +122,7 @@ inline PointState point_state(const ContactHistory& h) {
 
 namespace contact_law {
 
+/// Records that a point has passed its peak in a mode.
 inline void mark_failed(ContactHistory& h, CrackMode mode) {
     if (!h.failed()) {
         h.first_mode = mode;

@@ -1,10 +1,11 @@
-// Intact points, most of all points in most steps, and spent ones, which carry nothing but friction: what a law gives for them
-// without a branch in the code, for vector units.
+// The first and the last response of every contact law, without branches, so that vector units can work on many points at once:
+// that of a point that has not failed, which each law gives, and that of a point on which nothing but friction is left, which is
+// the same for all laws. In most steps nearly all points are of one of these two kinds.
 #pragma once
 
 #include <algorithm>
 
-#include "solver/law/constants.hpp"
+#include "solver/law/friction.hpp"
 
 namespace graincrack {
 
@@ -17,42 +18,67 @@ struct IntactPoint {
 /// What `update_contact` gives for it, where `holds`.
 struct IntactResponse {
     double normal, shear;  ///< Pa
-    double holds;          ///< 1 if the point stays intact and nothing but this happens to it, else 0: it needs `update_contact`
+    double holds;          ///< 1 if the point stays intact and this is all that happens to it; 0 if it needs `update_contact`
     double integrity = 1;
-    double fracture = 0;  ///< J/m²
+    double fracture = 0;  ///< dissipated by damage before the peak, J/m²
 };
+
+/// A residual point, one of which `is_residual` of its law says that no cohesion is left, before and after a motion.
+struct ResidualPoint {
+    double old_opening, old_sliding;  ///< m
+    double opening, sliding;          ///< m
+    double slip;                      ///< before, m
+};
+/// What `update_contact` gives for it, where `holds`.
+struct ResidualResponse {
+    double normal, shear;  ///< Pa
+    double slip;           ///< m
+    double friction;       ///< dissipated, J/m²
+    double holds;          ///< 1 if the point stays open or stays closed, else 0
+};
+/// Compression and friction while closed, nothing while open.
+inline ResidualResponse residual_response(const ContactLaw& law, const ResidualPoint& p) {
+    const bool closed = p.opening < 0;
+    const ContactMotion compression{std::min(p.opening, 0.0), p.sliding};
+    const contact_law::FrictionReturn friction =
+        contact_law::friction_return(law.ks, p.old_sliding, p.sliding, p.slip, contact_law::friction_limit(law, compression));
+    return {law.kt * compression.opening, closed ? friction.shear : 0.0, closed ? friction.slip : p.slip,
+            closed ? friction.dissipated : 0.0, (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0};
+}
 
 namespace contact_law {
 
 /// 1 if the point stays open or stays closed, else 0.
 inline double stays_on_its_side(const IntactPoint& p) { return (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0; }
 
-}  // namespace contact_law
-
-/// A spent point before and after a motion: one of which `is_residual` of its law says that no cohesion is left.
-struct ResidualPoint {
-    double old_opening, old_sliding;  ///< m
-    double opening, sliding;          ///< m
-    double slip;                      ///< before, m
-};
-/// What `update_contact` gives for it, where `holds`. \see solver/law/friction.hpp
-struct ResidualResponse {
-    double normal, shear;  ///< Pa
-    double slip;           ///< m
-    double friction;       ///< dissipated, J/m²
-    double holds;          ///< 1 if the point stays open or closed, else 0
-};
-inline ResidualResponse residual_response(const ContactLaw& law, const ResidualPoint& p) {
-    const double pressed = std::min(p.opening, 0.0);
-    const double limit = -law.kt * pressed * law.tan_phi;
-    const double old_shear = law.ks * (p.old_sliding - p.slip);
-    const double trial = law.ks * (p.sliding - p.slip);
-    const double shear = std::min(std::max(trial, -limit), limit);
-    const double slides = p.opening < 0 && shear != trial ? 1.0 : 0.0;
-    const double slip = slides != 0 ? p.sliding - shear / law.ks : p.slip;
-    const double friction = std::max(0.0, 0.5 * (old_shear + shear) * (slip - p.slip));
-    const double holds = (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0;
-    return {law.kt * pressed, p.opening < 0 ? shear : 0.0, slip, slides * friction, holds};
+inline IntactPoint intact_point(const ContactHistory& h, const ContactMotion& to) {
+    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity};
+}
+inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion& to) {
+    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip};
 }
 
+/// Moves a point that is intact on the side it is on, if the intact response holds. \return whether it does
+template <class Law>
+bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    const IntactResponse intact = Law::intact(law, intact_point(r.history, to));
+    if (intact.holds == 0) {
+        return false;
+    }
+    r.traction = {intact.normal, intact.shear};
+    r.history.motion = to;
+    return true;
+}
+
+/// Moves a point on which nothing but friction is left; one that is open has separated.
+inline void advance_residual(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    const ResidualResponse residual = residual_response(law, residual_point(r.history, to));
+    r.traction = {residual.normal, residual.shear};
+    r.dissipation.friction += residual.friction;
+    r.history.slip = residual.slip;
+    r.history.separated = r.history.separated || to.opening >= 0;
+    r.history.motion = to;
+}
+
+}  // namespace contact_law
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// Functions of time that a program prescribes: what a boundary does while a stage lasts.
+// Amplitudes: functions of time that a program prescribes at a boundary during a stage.
 #pragma once
 
 #include <cstdint>

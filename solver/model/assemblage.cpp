@@ -6,7 +6,7 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t block_elements = 64;  // a block's nodes, elements and forces stay within a first-level cache
+constexpr std::int32_t chunk_elements = 64;  // a chunk's nodes, elements and forces stay within a first-level cache
 
 /// Nodes sorted by grain; nodes of no element come last.
 std::vector<std::int32_t> order_nodes(const Specimen& s) {
@@ -47,11 +47,11 @@ void add_contacts(Assemblage& a, const Specimen& s) {
         a.contact_length += length(g.edge);
         a.contacts.push_back(g);
     }
-    for (std::int32_t c = 0; c < a.n_contacts(); c += contacts_per_block) {
-        a.contact_blocks.push_back({c, std::min(c + contacts_per_block, a.n_contacts())});
+    for (std::int32_t c = 0; c < a.n_contacts(); c += contacts_per_chunk) {
+        a.contact_chunks.push_back({c, std::min(c + contacts_per_chunk, a.n_contacts())});
     }
     // Every node of an outline has an edge on either side.
-    const auto none = static_cast<std::int32_t>(a.contact_blocks.size()) * slot_stride;
+    const auto none = static_cast<std::int32_t>(a.contact_chunks.size()) * slot_stride;
     a.slots.assign(a.position.size(), {none, none});
     for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
         for (std::int32_t k = 0; k < 4; ++k) {
@@ -75,15 +75,15 @@ std::int32_t first_further_slot(const Assemblage& a, std::int32_t node) {
     return static_cast<std::int32_t>(it - a.further_slots.begin());
 }
 
-/// Cuts grains into blocks of about `block_elements` elements; nodes follow their grains.
-void cut_blocks(Assemblage& a, const Specimen& s) {
+/// Cuts grains into chunks of about `chunk_elements` elements; nodes follow their grains.
+void cut_chunks(Assemblage& a, const Specimen& s) {
     std::int32_t begin = 0;
     std::int32_t node_begin = 0;
     std::int32_t further_begin = 0;
     const std::int32_t n = a.n_elements();
     for (std::int32_t e = 1; e <= n; ++e) {
         const bool grain_ends = e == n || s.element_grain[e] != s.element_grain[e - 1];
-        if (!grain_ends || (e < n && e - begin < block_elements)) {
+        if (!grain_ends || (e < n && e - begin < chunk_elements)) {
             continue;
         }
         std::int32_t node_end = node_begin;
@@ -91,7 +91,7 @@ void cut_blocks(Assemblage& a, const Specimen& s) {
             node_end = std::max({node_end, a.element_nodes[i][0] + 1, a.element_nodes[i][1] + 1, a.element_nodes[i][2] + 1});
         }
         const Range further{further_begin, first_further_slot(a, node_end)};
-        a.grain_blocks.push_back({{begin, e}, {node_begin, node_end}, further});
+        a.grain_chunks.push_back({{begin, e}, {node_begin, node_end}, further});
         begin = e;
         node_begin = node_end;
         further_begin = further.end;
@@ -112,7 +112,7 @@ Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCond
     }
     add_elements(a, specimen, rock.density);
     add_contacts(a, specimen);
-    cut_blocks(a, specimen);
+    cut_chunks(a, specimen);
     a.surface = make_surface(specimen, a.node_of_specimen);
     return a;
 }

@@ -1,5 +1,5 @@
-// The assemblage as the kernels see it: constant data in structures of arrays, grains in the order of the specimen,
-// cut into blocks that one thread works on at a time.
+// The assemblage as the kernels see it: constant data in structures of arrays, with grains in the order of the specimen, cut into
+// chunks. A chunk is what a thread works on at a time.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace graincrack {
 
-/// Most contacts in a block.
-inline constexpr std::int32_t contacts_per_block = 64;
+/// Most contacts in a chunk.
+inline constexpr std::int32_t contacts_per_chunk = 64;
 
 /// A half-open range of indices.
 struct Range {
@@ -32,11 +32,11 @@ struct ContactGeometry {
     double point_area;                  ///< of one of its two points: half the edge × 1 m, m²
 };
 
-/// Slots of contact forces lie by block: [block][a1 a2 b1 b2][x y][contacts_per_block]. A slot is named by where its x is in
-/// `State::contact_force`; its y is `contacts_per_block` farther.
-inline constexpr std::int32_t slot_stride = 8 * contacts_per_block;
+/// Slots of contact forces lie by chunk: [chunk][a1 a2 b1 b2][x y][contacts_per_chunk]. A slot is named by where its x is in
+/// `State::contact_force`; its y is `contacts_per_chunk` farther.
+inline constexpr std::int32_t slot_stride = 8 * contacts_per_chunk;
 inline std::int32_t slot_of(std::int32_t contact, std::int32_t node) {
-    return contact / contacts_per_block * slot_stride + 2 * node * contacts_per_block + contact % contacts_per_block;
+    return contact / contacts_per_chunk * slot_stride + 2 * node * contacts_per_chunk + contact % contacts_per_chunk;
 }
 
 /// Geometry of all triangles, side by side.
@@ -60,8 +60,8 @@ struct FurtherSlot {
     std::int32_t node, slot;
 };
 
-/// A group of grains with their elements and nodes, all contiguous; no node is shared between blocks.
-struct GrainBlock {
+/// A group of grains with their elements and nodes, all contiguous; no node is shared between chunks.
+struct GrainChunk {
     Range elements;
     Range nodes;
     Range further_slots;
@@ -79,15 +79,15 @@ struct Assemblage {
     std::vector<ContactGeometry> contacts;                   ///< [c]
     std::vector<std::array<std::int32_t, 2>> slots;  ///< [n] the contact forces on a node: a slot of zero where there is none
     std::vector<FurtherSlot> further_slots;          ///< ascending by node
-    std::vector<GrainBlock> grain_blocks;
-    std::vector<Range> contact_blocks;
+    std::vector<GrainChunk> grain_chunks;
+    std::vector<Range> contact_chunks;
     std::vector<std::int32_t> node_of_specimen;  ///< [n] internal index of a node of the specimen
     GrainSurface surface;
     double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
 
-    /// Of contact forces: all blocks, and a slot that stays zero.
-    [[nodiscard]] std::size_t n_slot_values() const { return contact_blocks.size() * slot_stride + 2UL * contacts_per_block; }
+    /// Of contact forces: all chunks, and a slot that stays zero.
+    [[nodiscard]] std::size_t n_slot_values() const { return contact_chunks.size() * slot_stride + 2UL * contacts_per_chunk; }
     [[nodiscard]] std::int32_t n_nodes() const { return static_cast<std::int32_t>(position.size()); }
     [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contacts.size()); }
     [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }
@@ -96,14 +96,14 @@ struct Assemblage {
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);
 
-/// Ranges of items sorted by node that fall into the node range of each block of grains.
+/// Ranges of items sorted by node that fall into the node range of each chunk of grains.
 template <class Item, class NodeOf>
-std::vector<Range> ranges_by_block(const Assemblage& a, const std::vector<Item>& items, NodeOf&& node_of) {
+std::vector<Range> ranges_by_chunk(const Assemblage& a, const std::vector<Item>& items, NodeOf&& node_of) {
     std::vector<Range> ranges;
     std::int32_t i = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
+    for (const GrainChunk& chunk : a.grain_chunks) {
         Range range{i, i};
-        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < block.nodes.end) {
+        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < chunk.nodes.end) {
             ++range.end;
         }
         i = range.end;
@@ -112,8 +112,8 @@ std::vector<Range> ranges_by_block(const Assemblage& a, const std::vector<Item>&
     return ranges;
 }
 
-/// Below a fifth of its length a mid-edge (of the two facing edges) has lost its direction: the grains have turned by over
-/// 150° to each other and face each other no more. Compared as squares.
+/// Square of the share of its length below which the mean of two facing edges has no direction any more: the grains have turned
+/// by more than 150° to each other.
 inline constexpr double lost_frame = 0.04;
 
 }  // namespace graincrack

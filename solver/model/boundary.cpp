@@ -47,7 +47,7 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
             }
         }
     }
-    b.platen_points_of_block = ranges_by_block(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
+    b.platen_points_of_chunk = ranges_by_chunk(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
     return b;
 }
 

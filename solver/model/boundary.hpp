@@ -25,7 +25,7 @@ struct Platen {
 inline constexpr std::size_t bottom_platen = 0;
 inline constexpr std::size_t top_platen = 1;
 
-/// A node that may meet a platen, with what it remembers.
+/// A node that may meet a platen, and its friction spring.
 struct PlatenPoint {
     std::int32_t node = 0;
     std::int32_t platen = 0;
@@ -36,12 +36,12 @@ struct PlatenPoint {
     bool on_boundary = false;  ///< its node ends a boundary edge, or meets the platen at the start
 };
 
-/// What a platen does to a point at one instant.
+/// The response of a platen to a point.
 struct PlatenResponse {
     Vector2 force;        ///< on the node, N
     double anchor = 0;    ///< new
     double shear = 0;     ///< new
-    double friction = 0;  ///< dissipated on the way here, J
+    double friction = 0;  ///< dissipated since the last update, J
     double stored = 0;    ///< in the penalty springs, J
 };
 /// How far a point is inside a platen, m; below 0: apart.
@@ -76,11 +76,11 @@ inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& p
     return r;
 }
 
-/// Boundary data of a run, sorted by node; ranges by block of grains.
+/// Boundary data of a run, sorted by node; ranges by chunk of grains.
 struct Boundary {
     std::array<Platen, 2> platens;
     std::vector<PlatenPoint> platen_points;
-    std::vector<Range> platen_points_of_block;
+    std::vector<Range> platen_points_of_chunk;
     PrescribedConditions prescribed;
 };
 

@@ -6,7 +6,7 @@ ContactPairList make_contact_pair_list(const Assemblage& a) {
     ContactPairList list;
     list.debonded.assign(2 * a.contacts.size(), 0);
     list.released.assign(a.contacts.size(), 0);
-    list.node_forces_of_block.assign(a.grain_blocks.size(), Range{});
+    list.node_forces_of_chunk.assign(a.grain_chunks.size(), Range{});
     return list;
 }
 

@@ -1,11 +1,11 @@
-// The contact pair list: which nodes may come into contact with which edges, kept between searches, and what each pair remembers.
+// The contact pair list: which nodes may come into contact with which edges, kept between searches, and the state of each pair.
 //
 // Where grains are still bonded nothing is searched. A contact point has debonded when it has lost its cohesion, or failed and
 // moved; an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain has
 // debonded: another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion
-// goes on as a contact with its original partner (compression and friction) until it has moved by `release_travel` of its length;
-// then it is released: its tractions pass to node–edge contacts, and from there on its nodes and edges are detected like all
-// others.
+// continues as a contact with its original partner (compression and friction) until it has moved by `release_travel` of its
+// length; then it is released: its tractions pass to node–edge contacts, and from then on contacts of its nodes and edges are
+// detected like all others.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace graincrack {
 
-/// What a node–edge contact remembers.
+/// The state of a node–edge contact.
 struct NodeEdgeContact {
     bool active = false;
     bool near_first = true;         ///< nearer to the first end of the edge than to the second
@@ -25,7 +25,7 @@ struct NodeEdgeContact {
     double initial_overlap = 0;     ///< m
     double overlap = 0;             ///< e at the last update, m
     double elastic_slip = 0;        ///< q, m
-    double release_correction = 0;  ///< as a depth, ½ e o/(e + o), m: of one that has ended, its forces in the step after
+    double release_correction = 0;  ///< tension in the step after its end, as a depth, ½ e o/(e + o), m
 };
 
 /// A node and an edge of another grain that are near each other.
@@ -42,50 +42,49 @@ struct NodeForces {
     Range slots;  ///< into `ContactPairList::node_force_slots`
 };
 
-/// Active contacts side by side: all that most steps work on. Which of them continue is decided by detection, at intervals.
+/// Active contacts side by side: most steps work on nothing else. Detection decides at intervals which of them continue.
 struct ActiveContacts {
     std::vector<std::int32_t> pair;                  ///< in the list
     std::vector<std::array<std::int32_t, 3>> nodes;  ///< the node, first and second of the edge
-    std::vector<double> live;                        ///< 1; 0 from the step in which it ended
-    std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction,
-        place;                          ///< of `NodeEdgeContact`, `PairGeometry`
-    std::vector<Vector2> forces;        ///< [3] on the nodes, N
-    std::vector<std::int32_t> count;    ///< by block; those of a block lie from its first watched pair on
-    std::vector<std::uint8_t> changed;  ///< by block: the last detection found others than were there before
+    std::vector<double> live;                        ///< 1; 0 from the step on in which it ends
+    std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction;  ///< as in `NodeEdgeContact`
+    std::vector<double> place;                                                             ///< as in `PairGeometry`
+    std::vector<Vector2> forces;                                                           ///< [3] on the nodes, N
+    std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
+    std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before
 };
 
 struct ContactPairList {
-    std::vector<std::uint8_t> debonded;  ///< [2 c] 1 once the point no longer holds its nodes side by side
-    std::vector<std::uint8_t> released;  ///< [c] 1 once it is no contact any more
-    std::vector<CandidatePair> pairs;    ///< ascending
-    std::vector<NodeEdgeContact>
-        contacts;  ///< [pairs] with their forces as of the last detection or interval of steps: `active` is what steps change
-    std::vector<Vector2> forces;          ///< [3 pairs] on node, first and second node of the edge, N
-    std::vector<Range> groups;            ///< pairs of one node
-    std::vector<std::int32_t> watched;    ///< pairs that matter before the next update, ascending; the others have no forces
-    std::vector<Range> watched_groups;    ///< of them, of one node each
-    std::vector<Range> blocks;            ///< of `watched_groups`, that one thread works on at a time
-    std::int64_t detection_interval = 1;  ///< steps, or substeps, from one detection to the next
+    std::vector<std::uint8_t> debonded;     ///< [2 c] 1 once the point no longer links its nodes
+    std::vector<std::uint8_t> released;     ///< [c] 1 once the contact has been released to node–edge contacts
+    std::vector<CandidatePair> pairs;       ///< ascending
+    std::vector<NodeEdgeContact> contacts;  ///< [pairs] as of the last detection; in between, steps change `active`
+    std::vector<Vector2> forces;            ///< [3 pairs] on node, first and second node of the edge, N
+    std::vector<Range> groups;              ///< pairs of one node
+    std::vector<std::int32_t> watched;      ///< pairs that may be in contact before the next update, ascending
+    std::vector<Range> watched_groups;      ///< of them, of one node each
+    std::vector<Range> chunks;              ///< of `watched_groups`, that one thread works on at a time
+    std::int64_t detection_interval = 1;    ///< steps, or substeps, from one detection to the next
     ActiveContacts active;
-    std::vector<double> friction;                  ///< [blocks] dissipated since the last update, J
+    std::vector<double> friction;                  ///< [chunks] dissipated since the last update, J
     double friction_before = 0;                    ///< and before it, J
     std::vector<NodeForces> node_forces;           ///< ascending by node
     std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
-    std::vector<Range> node_forces_of_block;       ///< by block of grains
+    std::vector<Range> node_forces_of_chunk;       ///< by chunk of grains
     std::vector<std::int32_t> node_force_scratch;  ///< [n]
     std::vector<Vector2> displacement_at_search;   ///< [n] m
-    bool wants_rebuild = false;                    ///< something debonded or moved far since the last search
-    double travel_since_rebuild = 0;               ///< of the fastest node since then at most, m
+    bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search
+    double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
     std::vector<double> occupied_area;             ///< [n] area of a node that contacts occupy, at the last update, m²
     std::int64_t next_check = 0;                   ///< step
 
-    [[nodiscard]] std::int32_t first_watched(std::int32_t block) const { return watched_groups[blocks[block].begin].begin; }
+    [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
     /// Calls `visit` with the place of each active contact.
     template <class Visit>
     void for_active(Visit&& visit) const {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(blocks.size()); ++block) {
-            const std::int32_t begin = first_watched(block);
-            for (std::int32_t i = begin; i < begin + active.count[block]; ++i) {
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(chunks.size()); ++chunk) {
+            const std::int32_t begin = first_watched(chunk);
+            for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
                 visit(i);
             }
         }

@@ -1,12 +1,12 @@
-// What damping carries of the load: damping forces that hold the mean motion of the specimen back, as in sliding, take a part of
-// the platens' load, and a strength is too high by it.
+// The share of the load that damping carries: damping forces that oppose the mean motion of the specimen, as in sliding, take a
+// part of the load of the platens, and a strength is too high by it.
 //
 //   share = ⟨−Σ Fd·v̄⟩ / ⟨Σ P·w⟩
 //
 // v̄ is the mean velocity of each node over some wave transits, P and w are forces and velocities of the platens, and ⟨⟩ is the
 // mean over the same time. It is the power of damping on the mean motion over that of the platens, and by virtual work along this
-// motion the load that damping stands for over that of the platens. What damping takes from waves, which are no part of the mean
-// motion, does not count: a brittle specimen sends them out at any rate.
+// motion the share of the load that damping carries. Damping of waves, which are no part of the mean motion, does not count: a
+// brittle specimen emits them at any rate.
 //
 // All means are exponential, with the time constant `mean_transits`: (u − ū)/τ is that of v if ū is that of u.
 #pragma once
@@ -21,7 +21,7 @@ struct DampingLoad {
     std::vector<Vector2> mean_displacement;  ///< [n] ū, m
     double damping_power = 0;                ///< ⟨−Σ Fd·v̄⟩, W
     double platen_power = 0;                 ///< ⟨Σ P·w⟩, W
-    double time = 0;                         ///< of the last look, s
+    double time = 0;                         ///< of the last update, s
     /// Of the load of the platens; 0 while they do no work.
     [[nodiscard]] double share() const { return platen_power > 0 ? damping_power / platen_power : 0; }
 };

@@ -9,8 +9,8 @@ void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
               [](const PrescribedNode& l, const PrescribedNode& r) { return l.node < r.node; });
     std::stable_sort(prescribed.edges.begin(), prescribed.edges.end(),
                      [](const LoadedEdge& l, const LoadedEdge& r) { return l.nodes < r.nodes; });
-    prescribed.nodes_of_block = ranges_by_block(a, prescribed.nodes, [](const PrescribedNode& n) { return n.node; });
-    prescribed.edges_of_block = ranges_by_block(a, prescribed.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
+    prescribed.nodes_of_chunk = ranges_by_chunk(a, prescribed.nodes, [](const PrescribedNode& n) { return n.node; });
+    prescribed.edges_of_chunk = ranges_by_chunk(a, prescribed.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
 }
 
 }  // namespace graincrack

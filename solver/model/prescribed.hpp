@@ -1,9 +1,8 @@
-// What is prescribed to the specimen besides platens: velocities of nodes, tractions and pressures on
-// boundary edges, gravity. Constant data of a run; the values come from amplitudes, functions of time.
+// Prescribed conditions of a program besides platens: velocities of nodes, tractions and pressures on boundary
+// edges, gravity. Constant data of a run; the values are amplitudes, functions of time.
 //
-// A component of a node with a prescribed velocity has no inertia of its own to damp; its reaction is the force that makes it
-// move so, R = m Δv/Δt − F. Each force does its work, as every force of the scheme, over the mean of the displacements before
-// and after it.
+// A component of a node whose velocity is prescribed is not damped; its reaction is the force that moves it as prescribed,
+// R = m Δv/Δt − F. As every force of the scheme, each does its work over the mean of the displacements before and after it.
 #pragma once
 
 #include <array>
@@ -16,14 +15,14 @@
 
 namespace graincrack {
 
-/// Neither an amplitude nor a boundary condition.
+/// No amplitude, or no boundary condition.
 inline constexpr std::int32_t no_amplitude = -1;
 
 /// A node of which a component moves as prescribed while its amplitude is a number; NaN leaves it free.
 struct PrescribedNode {
     std::int32_t node = 0;
     std::array<std::int32_t, 2> amplitude{no_amplitude, no_amplitude};  ///< of its velocity along x and y, m/s
-    std::array<std::int32_t, 2> condition{no_amplitude, no_amplitude};  ///< by which it is driven
+    std::array<std::int32_t, 2> condition{no_amplitude, no_amplitude};  ///< the boundary condition that prescribes it
 };
 
 /// A boundary edge that carries a load.
@@ -36,20 +35,20 @@ struct LoadedEdge {
     double length = 0;  ///< reference, m
 };
 
-/// Sorted by node; ranges by block of grains.
+/// Sorted by node; ranges by chunk of grains.
 struct PrescribedConditions {
     Vector2 gravity;  ///< m/s²
     std::vector<PrescribedNode> nodes;
-    std::vector<Range> nodes_of_block;
+    std::vector<Range> nodes_of_chunk;
     std::vector<LoadedEdge> edges;
-    std::vector<Range> edges_of_block;
+    std::vector<Range> edges_of_chunk;
     [[nodiscard]] bool has_gravity() const { return gravity.x != 0 || gravity.y != 0; }
     [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && !has_gravity(); }
 };
 /// Sorts nodes and edges and finds their ranges.
 void arrange_prescribed(const Assemblage& assemblage, PrescribedConditions& prescribed);
 
-/// What a step leaves of the prescribed conditions: scratch, except that probes read it.
+/// Reactions and loads of the last step: scratch of the node stage, which probes read.
 struct PrescribedState {
     struct Node {
         Vector2 reaction;      ///< against the other forces, without inertia, N; 0 where free

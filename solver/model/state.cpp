@@ -10,9 +10,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.last_force.resize(a.position.size());
     s.damping_load.mean_displacement.resize(a.position.size());
     s.damping_force.resize(a.position.size());
-    s.touching.resize(a.position.size());
+    s.near_platen.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
-    s.points = PointMemories(2 * a.contacts.size());
+    s.points = PointHistories(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());
     s.sliding.resize(2 * a.contacts.size());
     s.slip.resize(2 * a.contacts.size());
@@ -21,9 +21,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.integrity.assign(2 * a.contacts.size(), 1);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
-            s.points.of(2 * c) = s.points.of(2 * c + 1) = broken_contact();
-            s.failed[2 * c] = s.failed[2 * c + 1] = 1;  // and spent as soon as the law has seen them
-            s.integrity[2 * c] = s.integrity[2 * c + 1] = 0;
+            for (const std::size_t point : {2 * c, 2 * c + 1}) {
+                store_point(broken_contact(), false, point, s);  // residual from the first step on, when the law has seen it
+            }
         }
     }
     s.fracture_energy.resize(2 * a.contacts.size());
@@ -32,9 +32,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
     s.prescribed.pressing.resize(boundary.prescribed.edges.size());
-    s.grain_sums.resize(a.grain_blocks.size());
-    s.contact_sums.resize(a.contact_blocks.size());
-    s.events.resize(a.contact_blocks.size());
+    s.grain_sums.resize(a.grain_chunks.size());
+    s.contact_sums.resize(a.contact_chunks.size());
+    s.events.resize(a.contact_chunks.size());
     return s;
 }
 

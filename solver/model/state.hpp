@@ -13,64 +13,65 @@
 
 namespace graincrack {
 
-/// A contact point that failed or separated during a step.
+/// A contact point that failed or separated in a step. All but `peak_traction` is of the end of this step.
 struct ContactEvent {
     std::int64_t step = 0;
     std::int32_t contact = 0;
     std::uint8_t point = 0;
     bool is_separation = false;
-    CrackMode mode = CrackMode::tensile;
+    CrackMode mode = CrackMode::tensile;  ///< of the first failure
     ContactMotion motion;
-    ContactTraction peak_traction;  ///< of the step before, still short of the peak
+    ContactTraction peak_traction;  ///< of the step before, the last one short of the peak
     Vector2 tangent;
     Vector2 position;  ///< middle of the half-edge the point stands for
 };
 
-/// Energies summed over the contacts of a block since the start, J.
+/// Energies summed over the contacts of a chunk since the start, J.
 struct ContactSums {
     double fracture_tension = 0;
     double fracture_shear = 0;
     double friction = 0;
-    double mismatch = 0;
+    double non_conservative_work = 0;
 };
-/// Energies summed over the grains of a block since the start, J.
+/// Energies summed over the grains of a chunk since the start, J.
 struct GrainSums {
     double damping = 0;
     double platen_work = 0;
-    double load_work = 0;      ///< of gravity and loaded edges, and kinetic energy given at the start
-    double reaction_work = 0;  ///< of driven nodes
+    double load_work = 0;      ///< of gravity and loaded edges, and initial kinetic energy
+    double reaction_work = 0;  ///< of nodes with prescribed motion
     double platen_friction = 0;
 };
 
-/// What failed points remember. Kept for blocks of contacts of which a point has failed; all other points remember nothing.
-class PointMemories {
+/// Histories of contact points beyond what `State` keeps in arrays. They exist for chunks of contacts of which a point has needed
+/// the full law; all other points have the history of a new contact.
+class PointHistories {
 public:
-    PointMemories() = default;
-    explicit PointMemories(std::size_t n_points) : blocks_((n_points + points_per_block - 1) / points_per_block) {}
+    PointHistories() = default;
+    explicit PointHistories(std::size_t n_points) : chunks_((n_points + points_per_chunk - 1) / points_per_chunk) {}
     const ContactHistory& operator[](std::size_t point) const {
-        const auto& block = blocks_[point / points_per_block];
-        return block.empty() ? nothing_ : block[point % points_per_block];
+        const auto& chunk = chunks_[point / points_per_chunk];
+        return chunk.empty() ? new_contact_ : chunk[point % points_per_chunk];
     }
-    /// To be written to, by the thread that works on the block.
+    /// To be written to, by the thread that works on the chunk.
     ContactHistory& of(std::size_t point) {
-        auto& block = blocks_[point / points_per_block];
-        if (block.empty()) {
-            block.resize(points_per_block);
+        auto& chunk = chunks_[point / points_per_chunk];
+        if (chunk.empty()) {
+            chunk.resize(points_per_chunk);
         }
-        return block[point % points_per_block];
+        return chunk[point % points_per_chunk];
     }
 
 private:
-    static constexpr std::size_t points_per_block = 2UL * contacts_per_block;
-    static constexpr ContactHistory nothing_{};
-    std::vector<std::vector<ContactHistory>> blocks_;
+    static constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
+    static constexpr ContactHistory new_contact_{};
+    std::vector<std::vector<ContactHistory>> chunks_;
 };
 
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t integrations = 0;       ///< steps, or parts of them where they are made of parts
-    std::int64_t origin_step = 0;        ///< from which on the time step is what it is
+    std::int64_t integrations = 0;       ///< steps and, once steps are made of substeps, substeps
+    std::int64_t origin_step = 0;        ///< the first step with the present time step
     double origin_time = 0;              ///< of that step, s
     std::vector<Vector2> displacement;   ///< [n] m, at `time`
     std::vector<Vector2> velocity;       ///< [n] m/s, half a step before `time`
@@ -78,26 +79,26 @@ struct State {
     std::vector<Vector2> last_force;     ///< [n] N, of the step before, for the rate of `force`
     std::vector<Vector2> damping_force;  ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t>
-        touching;  ///< [n] 1 + the platen it is on or close to (`cluster_reach`), else 0; scratch of the node stage
+        near_platen;                      ///< [n] 1 + the platen within `cluster_reach` of it, else 0; scratch of the node stage
     std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
     std::vector<double> opening;          ///< [2 c] m, at `time`
     std::vector<double> sliding;          ///< [2 c] m, at `time`
-    std::vector<double> integrity;        ///< [2 c] β of each point, intact or failed; stays 1 if the law has none
+    std::vector<double> integrity;        ///< [2 c] β of each point; stays 1 if the law has none
     std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
-    std::vector<std::uint8_t> residual;   ///< [2 c] 1 once friction is all that is left of it (`is_residual`)
-    PointMemories points;                 ///< [2 c] what failed points remember besides; see `history_of`
+    std::vector<std::uint8_t> residual;   ///< [2 c] 1 once nothing but friction is left (`is_residual`)
+    PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
-    std::vector<GrainSums> grain_sums;              ///< by block of grains
-    std::vector<ContactSums> contact_sums;          ///< by block of contacts
-    std::vector<std::vector<ContactEvent>> events;  ///< by block of contacts, since last collected
+    std::vector<GrainSums> grain_sums;              ///< by chunk of grains
+    std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
+    std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected
     StepLoading loading;                            ///< at `time`
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
-    bool subcycled = false;  ///< mass scaling is over, see `StepParameters::parts`
+    bool subcycled = false;  ///< mass scaling has ended, see `StepParameters::substeps`
 };
 
 /// Time of a step, s.
@@ -105,13 +106,23 @@ inline double time_of(const State& state, std::int64_t step, double time_step) {
     return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
 }
 
-/// History of contact point 2 c + p with its present motion, cohesion and slip.
-inline ContactHistory history_of(const State& state, std::size_t point) {
+/// History of contact point 2 c + p. (Inlined always, as `store_point`: both are called for every point that takes the full law.)
+GRAINCRACK_INLINE ContactHistory point_history(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
     history.integrity = state.integrity[point];
     history.slip = state.slip[point];
     return history;
+}
+/// Makes `history` that of contact point 2 c + p. \param is_residual what its law says of it
+GRAINCRACK_INLINE void store_point(const ContactHistory& history, bool is_residual, std::size_t point, State& state) {
+    state.points.of(point) = history;
+    state.opening[point] = history.motion.opening;
+    state.sliding[point] = history.motion.sliding;
+    state.integrity[point] = history.integrity;
+    state.slip[point] = history.slip;
+    state.failed[point] = history.failed() ? 1 : 0;
+    state.residual[point] = is_residual ? 1 : 0;
 }
 
 /// The state at rest; pre-existing cracks start broken.

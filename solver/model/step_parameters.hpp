@@ -15,15 +15,15 @@ struct StepParameters {
     double damping = 0;    ///< α
     DampingForm damping_form = DampingForm::combined;
     MassScaling mass_scaling = {};
-    /// With mass scaling, steps of masses as they are that go into one: grains that touch move freely, with their own mass, and
-    /// the long step is not stable for contacts as stiff as bonded ones. From the first touch on each step is made of so many.
-    std::int64_t parts = 1;
+    /// Substeps of which each step is made once mass scaling has ended. It ends with the first node–edge contact: grains in such
+    /// a contact move freely, with their own mass, and the long step is not stable for contacts as stiff as bonds.
+    std::int64_t substeps = 1;
     [[nodiscard]] Damping damps() const { return make_damping(damping, damping_form); }
 };
 
-/// The parameters of the parts of a step, without mass scaling.
+/// The parameters of the substeps of a step, which have no mass scaling.
 inline StepParameters parameters_of_substeps(const StepParameters& p) {
-    return {p.law, p.time_step / static_cast<double>(p.parts), p.damping, p.damping_form, {}, 1};
+    return {p.law, p.time_step / static_cast<double>(p.substeps), p.damping, p.damping_form, {}, 1};
 }
 
 }  // namespace graincrack

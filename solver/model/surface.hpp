@@ -23,7 +23,7 @@ struct GrainSurface {
     std::vector<std::int32_t> grain_of_node;  ///< [n] −1 for a node of no element
     std::vector<std::int32_t> edge_begin;     ///< [n + 1] into `edges_of_node`
     std::vector<std::int32_t> edges_of_node;  ///< outline edges that begin or end at a node
-    std::vector<double> tributary;            ///< [n] length of outline a node stands for in a touch, m
+    std::vector<double> tributary;            ///< [n] length of outline a node stands for in a node–edge contact, m
     double mean_length = 0;                   ///< of the edges, m
 };
 

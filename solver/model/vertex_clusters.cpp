@@ -9,7 +9,6 @@
 
 namespace graincrack {
 
-/// Representative of `i` in a forest of parents, with the way there shortened.
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
     while (parent[i] != i) {
         parent[i] = parent[parent[i]];
@@ -20,9 +19,9 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
 
 namespace {
 
-constexpr std::int32_t groups_per_block = 32;
+constexpr std::int32_t clusters_per_chunk = 32;
 
-/// The lowest node that each node shares a vertex with.
+/// The lowest of the nodes that share a vertex with each node.
 std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
     std::vector<std::int32_t> parent(a.position.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -39,14 +38,14 @@ std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
     return parent;
 }
 
-/// Cuts a sequence sorted by group into one range a group.
-template <class GroupOf>
-std::vector<Range> ranges_of_groups(std::int32_t count, std::int32_t n_groups, GroupOf&& group_of) {
-    std::vector<Range> ranges(n_groups);
+/// Cuts a sequence sorted by cluster into one range a cluster.
+template <class ClusterOf>
+std::vector<Range> ranges_of_clusters(std::int32_t count, std::int32_t n_clusters, ClusterOf&& cluster_of) {
+    std::vector<Range> ranges(n_clusters);
     std::int32_t i = 0;
-    for (std::int32_t g = 0; g < n_groups; ++g) {
+    for (std::int32_t g = 0; g < n_clusters; ++g) {
         ranges[g].begin = i;
-        while (i < count && group_of(i) == g) {
+        while (i < count && cluster_of(i) == g) {
             ++i;
         }
         ranges[g].end = i;
@@ -54,19 +53,19 @@ std::vector<Range> ranges_of_groups(std::int32_t count, std::int32_t n_groups, G
     return ranges;
 }
 
-/// Cuts groups into blocks.
-void cut_blocks(MassScaling& m) {
-    for (std::int32_t g = 0; g < static_cast<std::int32_t>(m.groups.size()); ++g) {
-        if (m.groups[g].size() > members_per_block) {
+/// Cuts clusters into chunks.
+void cut_chunks(MassScaling& m) {
+    for (std::int32_t g = 0; g < static_cast<std::int32_t>(m.clusters.size()); ++g) {
+        if (m.clusters[g].size() > nodes_per_chunk) {
             throw InputError(fmt::format("{} nodes meet at one vertex; mass scaling can take {}: use --mass-scaling none",
-                                         m.groups[g].size(), members_per_block));
+                                         m.clusters[g].size(), nodes_per_chunk));
         }
-        const bool fits = !m.blocks.empty() && m.blocks.back().size() < groups_per_block &&
-                          m.groups[g].end - m.groups[m.blocks.back().begin].begin <= members_per_block;
+        const bool fits = !m.chunks.empty() && m.chunks.back().size() < clusters_per_chunk &&
+                          m.clusters[g].end - m.clusters[m.chunks.back().begin].begin <= nodes_per_chunk;
         if (fits) {
-            m.blocks.back().end = g + 1;
+            m.chunks.back().end = g + 1;
         } else {
-            m.blocks.push_back({g, g + 1});
+            m.chunks.push_back({g, g + 1});
         }
     }
 }
@@ -80,31 +79,32 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
         return m;
     }
     const std::vector<std::int32_t> vertex = vertex_of_nodes(a);
-    m.members.resize(a.position.size());
-    std::iota(m.members.begin(), m.members.end(), 0);
-    std::stable_sort(m.members.begin(), m.members.end(), [&](std::int32_t i, std::int32_t j) { return vertex[i] < vertex[j]; });
-    std::vector<std::int32_t> member_of_node(a.position.size());
-    std::vector<std::int32_t> group_of_node(a.position.size());
-    std::int32_t n_groups = 0;
+    m.nodes.resize(a.position.size());
+    std::iota(m.nodes.begin(), m.nodes.end(), 0);
+    std::stable_sort(m.nodes.begin(), m.nodes.end(), [&](std::int32_t i, std::int32_t j) { return vertex[i] < vertex[j]; });
+    std::vector<std::int32_t> place_of_node(a.position.size());
+    std::vector<std::int32_t> cluster_of_node(a.position.size());
+    std::int32_t n_clusters = 0;
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
-        const std::int32_t node = m.members[i];
-        n_groups += vertex[node] == node ? 1 : 0;  // the lowest node comes first
-        member_of_node[node] = i;
-        group_of_node[node] = n_groups - 1;
+        const std::int32_t node = m.nodes[i];
+        n_clusters += vertex[node] == node ? 1 : 0;  // the lowest node comes first
+        place_of_node[node] = i;
+        cluster_of_node[node] = n_clusters - 1;
     }
     for (std::int32_t point = 0; point < 2 * a.n_contacts(); ++point) {
         const auto& nodes = a.contacts[point / 2].nodes;
-        m.links.push_back({member_of_node[nodes[point % 2]], member_of_node[nodes[2 + point % 2]], point,
+        m.links.push_back({place_of_node[nodes[point % 2]], place_of_node[nodes[2 + point % 2]], point,
                            cluster_reach * 2 * a.contacts[point / 2].point_area});
     }
-    const auto group_of_link = [&](const MassScaling::Link& tie) { return group_of_node[m.members[tie.first]]; };
-    std::stable_sort(m.links.begin(), m.links.end(),
-                     [&](const MassScaling::Link& l, const MassScaling::Link& r) { return group_of_link(l) < group_of_link(r); });
-    m.groups = ranges_of_groups(a.n_nodes(), n_groups, [&](std::int32_t i) { return group_of_node[m.members[i]]; });
-    m.links_of_group = ranges_of_groups(static_cast<std::int32_t>(m.links.size()), n_groups,
-                                        [&](std::int32_t t) { return group_of_link(m.links[t]); });
-    cut_blocks(m);
-    for (const std::int32_t node : m.members) {
+    const auto cluster_of_link = [&](const MassScaling::Link& link) { return cluster_of_node[m.nodes[link.first]]; };
+    std::stable_sort(m.links.begin(), m.links.end(), [&](const MassScaling::Link& l, const MassScaling::Link& r) {
+        return cluster_of_link(l) < cluster_of_link(r);
+    });
+    m.clusters = ranges_of_clusters(a.n_nodes(), n_clusters, [&](std::int32_t i) { return cluster_of_node[m.nodes[i]]; });
+    m.links_of_cluster = ranges_of_clusters(static_cast<std::int32_t>(m.links.size()), n_clusters,
+                                            [&](std::int32_t t) { return cluster_of_link(m.links[t]); });
+    cut_chunks(m);
+    for (const std::int32_t node : m.nodes) {
         m.mass.insert(m.mass.end(), 2, a.mass[node]);
         m.inverse_mass.insert(m.inverse_mass.end(), 2, a.inverse_mass[node]);
     }

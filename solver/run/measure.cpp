@@ -61,7 +61,7 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 /// Damping at this instant, into `damping_force`.
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.chunks.size()); ++block) {
         update_clusters(a, parameters, s.loading, block, s);
         damp_clusters(a, parameters, s.loading, block, s);
     }
@@ -72,7 +72,7 @@ void find_damping_forces(const Assemblage& a, const StepParameters& parameters, 
 
 double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s, double& unbalanced) {
     double energy = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
+    for (const GrainChunk& block : a.grain_chunks) {
         double sum = 0;
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
             const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.damping_force[i]);
@@ -86,7 +86,7 @@ double kinetic_energy(const Assemblage& a, const StepParameters& parameters, con
 
 double damping_half_work(const Assemblage& a, const StepParameters& parameters, const State& s) {
     double absorbed = 0;
-    for (const GrainBlock& block : a.grain_blocks) {
+    for (const GrainChunk& block : a.grain_chunks) {
         for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
             absorbed -= dot(s.damping_force[i], s.velocity[i]);
         }
@@ -113,8 +113,8 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
         if (s.contact_pairs.released[c] != 0) {
             continue;
         }
-        energies.contact +=
-            a.contacts[c].point_area * (stored_energy(law, history_of(s, 2 * c)) + stored_energy(law, history_of(s, 2 * c + 1)));
+        energies.contact += a.contacts[c].point_area *
+                            (stored_energy(law, point_history(s, 2 * c)) + stored_energy(law, point_history(s, 2 * c + 1)));
     }
     energies.contact += stored_in_active_contacts(law, s.contact_pairs);
     energies.friction +=
@@ -123,7 +123,7 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
         energies.fracture_tension += sums.fracture_tension;
         energies.fracture_shear += sums.fracture_shear;
         energies.friction += sums.friction;
-        energies.mismatch += sums.mismatch;
+        energies.mismatch += sums.non_conservative_work;
     }
 }
 
@@ -144,7 +144,7 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     if (prescribed.empty()) {
         return;
     }
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
         m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
@@ -185,8 +185,8 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const StepParameters of_substeps = parameters_of_substeps(whole);
     const StepParameters& parameters = s.subcycled ? of_substeps : whole;
     Measurement m;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
-        sum_nodal_forces(a, boundary, s.loading, block, false, s);
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
+        sum_nodal_forces(a, boundary, s.loading, block, s);
     }
     double unbalanced = 0;
     double element_force = 0;
@@ -195,7 +195,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     m.own_kinetic = kinetic_energy(a, parameters, s, unbalanced);
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.blocks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.chunks.size()); ++block) {
         m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
     for (const ClusterSums& sums : s.clusters.sums) {
@@ -252,8 +252,8 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
                                          s.displacement[n2] - s.displacement[n0])));
     }
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        const ContactHistory h0 = history_of(s, 2 * c);
-        const ContactHistory h1 = history_of(s, 2 * c + 1);
+        const ContactHistory h0 = point_history(s, 2 * c);
+        const ContactHistory h1 = point_history(s, 2 * c + 1);
         const bool released = s.contact_pairs.released[c] != 0;  // node–edge contacts carry its load
         const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
         const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;

@@ -60,7 +60,7 @@ void visit_members(T& s, Act&& act) {
 }
 template <Is<ContactSums> T, class Act>
 void visit_members(T& s, Act&& act) {
-    visit_all(act, s.fracture_tension, s.fracture_shear, s.friction, s.mismatch);
+    visit_all(act, s.fracture_tension, s.fracture_shear, s.friction, s.non_conservative_work);
 }
 template <Is<ClusterSums> T, class Act>
 void visit_members(T& s, Act&& act) {
@@ -93,7 +93,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("touch_groups", s.contact_pairs.groups);
     visit("touch_awake", s.contact_pairs.watched);
     visit("touch_awake_groups", s.contact_pairs.watched_groups);
-    visit("touch_blocks", s.contact_pairs.blocks);
+    visit("touch_blocks", s.contact_pairs.chunks);
     visit("touch_friction", s.contact_pairs.friction);
     visit("touch_displacement_at_search", s.contact_pairs.displacement_at_search);
     visit("touch_area_taken", s.contact_pairs.occupied_area);
@@ -207,8 +207,8 @@ double stored_in_contacts(const Assemblage& a, const StepParameters& parameters,
     double energy = stored_in_active_contacts(parameters.law, s.contact_pairs);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (s.contact_pairs.released[c] == 0) {
-            energy += a.contacts[c].point_area * (stored_energy(parameters.law, history_of(s, 2 * c)) +
-                                                  stored_energy(parameters.law, history_of(s, 2 * c + 1)));
+            energy += a.contacts[c].point_area * (stored_energy(parameters.law, point_history(s, 2 * c)) +
+                                                  stored_energy(parameters.law, point_history(s, 2 * c + 1)));
         }
     }
     return energy;

@@ -8,11 +8,11 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t n = contacts_per_block;
+constexpr std::int32_t n = contacts_per_chunk;
 constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
 static_assert(n % lanes == 0);
 
-/// A block's contacts side by side, and their points: 2 i + p.
+/// A chunk's contacts side by side, and their points: 2 i + p.
 struct Lanes {
     alignas(64) double edge_x[n], edge_y[n], area[n];
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
@@ -21,11 +21,12 @@ struct Lanes {
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
     alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
     alignas(64) double residual[2 * n];  ///< 1 if it carries nothing but friction, else 0
-    alignas(64) double gone[2 * n];      ///< 1 if the contact has been released to touches, else 0
-    alignas(64) double ordinary[2 * n];  ///< 1 where one of these is all there is to know, else 0: the point needs the full law
-    alignas(64) double fracture[2 * n], closed_fracture[2 * n];  ///< booked by the intact law, J
-    alignas(64) double friction[2 * n];                          ///< of spent points, J
-    bool any_spent;                                              ///< or gone; else those two are not set
+    alignas(64) double released[2 * n];  ///< 1 if the contact has been released to node–edge contacts, else 0
+    alignas(64) double done[2 * n];      ///< 1 where the intact or the residual response holds or the contact has been released;
+                                         ///< else 0: the point needs the full law
+    alignas(64) double fracture[2 * n], closed_fracture[2 * n];  ///< dissipated by intact points, J
+    alignas(64) double friction[2 * n];                          ///< dissipated by residual points, J
+    bool any_residual;  ///< whether a point is residual or released; else `residual` and `released` are not set
 };
 
 void gather(const Assemblage& a, const State& s, Range range, Lanes& b) {
@@ -57,16 +58,16 @@ void prefetch(const T* data, std::size_t count) {
     }
 }
 
-/// Asks for what the next block will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
-/// so they are asked for a block earlier.
-void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t block) {
-    const auto n_blocks = static_cast<std::int32_t>(a.contact_blocks.size());
-    if (block + 2 < n_blocks) {
-        const Range later = a.contact_blocks[block + 2];
+/// Asks for what the next chunk will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
+/// so they are asked for a chunk earlier.
+void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t chunk) {
+    const auto n_chunks = static_cast<std::int32_t>(a.contact_chunks.size());
+    if (chunk + 2 < n_chunks) {
+        const Range later = a.contact_chunks[chunk + 2];
         prefetch(&a.contacts[later.begin], static_cast<std::size_t>(later.size()));
     }
-    if (block + 1 < n_blocks) {
-        const Range next = a.contact_blocks[block + 1];
+    if (chunk + 1 < n_chunks) {
+        const Range next = a.contact_chunks[chunk + 1];
         const auto first = 2 * static_cast<std::size_t>(next.begin);
         for (const auto* values : {&s.opening, &s.sliding, &s.integrity, &s.fracture_energy}) {
             prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
@@ -87,14 +88,14 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
     return found != 0;
 }
 
-/// What is known of the points of a block before they move.
+/// Which points of a chunk are intact, residual or released before they move.
 void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
     const std::uint8_t* const residual = &s.residual[2 * static_cast<std::size_t>(range.begin)];
     const std::uint8_t* const released = &s.contact_pairs.released[range.begin];
     const bool any_failed = any(failed, count);
-    b.any_spent = any(residual, count) || any(released, range.size());
+    b.any_residual = any(residual, count) || any(released, range.size());
     if (!any_failed) {
         std::fill_n(b.intact, count, 1.0);
     }
@@ -102,12 +103,12 @@ void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
         for (std::int32_t k = 0; any_failed && k < count; ++k) {
             b.intact[k] = 1.0 - static_cast<double>(failed[k]);
         }
-        for (std::int32_t i = 0; b.any_spent && 2 * i < count; ++i) {
-            const auto gone = static_cast<double>(released[i]);
-            b.gone[2 * i] = gone;
-            b.gone[2 * i + 1] = gone;
-            b.residual[2 * i] = (1.0 - gone) * static_cast<double>(residual[2 * i]);
-            b.residual[2 * i + 1] = (1.0 - gone) * static_cast<double>(residual[2 * i + 1]);
+        for (std::int32_t i = 0; b.any_residual && 2 * i < count; ++i) {
+            const auto is_released = static_cast<double>(released[i]);
+            b.released[2 * i] = is_released;
+            b.released[2 * i + 1] = is_released;
+            b.residual[2 * i] = (1.0 - is_released) * static_cast<double>(residual[2 * i]);
+            b.residual[2 * i + 1] = (1.0 - is_released) * static_cast<double>(residual[2 * i + 1]);
         }
     });
 }
@@ -131,7 +132,7 @@ GRAINCRACK_INLINE void find_motions(std::int32_t count, Lanes& b) {
     }
 }
 
-/// What the intact law changes of the points of a block, and what it finds.
+/// The arrays of the state at the points of a chunk.
 struct Points {
     const double* old_opening;
     const double* old_sliding;
@@ -140,28 +141,28 @@ struct Points {
     double* fracture_energy;
 };
 
-/// The law of intact points.
+/// The intact response of all points, right where it holds.
 template <class Law>
-GRAINCRACK_INLINE void apply_intact_law(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
+GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;  // a copy that no store can change
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
     double* __restrict const integrity = points.integrity;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         const IntactResponse r = Law::intact(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k]});
-        const double ordinary = r.holds * b.intact[k];
+        const double done = r.holds * b.intact[k];
         b.normal_traction[k] = r.normal;
         b.shear_traction[k] = r.shear;
-        b.ordinary[k] = ordinary;
+        b.done[k] = done;
         if constexpr (Law::damages_intact) {
-            integrity[k] = ordinary == 0 ? integrity[k] : r.integrity;
-            b.fracture[k] = ordinary == 0 ? 0.0 : r.fracture;
+            integrity[k] = done == 0 ? integrity[k] : r.integrity;
+            b.fracture[k] = done == 0 ? 0.0 : r.fracture;
         }
     }
 }
 
-/// Points of which friction is left, and those that are no contacts any more.
-GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
+/// The residual response of residual points; released contacts carry nothing here.
+GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -169,17 +170,17 @@ GRAINCRACK_INLINE void apply_spent_law(const ContactLaw& constants, const Points
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         const ResidualResponse r = residual_response(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], slip[k]});
         const double residual = r.holds * b.residual[k];
-        const double normal = b.gone[k] != 0 ? 0.0 : b.normal_traction[k];
-        const double shear = b.gone[k] != 0 ? 0.0 : b.shear_traction[k];
+        const double normal = b.released[k] != 0 ? 0.0 : b.normal_traction[k];
+        const double shear = b.released[k] != 0 ? 0.0 : b.shear_traction[k];
         b.normal_traction[k] = residual != 0 ? r.normal : normal;
         b.shear_traction[k] = residual != 0 ? r.shear : shear;
         slip[k] = residual != 0 ? r.slip : slip[k];
         b.friction[k] = residual != 0 ? r.friction : 0.0;
-        b.ordinary[k] = b.ordinary[k] + residual + b.gone[k];
+        b.done[k] = b.done[k] + residual + b.released[k];
     }
 }
 
-/// Sum of values of the points of a block, by lanes.
+/// Sum of values of the points of a chunk, by lanes.
 GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
     double sum[lanes] = {};
     for (std::int32_t k = 2 * count; k % lanes != 0; ++k) {
@@ -193,7 +194,7 @@ GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// Friction of spent points.
+/// Friction of residual points, J.
 GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.area[i] * b.friction[2 * i];
@@ -203,15 +204,15 @@ GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
 }
 
 /// \return number of points that need the full law
-GRAINCRACK_INLINE std::int32_t count_left_over(std::int32_t count, const Lanes& b) {
-    std::int32_t left_over = 0;
+GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const Lanes& b) {
+    std::int32_t undone = 0;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        left_over += b.ordinary[k] == 0 ? 1 : 0;
+        undone += b.done[k] == 0 ? 1 : 0;
     }
-    return left_over;
+    return undone;
 }
 
-/// Damage before the peak: the energy it takes, of each point and on the branch it happens on.
+/// Books the fracture energy of damage before the peak: by point, and in the sums by the branch it happens on.
 GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t count, Lanes& b, ContactSums& sums) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -229,61 +230,105 @@ GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t cou
     sums.fracture_shear += sum_of_points(count, b.closed_fracture);
 }
 
-/// The full law at one point: energies and events on top of the traction.
-ContactTraction advance_point(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int32_t c, std::int32_t p,
-                              const ContactMotion& to, const Vector2& tangent, std::int64_t step, State& s) {
-    const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
-    const ContactGeometry& g = a.contacts[c];
-    ContactHistory& history = s.points.of(point);
-    history.motion = {s.opening[point], s.sliding[point]};
-    history.integrity = s.integrity[point];
-    history.slip = s.slip[point];
-    const ContactResponse r = update_contact(law, to, history);
-    ContactSums& sums = s.contact_sums[block];
-    const double fracture = g.point_area * r.dissipation.fracture;
-    // Damage before the peak (consistent) counts to the branch it happens on.
-    const bool tensile = r.history.failed() ? r.history.first_mode == CrackMode::tensile : to.opening >= 0;
-    (tensile ? sums.fracture_tension : sums.fracture_shear) += fracture;
-    s.fracture_energy[point] += fracture;
-    sums.friction += g.point_area * r.dissipation.friction;
-    sums.mismatch += g.point_area * r.dissipation.mismatch;
-    const bool fails = r.history.failed() && !history.failed();
-    const bool separates = r.history.separated && !history.separated;
-    if (fails || separates) {
-        const double along = p == 0 ? 0.25 : 0.75;
-        const Vector2 first = a.position[g.nodes[0]] + 0.5 * (s.displacement[g.nodes[0]] + s.displacement[g.nodes[2]]);
-        const Vector2 second = a.position[g.nodes[1]] + 0.5 * (s.displacement[g.nodes[1]] + s.displacement[g.nodes[3]]);
-        ContactEvent event{step, c,       static_cast<std::uint8_t>(p),    false, r.history.first_mode, to,
-                           {},   tangent, first + along * (second - first)};
-        event.peak_traction = update_contact(law, history.motion, history).traction;
-        if (fails) {
-            s.events[block].push_back(event);
-            s.clusters.note_failure(point);
-        }
-        if (separates) {
-            event.is_separation = true;
-            s.events[block].push_back(event);
-        }
-    }
-    history = r.history;
-    s.failed[point] = history.failed() ? 1 : 0;
-    s.residual[point] = is_residual(law, history) ? 1 : 0;
-    s.integrity[point] = history.integrity;
-    s.slip[point] = history.slip;
-    return r.traction;
+/// A contact point in its chunk.
+struct PointIndex {
+    std::int32_t chunk, contact, end;  ///< end: 0 at the first end of the contact, 1 at the second
+    [[nodiscard]] std::size_t point() const { return 2 * static_cast<std::size_t>(contact) + static_cast<std::size_t>(end); }
+};
+
+/// Middle of the half-edge that a point stands for, half-way between the two grains.
+Vector2 middle_of_point(const Assemblage& a, const PointIndex& at, const State& s) {
+    const auto& nodes = a.contacts[at.contact].nodes;
+    const double along = at.end == 0 ? 0.25 : 0.75;
+    const Vector2 first = a.position[nodes[0]] + 0.5 * (s.displacement[nodes[0]] + s.displacement[nodes[2]]);
+    const Vector2 second = a.position[nodes[1]] + 0.5 * (s.displacement[nodes[1]] + s.displacement[nodes[3]]);
+    return first + along * (second - first);
 }
 
-void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s, Lanes& b) {
-    const Range range = a.contact_blocks[block];
-    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
-        if (b.ordinary[k] == 0) {
-            const std::int32_t i = k / 2;
-            const ContactTraction t = advance_point(a, law, block, range.begin + i, k % 2, {b.opening[k], b.sliding[k]},
-                                                    {b.tangent_x[i], b.tangent_y[i]}, step, s);
-            b.normal_traction[k] = t.normal;
-            b.shear_traction[k] = t.shear;
-        }
+/// Adds the dissipation of a point to its own and to the sums of its chunk.
+void book_dissipation(const PointIndex& at, double area, const ContactResponse& r, State& s) {
+    ContactSums& sums = s.contact_sums[at.chunk];
+    const double fracture = area * r.dissipation.fracture;
+    // Damage before the peak (consistent) belongs to the branch it happens on.
+    const bool tensile = r.history.failed() ? r.history.first_mode == CrackMode::tensile : r.history.motion.opening >= 0;
+    (tensile ? sums.fracture_tension : sums.fracture_shear) += fracture;
+    s.fracture_energy[at.point()] += fracture;
+    sums.friction += area * r.dissipation.friction;
+    sums.non_conservative_work += area * r.dissipation.non_conservative_work;
+}
+
+/// Notes events of a point that fails or separates, before its new history is stored. Motion, tangent and position are those of
+/// the step in which it does, the traction is that of the step before, the last one short of the peak.
+template <class Law>
+void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactHistory& now,
+                 const Vector2& tangent, std::int64_t step, State& s) {
+    const bool fails = now.failed() && s.failed[at.point()] == 0;
+    const bool separates = now.separated && !s.points[at.point()].separated;
+    if (!fails && !separates) {
+        return;
     }
+    const ContactHistory before = point_history(s, at.point());
+    ContactEvent event{step,
+                       at.contact,
+                       static_cast<std::uint8_t>(at.end),
+                       false,
+                       now.first_mode,
+                       now.motion,
+                       contact_law::update<Law>(law, before.motion, before).traction,
+                       tangent,
+                       middle_of_point(a, at, s)};
+    if (fails) {
+        s.events[at.chunk].push_back(event);
+        s.clusters.note_failure(at.point());
+    }
+    if (separates) {
+        event.is_separation = true;
+        s.events[at.chunk].push_back(event);
+    }
+}
+
+/// The full law at the points of a chunk that need it.
+template <class Law>
+void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
+    const Range range = a.contact_chunks[chunk];
+    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+        if (b.done[k] != 0) {
+            continue;
+        }
+        const PointIndex at{chunk, range.begin + k / 2, k % 2};
+        ContactResponse r{{}, point_history(s, at.point()), {}};
+        contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
+        book_dissipation(at, b.area[k / 2], r, s);
+        note_events<Law>(a, law, at, r.history, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+        store_point(r.history, Law::is_residual(law, r.history), at.point(), s);
+        b.normal_traction[k] = r.traction.normal;
+        b.shear_traction[k] = r.traction.shear;
+    }
+}
+
+/// The responses without a branch, at all points of a chunk. \return number of points that need the full law
+template <class Law>
+std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, State& s, Lanes& b) {
+    const std::int32_t count = a.contact_chunks[chunk].size();
+    const std::size_t first = 2 * static_cast<std::size_t>(a.contact_chunks[chunk].begin);
+    const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
+    ContactSums& sums = s.contact_sums[chunk];
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        find_motions(count, b);
+        apply_intact_response<Law>(law, points, count, b);
+        if constexpr (Law::damages_intact) {
+            book_intact_damage(points, count, b, sums);
+        }
+    });
+    std::int32_t undone = 0;
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        if (b.any_residual) {
+            apply_residual_response(law, points, count, b);
+            sums.friction += sum_friction(count, b);
+        }
+        undone = count_undone(count, b);
+    });
+    return undone;
 }
 
 /// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's
@@ -317,7 +362,7 @@ GRAINCRACK_INLINE void find_forces(std::int32_t count, const Lanes& b, double* _
     }
 }
 
-GRAINCRACK_INLINE void keep_motions(std::int32_t count, const Lanes& b, double* __restrict opening, double* __restrict sliding) {
+GRAINCRACK_INLINE void store_motions(std::int32_t count, const Lanes& b, double* __restrict opening, double* __restrict sliding) {
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         opening[k] = b.opening[k];
         sliding[k] = b.sliding[k];
@@ -326,40 +371,21 @@ GRAINCRACK_INLINE void keep_motions(std::int32_t count, const Lanes& b, double* 
 
 }  // namespace
 
-void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t block, std::int64_t step, State& s) {
-    const Range range = a.contact_blocks[block];
-    const std::int32_t count = range.size();
+void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s) {
+    const Range range = a.contact_chunks[chunk];
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
-    ContactSums& sums = s.contact_sums[block];
-    Lanes batch;
-    gather(a, s, range, batch);
-    prefetch_ahead(a, s, block);
-    sort_points(a, s, range, batch);
-    std::int32_t left_over = 0;
+    Lanes b;
+    gather(a, s, range, b);
+    prefetch_ahead(a, s, chunk);
+    sort_points(a, s, range, b);
     contact_law::with_law(law.variant, [&](auto kind) {
-        using Law = decltype(kind);
-        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-            find_motions(count, batch);
-            apply_intact_law<Law>(law, points, count, batch);
-            if constexpr (Law::damages_intact) {
-                book_intact_damage(points, count, batch, sums);
-            }
-        });
-    });
-    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        if (batch.any_spent) {
-            apply_spent_law(law, points, count, batch);
-            sums.friction += sum_friction(count, batch);
+        if (apply_vector_path<decltype(kind)>(a, law, chunk, s, b) > 0) {
+            apply_full_law<decltype(kind)>(a, law, chunk, step, s, b);
         }
-        left_over = count_left_over(count, batch);
     });
-    if (left_over > 0) {
-        apply_full_law(a, law, block, step, s, batch);
-    }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        find_forces(count, batch, &s.contact_force[slot_stride * static_cast<std::size_t>(block)]);
-        keep_motions(count, batch, &s.opening[first], &s.sliding[first]);
+        find_forces(range.size(), b, &s.contact_force[slot_stride * static_cast<std::size_t>(chunk)]);
+        store_motions(range.size(), b, &s.opening[first], &s.sliding[first]);
     });
 }
 

@@ -1,4 +1,4 @@
-// The contact stage of a step: the law at every contact that has not been released, block by block.
+// The contact stage of a step: the law at every contact that has not been released, chunk by chunk.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace graincrack {
 
-/// Advances the contacts of a block to the present displacements: histories, slots, energies, events.
-void advance_contacts(const Assemblage& assemblage, const ContactLaw& law, std::int32_t block, std::int64_t step, State& state);
+/// Advances the contacts of a chunk to the present displacements: histories, slots, energies, events.
+void advance_contacts(const Assemblage& assemblage, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& state);
 
 }  // namespace graincrack

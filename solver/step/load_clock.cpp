@@ -4,22 +4,22 @@
 
 namespace graincrack {
 
-LoadingClock::LoadingClock(const IntervalLoading& batch, std::int64_t n_steps, double time_step, const State& s)
-    : batch_(batch),
+LoadingClock::LoadingClock(const IntervalLoading& interval, std::int64_t n_steps, double time_step, const State& s)
+    : interval_(interval),
       n_steps_(n_steps),
       time_step_(time_step),
       origin_time_(s.origin_time),
       steps_since_origin_(s.step - s.origin_step),
       now_(s.loading) {
-    now_.amplitudes.resize(batch.amplitudes == nullptr ? 0 : batch.amplitudes->size());
+    now_.amplitudes.resize(interval.amplitudes == nullptr ? 0 : interval.amplitudes->size());
     prepare();
 }
 
-void LoadingClock::part(std::int64_t parts) {
-    n_steps_ *= parts;
-    k_ *= parts;
-    steps_since_origin_ *= parts;
-    time_step_ /= static_cast<double>(parts);
+void LoadingClock::subcycle(std::int64_t substeps) {
+    n_steps_ *= substeps;
+    k_ *= substeps;
+    steps_since_origin_ *= substeps;
+    time_step_ /= static_cast<double>(substeps);
     prepare();
 }
 
@@ -35,12 +35,12 @@ void LoadingClock::tick() {
 void LoadingClock::prepare() {
     const double share = (static_cast<double>(k_) + 0.5) / static_cast<double>(n_steps_);
     for (std::size_t p = 0; p < 2; ++p) {
-        const double velocity = batch_.velocity_begin[p] + share * (batch_.velocity_end[p] - batch_.velocity_begin[p]);
+        const double velocity = interval_.velocity_begin[p] + share * (interval_.velocity_end[p] - interval_.velocity_begin[p]);
         now_.increment_after[p] = time_step_ * velocity;
     }
     const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
     for (std::size_t i = 0; i < now_.amplitudes.size(); ++i) {
-        const Amplitude& amplitude = (*batch_.amplitudes)[i];
+        const Amplitude& amplitude = (*interval_.amplitudes)[i];
         now_.amplitudes[i] = amplitude.at(amplitude.of_velocity ? time + 0.5 * time_step_ : time);
     }
 }

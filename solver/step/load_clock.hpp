@@ -8,18 +8,18 @@
 
 namespace graincrack {
 
-/// The same arithmetic in every thread.
+/// Each thread has its own; all do the same arithmetic.
 class LoadingClock {
 public:
-    LoadingClock(const IntervalLoading& batch, std::int64_t n_steps, double time_step, const State& state);
+    LoadingClock(const IntervalLoading& interval, std::int64_t n_steps, double time_step, const State& state);
     [[nodiscard]] const StepLoading& now() const { return now_; }
-    /// From here on every step is `parts` steps.
-    void part(std::int64_t parts);
+    /// From here on every step is made of so many substeps.
+    void subcycle(std::int64_t substeps);
     void tick();
 
 private:
     void prepare();
-    IntervalLoading batch_;
+    IntervalLoading interval_;
     std::int64_t n_steps_;
     double time_step_;
     double origin_time_;

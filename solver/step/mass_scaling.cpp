@@ -7,26 +7,27 @@
 namespace graincrack {
 namespace {
 
-bool holds(const MassScaling::Link& tie, const State& s) {
-    return !s.points[tie.point].separated || s.opening[tie.point] < tie.reach;
+/// Whether a contact point links its nodes.
+bool is_linking(const MassScaling::Link& link, const State& s) {
+    return !s.points[link.point].separated || s.opening[link.point] < link.reach;
 }
 
-/// Lists the members of a block that platens hold.
-void find_constrained(const MassScaling& scaling, std::int32_t block, ClusterState& g) {
-    const Range members = scaling.members_of(block);
-    g.constrained[block].clear();
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
+/// Lists the nodes of a chunk that platens constrain.
+void find_constrained(const MassScaling& scaling, std::int32_t chunk, ClusterState& g) {
+    const Range nodes = scaling.nodes_of(chunk);
+    g.constrained[chunk].clear();
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         if (const std::uint8_t constraining_platen = g.constraining_platen[g.component[i]]; constraining_platen != 0) {
-            g.constrained[block].push_back({i - members.begin, constraining_platen});
+            g.constrained[chunk].push_back({i - nodes.begin, constraining_platen});
         }
     }
 }
 
-/// Finds the components of a group by its ties, and whether a platen holds them.
-void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t group, ClusterState& g) {
-    const Range members = scaling.groups[group];
-    const Range links = scaling.links_of_group[group];
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
+/// Finds the components of a cluster by its links, and whether a platen constrains them.
+void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, ClusterState& g) {
+    const Range nodes = scaling.clusters[cluster];
+    const Range links = scaling.links_of_cluster[cluster];
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         g.component[i] = i;
         g.inverse_mass[i] = 0;
         g.constraining_platen[i] = 0;
@@ -38,36 +39,36 @@ void find_components(const Assemblage& a, const MassScaling& scaling, std::int32
             g.component[std::max(i, j)] = std::min(i, j);
         }
     }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         g.component[i] = root_of(g.component, i);
-        g.inverse_mass[g.component[i]] += a.mass[scaling.members[i]];
+        g.inverse_mass[g.component[i]] += a.mass[scaling.nodes[i]];
     }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         g.inverse_mass[i] = g.inverse_mass[i] > 0 ? 1 / g.inverse_mass[i] : 0.0;
     }
-    g.whole[group] = 1;
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
+    g.whole[cluster] = 1;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         if (g.supported[i] != 0) {
             g.inverse_mass[g.component[i]] = 0;
             g.constraining_platen[g.component[i]] = g.supported[i];
         }
-        if (g.component[i] != members.begin) {
-            g.whole[group] = 0;
+        if (g.component[i] != nodes.begin) {
+            g.whole[cluster] = 0;
         }
     }
 }
 
-/// The mean velocity of those a member is held together with.
-/// \param is_with (i, j): members i and j are held together
-/// \param platen what it is if there are none: the velocity of the platen that holds it
+/// The mean velocity of the nodes with which node i is.
+/// \param is_with (i, j): whether node j is one of them
+/// \param platen the result if there are none: the velocity of the platen that constrains node i
 template <class IsWith>
-Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range members, std::int32_t i, const State& s,
+Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range nodes, std::int32_t i, const State& s,
                       const Vector2& platen, IsWith&& is_with) {
     Vector2 momentum;
     double mass = 0;
-    for (std::int32_t j = members.begin; j < members.end; ++j) {
+    for (std::int32_t j = nodes.begin; j < nodes.end; ++j) {
         if (is_with(i, j)) {
-            const std::int32_t node = scaling.members[j];
+            const std::int32_t node = scaling.nodes[j];
             momentum += a.mass[node] * s.velocity[node];
             mass += a.mass[node];
         }
@@ -75,17 +76,17 @@ Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range mem
     return mass > 0 ? (1 / mass) * momentum : platen;
 }
 
-/// Kinetic energy ½ vᵀM' v of a group, J, with `own` times that of its masses as they are.
-double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group,
+/// Kinetic energy ½ vᵀM' v of a cluster, J, with the part ½ vᵀM v of the unscaled masses multiplied by `own`.
+double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
                       const State& s, double own) {
-    const Range members = scaling.groups[group];
+    const Range nodes = scaling.clusters[cluster];
     const ClusterState& g = s.clusters;
     double sum = 0;
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::int32_t node = scaling.members[i];
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        const std::int32_t node = scaling.nodes[i];
         const std::uint8_t constraining_platen = g.constraining_platen[g.component[i]];
         const Vector2 mean = mean_velocity(
-            a, scaling, members, i, s, platens[constraining_platen],
+            a, scaling, nodes, i, s, platens[constraining_platen],
             [&](std::int32_t k, std::int32_t j) { return g.component[j] == g.component[k] && constraining_platen == 0; });
         const Vector2 relative = s.velocity[node] - mean;
         sum += a.mass[node] * (own * dot(s.velocity[node], s.velocity[node]) + scaling.factor * dot(relative, relative));
@@ -93,159 +94,184 @@ double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const Pla
     return 0.5 * sum;
 }
 
-/// ½ Δt F·v of some members, J: what is between ½ v(n−½)ᵀM' v(n−½) and the energy ½ v(n−½)ᵀM' v(n+½) of the ledger.
-double half_impulse_work(const StepParameters& parameters, Range members, const State& s) {
+/// ½ Δt F·v of some nodes, J: the difference between ½ v(n−½)ᵀM' v(n−½) and the kinetic energy ½ v(n−½)ᵀM' v(n+½) of the energy
+/// balance.
+double half_impulse_work(const StepParameters& parameters, Range nodes, const State& s) {
     double sum = 0;
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const std::int32_t node = parameters.mass_scaling.members[i];
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        const std::int32_t node = parameters.mass_scaling.nodes[i];
         sum += dot(s.force[node], s.velocity[node]);
     }
     return 0.5 * parameters.time_step * sum;
 }
 
-/// Gives those that part their velocities and those that meet their momentum: neither makes energy, seen from the platen where
-/// one holds them.
-void change_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t group,
-                    State& s) {
+/// Components of a cluster before it changes, by place.
+struct OldComponents {
+    Range places;
+    std::vector<std::int32_t> component;
+    std::vector<std::uint8_t> constraining_platen;
+
+    OldComponents(const ClusterState& g, Range p)
+        : places(p),
+          component(g.component.begin() + p.begin, g.component.begin() + p.end),
+          constraining_platen(g.constraining_platen.begin() + p.begin, g.constraining_platen.begin() + p.end) {}
+    [[nodiscard]] std::int32_t component_of(std::int32_t i) const { return component[i - places.begin]; }
+    [[nodiscard]] std::uint8_t platen_of(std::int32_t i) const { return constraining_platen[component_of(i) - places.begin]; }
+};
+
+/// Finds which links of a cluster hold now, and the components they make.
+void relink(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, State& s) {
     ClusterState& g = s.clusters;
-    const Range members = scaling.groups[group];
-    const Range links = scaling.links_of_group[group];
-    const auto of_group = [&members](const auto& all) {
-        return std::vector(all.begin() + members.begin, all.begin() + members.end);
-    };
-    const std::vector<std::int32_t> old_component = of_group(g.component);
-    const std::vector<std::uint8_t> old_holder = of_group(g.constraining_platen);
+    const Range nodes = scaling.clusters[cluster];
+    const Range links = scaling.links_of_cluster[cluster];
     for (std::int32_t t = links.begin; t < links.end; ++t) {
-        g.linked[t] = holds(scaling.links[t], s) ? 1 : 0;
+        g.linked[t] = is_linking(scaling.links[t], s) ? 1 : 0;
     }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        g.supported[i] = s.touching[scaling.members[i]];
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        g.supported[i] = s.near_platen[scaling.nodes[i]];
     }
-    find_components(a, scaling, group, g);
-    // First all part that will, with p = M' v of what is left; then those held together anew share it, v = M'⁻¹ p.
-    const auto held_by = [&](std::int32_t i) { return old_holder[old_component[i - members.begin] - members.begin]; };
-    const auto holder_now = [&](std::int32_t i) { return g.constraining_platen[g.component[i]]; };
-    std::vector<Vector2> specific_momentum;
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        const Vector2 mean = mean_velocity(a, scaling, members, i, s, platens[held_by(i)], [&](std::int32_t k, std::int32_t j) {
-            return old_component[j - members.begin] == old_component[k - members.begin] && g.component[j] == g.component[k] &&
-                   !(held_by(k) != 0 && holder_now(k) != 0);
-        });
-        specific_momentum.push_back((1 + scaling.factor) * s.velocity[scaling.members[i]] - scaling.factor * mean);
+    find_components(a, scaling, cluster, g);
+}
+
+/// Sets the velocity of each node of a cluster to `velocity_of(i)`, which finds all of them before any is set.
+template <class VelocityOf>
+void set_velocities(const MassScaling& scaling, Range nodes, State& s, const VelocityOf& velocity_of) {
+    std::vector<Vector2> velocities;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        velocities.push_back(velocity_of(i));
     }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        s.velocity[scaling.members[i]] = specific_momentum[i - members.begin];
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        s.velocity[scaling.nodes[i]] = velocities[i - nodes.begin];
     }
-    std::vector<Vector2> velocity;
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
+}
+
+/// Changes the components of a cluster: nodes that split keep their velocities, nodes that join their momentum. Neither creates
+/// energy, relative to the platen where one constrains them.
+void change_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
+                    State& s) {
+    const ClusterState& g = s.clusters;
+    const Range nodes = scaling.clusters[cluster];
+    const OldComponents old(g, nodes);
+    relink(a, scaling, cluster, s);
+    const auto platen_now = [&](std::int32_t i) { return g.constraining_platen[g.component[i]]; };
+    // First all nodes split that will: momentum over mass, p = M' v of what remains linked. Then those that are linked share it,
+    // v = M'⁻¹ p.
+    set_velocities(scaling, nodes, s, [&](std::int32_t i) {
         const Vector2 mean =
-            mean_velocity(a, scaling, members, i, s, platens[holder_now(i)],
-                          [&](std::int32_t k, std::int32_t j) { return g.component[j] == g.component[k] && holder_now(k) == 0; });
-        const Vector2 own = s.velocity[scaling.members[i]];
-        velocity.push_back(mean + (1 / (1 + scaling.factor)) * (own - mean));
-    }
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        s.velocity[scaling.members[i]] = velocity[i - members.begin];
-    }
+            mean_velocity(a, scaling, nodes, i, s, platens[old.platen_of(i)], [&](std::int32_t k, std::int32_t j) {
+                return old.component_of(j) == old.component_of(k) && g.component[j] == g.component[k] &&
+                       !(old.platen_of(k) != 0 && platen_now(k) != 0);
+            });
+        return (1 + scaling.factor) * s.velocity[scaling.nodes[i]] - scaling.factor * mean;
+    });
+    set_velocities(scaling, nodes, s, [&](std::int32_t i) {
+        const Vector2 mean = mean_velocity(a, scaling, nodes, i, s, platens[platen_now(i)], [&](std::int32_t k, std::int32_t j) {
+            return g.component[j] == g.component[k] && platen_now(k) == 0;
+        });
+        const Vector2 own = s.velocity[scaling.nodes[i]];
+        return mean + (1 / (1 + scaling.factor)) * (own - mean);
+    });
 }
 
 }  // namespace
 
 ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling, const State& s) {
     ClusterState g;
-    g.component.resize(scaling.members.size());
-    g.inverse_mass.resize(scaling.members.size());
-    g.constraining_platen.resize(scaling.members.size());
-    g.whole.resize(scaling.groups.size());
-    g.sums.resize(scaling.blocks.size());
-    for (const MassScaling::Link& tie : scaling.links) {
-        g.linked.push_back(holds(tie, s) ? 1 : 0);
+    g.component.resize(scaling.nodes.size());
+    g.inverse_mass.resize(scaling.nodes.size());
+    g.constraining_platen.resize(scaling.nodes.size());
+    g.whole.resize(scaling.clusters.size());
+    g.sums.resize(scaling.chunks.size());
+    for (const MassScaling::Link& link : scaling.links) {
+        g.linked.push_back(is_linking(link, s) ? 1 : 0);
     }
-    g.supported.resize(scaling.members.size());
-    for (std::int32_t group = 0; group < static_cast<std::int32_t>(scaling.groups.size()); ++group) {
-        find_components(a, scaling, group, g);
+    g.supported.resize(scaling.nodes.size());
+    for (std::int32_t cluster = 0; cluster < static_cast<std::int32_t>(scaling.clusters.size()); ++cluster) {
+        find_components(a, scaling, cluster, g);
     }
     return g;
 }
 
 void complete_cluster_state(const MassScaling& scaling, State& s) {
     ClusterState& g = s.clusters;
-    std::vector<bool> may_touch(s.touching.size(), false);
+    std::vector<bool> may_be_near(s.near_platen.size(), false);
     for (const PlatenPoint& point : s.platen_points) {
-        may_touch[point.node] = true;
+        may_be_near[point.node] = true;
     }
-    g.constraining_platen.assign(scaling.members.size(), 0);
-    for (std::size_t i = 0; i < scaling.members.size(); ++i) {
+    g.constraining_platen.assign(scaling.nodes.size(), 0);
+    for (std::size_t i = 0; i < scaling.nodes.size(); ++i) {
         std::uint8_t& constraining_platen = g.constraining_platen[g.component[i]];
         constraining_platen = std::max(constraining_platen, g.supported[i]);
     }
-    g.whole.assign(scaling.groups.size(), 1);
-    g.cracked.assign(scaling.blocks.size(), 0);
-    g.platen_members.assign(scaling.blocks.size(), {});
-    g.constrained.resize(scaling.blocks.size());
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        find_constrained(scaling, block, g);
-        const Range groups = scaling.blocks[block];
-        for (std::int32_t group = groups.begin; group < groups.end; ++group) {
-            for (std::int32_t i = scaling.groups[group].begin; i < scaling.groups[group].end; ++i) {
-                if (g.component[i] != scaling.groups[group].begin) {
-                    g.whole[group] = 0;
+    g.whole.assign(scaling.clusters.size(), 1);
+    g.cracked.assign(scaling.chunks.size(), 0);
+    g.platen_nodes.assign(scaling.chunks.size(), {});
+    g.constrained.resize(scaling.chunks.size());
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
+        find_constrained(scaling, chunk, g);
+        const Range clusters = scaling.chunks[chunk];
+        for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
+            for (std::int32_t i = scaling.clusters[cluster].begin; i < scaling.clusters[cluster].end; ++i) {
+                if (g.component[i] != scaling.clusters[cluster].begin) {
+                    g.whole[cluster] = 0;
                 }
-                if (may_touch[scaling.members[i]]) {
-                    g.platen_members[block].push_back(i);
+                if (may_be_near[scaling.nodes[i]]) {
+                    g.platen_nodes[chunk].push_back(i);
                 }
             }
         }
     }
-    g.block_of_point.resize(scaling.links.size());
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        const Range groups = scaling.blocks[block];
-        for (std::int32_t t = scaling.links_of_group[groups.begin].begin; t < scaling.links_of_group[groups.end - 1].end; ++t) {
-            g.block_of_point[scaling.links[t].point] = block;
-            g.cracked[block] |= s.failed[scaling.links[t].point];
+    g.chunk_of_point.resize(scaling.links.size());
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
+        const Range clusters = scaling.chunks[chunk];
+        for (std::int32_t t = scaling.links_of_cluster[clusters.begin].begin; t < scaling.links_of_cluster[clusters.end - 1].end;
+             ++t) {
+            g.chunk_of_point[scaling.links[t].point] = chunk;
+            g.cracked[chunk] |= s.failed[scaling.links[t].point];
         }
     }
 }
 
 namespace {
 
-/// Whether a group of a block may have changed: a point of it has failed, or a platen has come or gone.
-bool may_change(const MassScaling& scaling, std::int32_t block, const State& s) {
+/// Whether a cluster of a chunk may have changed: a point of it has failed, or a node has met or left a platen.
+bool may_change(const MassScaling& scaling, std::int32_t chunk, const State& s) {
     const ClusterState& g = s.clusters;
-    return g.cracked[block] != 0 || std::any_of(g.platen_members[block].begin(), g.platen_members[block].end(),
-                                                [&](std::int32_t i) { return g.supported[i] != s.touching[scaling.members[i]]; });
+    return g.cracked[chunk] != 0 || std::any_of(g.platen_nodes[chunk].begin(), g.platen_nodes[chunk].end(), [&](std::int32_t i) {
+               return g.supported[i] != s.near_platen[scaling.nodes[i]];
+           });
 }
 
 }  // namespace
 
-void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                      State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     ClusterState& g = s.clusters;
-    if (!may_change(scaling, block, s)) {
+    if (!may_change(scaling, chunk, s)) {
         return;
     }
     const PlatenVelocities platens(loading, parameters.time_step);
-    for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
-        const Range links = scaling.links_of_group[group];
-        const Range members = scaling.groups[group];
+    for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
+        const Range links = scaling.links_of_cluster[cluster];
+        const Range nodes = scaling.clusters[cluster];
         bool changes = false;
         for (std::int32_t t = links.begin; t < links.end; ++t) {
-            changes = changes || (s.failed[scaling.links[t].point] != 0 && holds(scaling.links[t], s) != (g.linked[t] != 0));
+            changes = changes || (s.failed[scaling.links[t].point] != 0 && is_linking(scaling.links[t], s) != (g.linked[t] != 0));
         }
-        for (std::int32_t i = members.begin; i < members.end; ++i) {
-            changes = changes || g.supported[i] != s.touching[scaling.members[i]];
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            changes = changes || g.supported[i] != s.near_platen[scaling.nodes[i]];
         }
         if (!changes) {
             continue;
         }
         const auto energy = [&] {
-            return kinetic_energy(a, scaling, platens, group, s, 1) + half_impulse_work(parameters, members, s);
+            return kinetic_energy(a, scaling, platens, cluster, s, 1) + half_impulse_work(parameters, nodes, s);
         };
         const double before = energy();
-        change_cluster(a, scaling, platens, group, s);
-        g.sums[block].regrouping_loss += before - energy();
-        find_constrained(scaling, block, g);
+        change_cluster(a, scaling, platens, cluster, s);
+        g.sums[chunk].regrouping_loss += before - energy();
+        find_constrained(scaling, chunk, g);
     }
 }
 
@@ -253,19 +279,19 @@ void drop_added_mass(const Assemblage& a, const StepParameters& parameters, cons
                      State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     const double shorter = 1 - time_step / parameters.time_step;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.blocks.size()); ++block) {
-        s.clusters.sums[block].regrouping_loss += added_kinetic_energy(a, parameters, loading, block, s) +
-                                                  shorter * half_impulse_work(parameters, scaling.members_of(block), s);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
+        s.clusters.sums[chunk].regrouping_loss += added_kinetic_energy(a, parameters, loading, chunk, s) +
+                                                  shorter * half_impulse_work(parameters, scaling.nodes_of(chunk), s);
     }
 }
 
-double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                             const State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     const PlatenVelocities platens(loading, parameters.time_step);
     double sum = 0;
-    for (std::int32_t group = scaling.blocks[block].begin; group < scaling.blocks[block].end; ++group) {
-        sum += kinetic_energy(a, scaling, platens, group, s, 0);
+    for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
+        sum += kinetic_energy(a, scaling, platens, cluster, s, 0);
     }
     return sum;
 }

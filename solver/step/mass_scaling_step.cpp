@@ -10,15 +10,15 @@ namespace graincrack {
 namespace {
 
 constexpr std::int32_t lanes = 8;  // of the widest vector unit
-static_assert(2 * members_per_block % lanes == 0);
+static_assert(2 * nodes_per_chunk % lanes == 0);
 
-/// Members of a block.
+/// Forces and motions of the nodes of a chunk, x and y in turn.
 struct Lanes {
-    static constexpr std::int32_t size = 2 * members_per_block;
+    static constexpr std::int32_t size = 2 * nodes_per_chunk;
     alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
-    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of those they are held together with
+    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of the component
     alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
-    alignas(64) double mean_damping_force[size];                      ///< drag of the mean less the mean of drags, per mass
+    alignas(64) double mean_damping_force[size];  ///< mean of the damping forces of the relative motion, per mass
     alignas(64) double damping_force[size];
 };
 
@@ -28,57 +28,57 @@ void set_pair(double* values, std::ptrdiff_t i, const Vector2& pair) {
     values[2 * i + 1] = pair.y;
 }
 
-void gather(const MassScaling& scaling, Range members, const State& s, Lanes& b) {
+void gather(const MassScaling& scaling, Range nodes, const State& s, Lanes& b) {
     const Vector2* const force = s.force.data();
     const Vector2* const last_force = s.last_force.data();
     const Vector2* const velocity = s.velocity.data();
-    for (std::int32_t i = 0; i < members.size(); ++i) {
-        const std::int32_t node = scaling.members[members.begin + i];
+    for (std::int32_t i = 0; i < nodes.size(); ++i) {
+        const std::int32_t node = scaling.nodes[nodes.begin + i];
         set_pair(b.force, i, force[node]);
         set_pair(b.change, i, force[node] - last_force[node]);
         set_pair(b.velocity, i, velocity[node]);
     }
 }
 
-/// Calls `whole(first, last)` for every group that is one component, `split(first, last)` for all others; places within the
-/// block.
-template <class Whole, class Torn>
-void for_each_group(const MassScaling& scaling, std::int32_t block, const ClusterState& g, Whole&& whole, Torn&& split) {
-    const Range groups = scaling.blocks[block];
-    const std::int32_t origin = scaling.groups[groups.begin].begin;
-    for (std::int32_t group = groups.begin; group < groups.end; ++group) {
-        const Range members{scaling.groups[group].begin - origin, scaling.groups[group].end - origin};
-        g.whole[group] != 0 ? whole(members) : split(members);
+/// Calls `whole(places)` for every cluster that is one component, `split(places)` for all others; places count from the chunk's
+/// first.
+template <class Whole, class Split>
+void for_each_cluster(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Whole&& whole, Split&& split) {
+    const Range clusters = scaling.chunks[chunk];
+    const std::int32_t origin = scaling.clusters[clusters.begin].begin;
+    for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
+        const Range nodes{scaling.clusters[cluster].begin - origin, scaling.clusters[cluster].end - origin};
+        g.whole[cluster] != 0 ? whole(nodes) : split(nodes);
     }
 }
 
-/// Mean acceleration, its change and mean velocity of those held together.
-void find_means(const MassScaling& scaling, std::int32_t block, const ClusterState& g, Lanes& b) {
-    const std::int32_t origin = scaling.members_of(block).begin;
+/// Mean acceleration, its change and mean velocity of components.
+void find_means(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
+    const std::int32_t origin = scaling.nodes_of(chunk).begin;
     const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
-    for_each_group(
-        scaling, block, g,
-        [&](Range members) {
+    for_each_cluster(
+        scaling, chunk, g,
+        [&](Range nodes) {
             Vector2 force;
             Vector2 change;
             Vector2 momentum;
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 force += pair_at(b.force, i);
                 change += pair_at(b.change, i);
                 momentum += mass[2 * i] * pair_at(b.velocity, i);
             }
-            const double share = g.inverse_mass[origin + members.begin];
+            const double share = g.inverse_mass[origin + nodes.begin];
             const Vector2 acceleration = share * force;
             const Vector2 acceleration_change = share * change;
             const Vector2 velocity = share * momentum;
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 set_pair(b.mean_acceleration, i, acceleration);
                 set_pair(b.mean_change, i, acceleration_change);
                 set_pair(b.mean_velocity, i, velocity);
             }
         },
-        [&](Range members) {
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+        [&](Range nodes) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 set_pair(b.mean_acceleration, i, {});
                 set_pair(b.mean_change, i, {});
                 set_pair(b.mean_velocity, i, {});
@@ -89,7 +89,7 @@ void find_means(const MassScaling& scaling, std::int32_t block, const ClusterSta
                 set_pair(b.mean_velocity, first,
                          pair_at(b.mean_velocity, first) + (share * mass[2 * i]) * pair_at(b.velocity, i));
             }
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 const std::int32_t first = g.component[origin + i] - origin;
                 set_pair(b.mean_acceleration, i, pair_at(b.mean_acceleration, first));
                 set_pair(b.mean_change, i, pair_at(b.mean_change, first));
@@ -98,7 +98,7 @@ void find_means(const MassScaling& scaling, std::int32_t block, const ClusterSta
         });
 }
 
-/// Drag of the relative motion of each.
+/// Damping forces of the relative motion of each node.
 GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -107,35 +107,35 @@ GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& s
     }
 }
 
-/// Mean of these drags, to be taken off.
-void find_mean_damping_forces(const MassScaling& scaling, std::int32_t block, const ClusterState& g, Lanes& b) {
-    const std::int32_t origin = scaling.members_of(block).begin;
-    for_each_group(
-        scaling, block, g,
-        [&](Range members) {
+/// Mean of these damping forces over each component, to be subtracted.
+void find_mean_damping_forces(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
+    const std::int32_t origin = scaling.nodes_of(chunk).begin;
+    for_each_cluster(
+        scaling, chunk, g,
+        [&](Range nodes) {
             Vector2 damping_force;
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 damping_force += pair_at(b.damping_force, i);
             }
-            const Vector2 mean = g.inverse_mass[origin + members.begin] * damping_force;
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+            const Vector2 mean = g.inverse_mass[origin + nodes.begin] * damping_force;
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 set_pair(b.mean_damping_force, i, mean);
             }
         },
-        [&](Range members) {
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+        [&](Range nodes) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 set_pair(b.mean_damping_force, i, {});
                 const std::int32_t first = g.component[origin + i] - origin;
                 set_pair(b.mean_damping_force, first,
                          pair_at(b.mean_damping_force, first) + g.inverse_mass[origin + first] * pair_at(b.damping_force, i));
             }
-            for (std::int32_t i = members.begin; i < members.end; ++i) {
+            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
                 set_pair(b.mean_damping_force, i, pair_at(b.mean_damping_force, g.component[origin + i] - origin));
             }
         });
 }
 
-/// Drag of both motions into `damping_force`, and the damped acceleration of the mean.
+/// Damping forces of both motions into `damping_force`, and the damped mean acceleration.
 GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -145,20 +145,21 @@ GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& share
     }
 }
 
-/// Everything up to the drags of a block. The mean motion of those that a platen holds is the platen's, and is not damped.
-void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t block,
+/// Damping forces and damped mean accelerations of a chunk. The mean motion of a component that a platen constrains is the
+/// platen's, and is not damped.
+void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t chunk,
           const State& s, Lanes& b) {
     const MassScaling& scaling = parameters.mass_scaling;
-    const Range members = scaling.members_of(block);
-    const std::int32_t count = 2 * members.size();
-    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(members.begin)];
-    gather(scaling, members, s, b);
-    find_means(scaling, block, s.clusters, b);
-    for (const auto& [i, constraining_platen] : s.clusters.constrained[block]) {
+    const Range nodes = scaling.nodes_of(chunk);
+    const std::int32_t count = 2 * nodes.size();
+    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(nodes.begin)];
+    gather(scaling, nodes, s, b);
+    find_means(scaling, chunk, s.clusters, b);
+    for (const auto& [i, constraining_platen] : s.clusters.constrained[chunk]) {
         set_pair(b.mean_velocity, i, platens[constraining_platen]);
     }
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
-    find_mean_damping_forces(scaling, block, s.clusters, b);
+    find_mean_damping_forces(scaling, chunk, s.clusters, b);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damps(), count, b); });
 }
 
@@ -167,7 +168,7 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
     for (std::int32_t k = count; k % lanes != 0; ++k) {
         b.damping_force[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
-    // The new velocities into `mean_velocity`, which is not needed any more.
+    // The new velocities go into `mean_velocity`, which is not needed any more.
     for (std::int32_t k = 0; k < count; ++k) {
         const double mean = (1 - own) * b.mean_acceleration[k];
         b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force[k]));
@@ -182,7 +183,7 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
            ((absorbed[4] + absorbed[5]) + (absorbed[6] + absorbed[7]));
 }
 
-/// Of the platen that holds a component, m/s².
+/// Acceleration of the platen that constrains a component, m/s².
 Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t constraining_platen) {
     const std::size_t platen = constraining_platen - 1U;
     return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};
@@ -190,43 +191,43 @@ Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::u
 
 }  // namespace
 
-void damp_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+void damp_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                    State& s) {
     Lanes b;
-    damp(a, parameters, PlatenVelocities(loading, parameters.time_step), block, s, b);
-    const Range members = parameters.mass_scaling.members_of(block);
-    for (std::int32_t i = members.begin; i < members.end; ++i) {
-        s.damping_force[parameters.mass_scaling.members[i]] = pair_at(b.damping_force, i - members.begin);
+    damp(a, parameters, PlatenVelocities(loading, parameters.time_step), chunk, s, b);
+    const Range nodes = parameters.mass_scaling.nodes_of(chunk);
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        s.damping_force[parameters.mass_scaling.nodes[i]] = pair_at(b.damping_force, i - nodes.begin);
     }
 }
 
-void integrate_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+void integrate_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                         State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
     const double dt = parameters.time_step;
     Lanes b;
-    damp(a, parameters, PlatenVelocities(loading, dt), block, s, b);
-    for (const auto& [i, constraining_platen] : s.clusters.constrained[block]) {
+    damp(a, parameters, PlatenVelocities(loading, dt), chunk, s, b);
+    for (const auto& [i, constraining_platen] : s.clusters.constrained[chunk]) {
         set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, constraining_platen));
     }
-    const Range members = scaling.members_of(block);
-    const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(members.begin)];
+    const Range nodes = scaling.nodes_of(chunk);
+    const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(nodes.begin)];
     double absorbed = 0;
     run_on(a.vector_target,
-           [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * members.size(), b); });
-    s.clusters.sums[block].damping += 0.5 * dt * absorbed;
-    for (const auto& [i, constraining_platen] : s.clusters.constrained[block]) {
+           [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * nodes.size(), b); });
+    s.clusters.sums[chunk].damping += 0.5 * dt * absorbed;
+    for (const auto& [i, constraining_platen] : s.clusters.constrained[chunk]) {
         const Vector2 against_platen = (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) -
                                        platen_acceleration(loading, dt, constraining_platen);
-        const double force = -scaling.factor * scaling.mass[2 * (members.begin + i)] * against_platen.y;  // of the added mass
-        s.clusters.sums[block].platen_work +=
+        const double force = -scaling.factor * scaling.mass[2 * (nodes.begin + i)] * against_platen.y;  // of the added mass
+        s.clusters.sums[chunk].platen_work +=
             0.5 * force *
             (loading.increment_before[constraining_platen - 1U] + loading.increment_after[constraining_platen - 1U]);
     }
     Vector2* const velocity = s.velocity.data();
     Vector2* const displacement = s.displacement.data();
-    for (std::int32_t i = 0; i < members.size(); ++i) {
-        const std::int32_t node = scaling.members[members.begin + i];
+    for (std::int32_t i = 0; i < nodes.size(); ++i) {
+        const std::int32_t node = scaling.nodes[nodes.begin + i];
         const Vector2 moved = pair_at(b.mean_velocity, i);
         velocity[node] = moved;
         displacement[node] += dt * moved;

@@ -1,4 +1,4 @@
-// The group stage of a step with mass scaling: damping and integration.
+// The cluster stage of a step with mass scaling: damping and integration.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace graincrack {
 
-/// Damping of a block of groups, into `state.damping_force`: of the mean motion of those held together against the force
-/// on all of them, and of the motion about it against what is left of each one's force. Each has the inertia that goes with it:
-/// the forces in the contacts, huge against the mean's, would shake the mean if every node were damped by its own.
-void damp_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t block,
+/// Damping of a chunk of clusters, into `state.damping_force`: of the mean motion of each component by the force
+/// on the whole component, and of the relative motion of each node by the rest of its force. (Contact forces are large against
+/// the force on the component; if every node were damped by its own force they would disturb the mean motion.)
+void damp_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                    State& state);
 
-/// Damps and integrates the nodes of a block of groups: v += Δt M'⁻¹ (F + Fd), u += Δt v.
+/// Damps and integrates the nodes of a chunk of clusters: v += Δt M'⁻¹ (F + Fd), u += Δt v.
 void integrate_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
-                        std::int32_t block, State& state);
+                        std::int32_t chunk, State& state);
 
 }  // namespace graincrack

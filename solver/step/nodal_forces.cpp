@@ -10,15 +10,15 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t batch_elements = 64;
+constexpr std::int32_t max_lanes = 64;  ///< elements that a vector kernel works on at a time
 
 /// Elements side by side: edge displacements in, nodal forces out.
 struct Lanes {
-    alignas(64) double a_x[batch_elements], a_y[batch_elements], b_x[batch_elements], b_y[batch_elements];
-    alignas(64) double f1_x[batch_elements], f1_y[batch_elements], f2_x[batch_elements], f2_y[batch_elements];
+    alignas(64) double a_x[max_lanes], a_y[max_lanes], b_x[max_lanes], b_y[max_lanes];
+    alignas(64) double f1_x[max_lanes], f1_y[max_lanes], f2_x[max_lanes], f2_y[max_lanes];
 };
 
-/// Geometry of the elements of a batch.
+/// Geometry of elements side by side.
 struct Triangles {
     const double *gradient1_x, *gradient1_y, *gradient2_x, *gradient2_y, *area;
 };
@@ -41,9 +41,9 @@ GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, const Pla
 }
 
 void add_elements(const Assemblage& a, Range range, State& s) {
-    Lanes batch;
-    for (std::int32_t begin = range.begin; begin < range.end; begin += batch_elements) {
-        const std::int32_t count = std::min(batch_elements, range.end - begin);
+    Lanes b;
+    for (std::int32_t begin = range.begin; begin < range.end; begin += max_lanes) {
+        const std::int32_t count = std::min(max_lanes, range.end - begin);
         const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[begin];
         const Vector2* const displacement = s.displacement.data();
         for (std::int32_t i = 0; i < count; ++i) {
@@ -51,18 +51,18 @@ void add_elements(const Assemblage& a, Range range, State& s) {
             const Vector2 u0 = displacement[n0];
             const Vector2 to1 = displacement[n1] - u0;
             const Vector2 to2 = displacement[n2] - u0;
-            batch.a_x[i] = to1.x;
-            batch.a_y[i] = to1.y;
-            batch.b_x[i] = to2.x;
-            batch.b_y[i] = to2.y;
+            b.a_x[i] = to1.x;
+            b.a_y[i] = to1.y;
+            b.b_x[i] = to2.x;
+            b.b_y[i] = to2.y;
         }
         const Triangles triangles = triangles_from(a.element_geometry, begin);
-        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, a.elasticity, count, batch); });
+        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, a.elasticity, count, b); });
         Vector2* const force = s.force.data();
         for (std::int32_t i = 0; i < count; ++i) {
             const auto [n0, n1, n2] = nodes[i];
-            const Vector2 f1{batch.f1_x[i], batch.f1_y[i]};
-            const Vector2 f2{batch.f2_x[i], batch.f2_y[i]};
+            const Vector2 f1{b.f1_x[i], b.f1_y[i]};
+            const Vector2 f2{b.f2_x[i], b.f2_y[i]};
             force[n0] -= f1 + f2;
             force[n1] += f1;
             force[n2] += f2;
@@ -70,24 +70,24 @@ void add_elements(const Assemblage& a, Range range, State& s) {
     }
 }
 
-/// Forces of contacts on the nodes of a block; sets `state.force`.
-void gather_contacts(const Assemblage& a, const GrainBlock& block, State& s) {
+/// Sets `state.force` on the nodes of a chunk to the forces of contacts.
+void gather_contacts(const Assemblage& a, const GrainChunk& chunk, State& s) {
     const double* const value = s.contact_force.data();
     const std::array<std::int32_t, 2>* const slots = a.slots.data();
     Vector2* const force = s.force.data();
-    for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
+    for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
         const auto [first, second] = slots[i];
-        force[i] = {value[first] + value[second], value[first + contacts_per_block] + value[second + contacts_per_block]};
+        force[i] = {value[first] + value[second], value[first + contacts_per_chunk] + value[second + contacts_per_chunk]};
     }
-    for (std::int32_t i = block.further_slots.begin; i < block.further_slots.end; ++i) {
+    for (std::int32_t i = chunk.further_slots.begin; i < chunk.further_slots.end; ++i) {
         const auto [node, slot] = a.further_slots[i];
-        s.force[node] += {value[slot], value[slot + contacts_per_block]};
+        s.force[node] += {value[slot], value[slot + contacts_per_chunk]};
     }
 }
 
-void add_active_contacts(std::int32_t block, State& s) {
+void add_active_contacts(std::int32_t chunk, State& s) {
     const ContactPairList& list = s.contact_pairs;
-    const Range node_forces = list.node_forces_of_block[block];
+    const Range node_forces = list.node_forces_of_chunk[chunk];
     for (std::int32_t i = node_forces.begin; i < node_forces.end; ++i) {
         const NodeForces& gather = list.node_forces[i];
         for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
@@ -96,8 +96,10 @@ void add_active_contacts(std::int32_t block, State& s) {
     }
 }
 
-void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit, State& s) {
-    const Range points = boundary.platen_points_of_block[block];
+/// Adds the forces of the platens; calls `visit` with each platen point and the response to it.
+template <class Visit>
+void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s, const Visit& visit) {
+    const Range points = boundary.platen_points_of_chunk[chunk];
     for (std::int32_t i = points.begin; i < points.end; ++i) {
         PlatenPoint& point = s.platen_points[i];
         const Platen& platen = boundary.platens[point.platen];
@@ -107,15 +109,24 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
         if (platen.bonded || penetration > -cluster_reach * point.tributary) {
-            s.touching[point.node] = static_cast<std::uint8_t>(1 + point.platen);
+            s.near_platen[point.node] = static_cast<std::uint8_t>(1 + point.platen);
         }
-        if (commit) {
-            point.anchor = r.anchor;
-            point.shear = r.shear;
-            s.grain_sums[block].platen_friction += r.friction;
-            s.grain_sums[block].platen_work +=
-                0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
-        }
+        visit(point, r);
+    }
+}
+
+/// The forces on the nodes of a chunk, in a fixed order. \param visit called with each platen point and the response to it
+template <class Visit>
+void sum_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s,
+                const Visit& visit) {
+    const GrainChunk& range = a.grain_chunks[chunk];
+    std::fill(s.near_platen.begin() + range.nodes.begin, s.near_platen.begin() + range.nodes.end, std::uint8_t{0});
+    gather_contacts(a, range, s);
+    add_elements(a, range.elements, s);
+    add_active_contacts(chunk, s);
+    add_platens(boundary, loading, chunk, s, visit);
+    if (!boundary.prescribed.empty()) {
+        add_prescribed(a, boundary.prescribed, loading, chunk, s);
     }
 }
 
@@ -141,32 +152,33 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
 
 }  // namespace
 
-void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t block, bool commit,
-                      State& s) {
-    const GrainBlock& range = a.grain_blocks[block];
-    std::fill(s.touching.begin() + range.nodes.begin, s.touching.begin() + range.nodes.end, std::uint8_t{0});
-    gather_contacts(a, range, s);
-    add_elements(a, range.elements, s);
-    add_active_contacts(block, s);
-    add_platens(boundary, loading, block, commit, s);
+void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s) {
+    sum_forces(a, boundary, loading, chunk, s, [](const PlatenPoint&, const PlatenResponse&) {});
+}
+
+void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
+                          State& s) {
+    GrainSums& sums = s.grain_sums[chunk];
+    sum_forces(a, boundary, loading, chunk, s, [&](PlatenPoint& point, const PlatenResponse& r) {
+        point.anchor = r.anchor;
+        point.shear = r.shear;
+        sums.platen_friction += r.friction;
+        sums.platen_work += 0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
+    });
+}
+
+void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
     if (!boundary.prescribed.empty()) {
-        add_prescribed(a, boundary.prescribed, loading, block, s);
+        s.grain_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
     }
 }
 
-void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t block, double time_step, State& s) {
-    if (!boundary.prescribed.empty()) {
-        s.grain_sums[block].load_work += load_half_work(a, boundary.prescribed, block, time_step, s);
-    }
-}
-
-void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
+void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,
                      State& s) {
-    const Range nodes = a.grain_blocks[block].nodes;
-    GrainSums& sums = s.grain_sums[block];
+    const Range nodes = a.grain_chunks[chunk].nodes;
+    GrainSums& sums = s.grain_sums[chunk];
     const double dt = parameters.time_step;
-    book_half_work(a, boundary, block, dt, s);
-    hold_prescribed(boundary.prescribed, block, s);
+    note_prescribed(boundary.prescribed, chunk, s);
     const std::int32_t n = nodes.size();
     double absorbed = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
@@ -174,8 +186,7 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
                               &s.last_force[nodes.begin], &s.velocity[nodes.begin], &s.displacement[nodes.begin]);
     });
     sums.damping += absorbed;
-    sums.reaction_work += move_prescribed(a, boundary.prescribed, block, dt, s);
-    book_half_work(a, boundary, block, dt, s);
+    sums.reaction_work += move_prescribed(a, boundary.prescribed, chunk, dt, s);
 }
 
 }  // namespace graincrack

@@ -1,5 +1,5 @@
-// The node stage of a step: forces of elements, contacts, platens and prescribed loads summed in a fixed order, then damping and
-// integration, block by block.
+// The node stage of a step: the forces of elements, contacts, platens and prescribed loads are summed in a fixed order, then
+// nodes are damped and integrated, chunk by chunk.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,23 @@
 
 namespace graincrack {
 
-/// Sums the forces on the nodes of a block into `state.force`: contact slots, elements, touches, platens, drives,
-/// in this order.
-/// With `commit` the platen points remember their friction and the sums take it in; without it nothing but `force` changes.
-void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t block,
-                      bool commit, State& state);
+/// Sums the forces on the nodes of a chunk into `state.force`, in this order: contacts, elements, node–edge contacts, platens,
+/// prescribed loads. Histories and energies stay as they are.
+void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
+                      State& state);
 
-/// Damps and integrates the nodes of a block by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of
-/// damping, platens and loads, each force over the mean of the displacements before and after it. With mass scaling
-/// `integrate_clusters` does it, and the work of loads is booked beside it.
-void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t block,
+/// The same in a step: the friction springs of the platens move to the present displacements, and the friction and the work of
+/// the platens are booked, the work as that of their forces over the mean of the platens' displacements before and after.
+void advance_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
+                          State& state);
+
+/// Damps and integrates the nodes of a chunk by central differences, v += Δt (F + Fd)/m, u += Δt v, and books the work of damping
+/// and of the reactions at prescribed nodes. (With mass scaling `integrate_clusters` takes its place.)
+void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,
                      State& state);
 
-/// Books the work of gravity and of loaded edges over half a step at the present velocities.
-void book_half_work(const Assemblage& assemblage, const Boundary& boundary, std::int32_t block, double time_step, State& state);
+/// Books the work of gravity and of loaded edges over half a step at the present velocities. A step books it
+/// before and after the integration, so that each force works over the mean of the displacements before and after it.
+void book_half_work(const Assemblage& assemblage, const Boundary& boundary, std::int32_t chunk, double time_step, State& state);
 
 }  // namespace graincrack

@@ -22,16 +22,16 @@ void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadin
     s.force[second] += load;
 }
 
-/// Takes the force off a component that is driven.
+/// Moves the force on a prescribed component into its reaction.
 void take_reaction(double velocity, double& force, double& reaction) {
-    const bool driven = !std::isnan(velocity);
-    reaction = driven ? -force : 0;
-    force = driven ? 0 : force;
+    const bool is_prescribed = !std::isnan(velocity);
+    reaction = is_prescribed ? -force : 0;
+    force = is_prescribed ? 0 : force;
 }
 
-/// Moves a driven component. \return work of its reaction, J
-double lead(double prescribed, double old_velocity, double reaction, double inertia, double time_step, double old_displacement,
-            double& velocity, double& displacement) {
+/// Moves a component of a node if it is prescribed. \return work of its reaction, J
+double move_component(double prescribed, double old_velocity, double reaction, double inertia, double time_step,
+                      double old_displacement, double& velocity, double& displacement) {
     if (std::isnan(prescribed)) {
         return 0;
     }
@@ -43,18 +43,18 @@ double lead(double prescribed, double old_velocity, double reaction, double iner
 
 }  // namespace
 
-void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t block,
+void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
                     State& s) {
-    const Range nodes = a.grain_blocks[block].nodes;
+    const Range nodes = a.grain_chunks[chunk].nodes;
     for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
         s.force[i] += a.rock_mass[i] * prescribed.gravity;
     }
-    const Range edges = prescribed.edges_of_block[block];
+    const Range edges = prescribed.edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         add_edge_load(a, prescribed.edges[i], loading, i, s);
     }
-    const Range driven = prescribed.nodes_of_block[block];
-    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+    const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
+    for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         const PrescribedNode& node = prescribed.nodes[i];
         PrescribedState::Node& state = s.prescribed.nodes[i];
         Vector2& force = s.force[node.node];
@@ -64,16 +64,16 @@ void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed,
     }
 }
 
-double load_half_work(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+double load_half_work(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                       const State& s) {
     double work = 0;
-    const Range edges = prescribed.edges_of_block[block];
+    const Range edges = prescribed.edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
         const auto [first, second] = prescribed.edges[i].nodes;
         work += dot(s.prescribed.load[i], s.velocity[first] + s.velocity[second]);
     }
     Vector2 momentum;
-    const Range nodes = a.grain_blocks[block].nodes;
+    const Range nodes = a.grain_chunks[chunk].nodes;
     for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
         momentum += a.rock_mass[i] * s.velocity[i];
     }
@@ -88,32 +88,32 @@ double reaction_half_work(const PrescribedConditions& prescribed, double time_st
     return 0.5 * time_step * work;
 }
 
-void hold_prescribed(const PrescribedConditions& prescribed, std::int32_t block, State& s) {
+void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
     if (prescribed.nodes.empty()) {
         return;
     }
-    const Range driven = prescribed.nodes_of_block[block];
-    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+    const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
+    for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         s.prescribed.nodes[i].displacement = s.displacement[prescribed.nodes[i].node];
         s.prescribed.nodes[i].old_velocity = s.velocity[prescribed.nodes[i].node];
     }
 }
 
-double move_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+double move_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                        State& s) {
     if (prescribed.nodes.empty()) {
         return 0;
     }
     double work = 0;
-    const Range driven = prescribed.nodes_of_block[block];
-    for (std::int32_t i = driven.begin; i < driven.end; ++i) {
+    const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
+    for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         const std::int32_t node = prescribed.nodes[i].node;
         const PrescribedState::Node& n = s.prescribed.nodes[i];
         const double inertia = a.mass[node] / time_step;
-        work += lead(n.velocity.x, n.old_velocity.x, n.reaction.x, inertia, time_step, n.displacement.x, s.velocity[node].x,
-                     s.displacement[node].x);
-        work += lead(n.velocity.y, n.old_velocity.y, n.reaction.y, inertia, time_step, n.displacement.y, s.velocity[node].y,
-                     s.displacement[node].y);
+        work += move_component(n.velocity.x, n.old_velocity.x, n.reaction.x, inertia, time_step, n.displacement.x,
+                               s.velocity[node].x, s.displacement[node].x);
+        work += move_component(n.velocity.y, n.old_velocity.y, n.reaction.y, inertia, time_step, n.displacement.y,
+                               s.velocity[node].y, s.displacement[node].y);
     }
     return work;
 }

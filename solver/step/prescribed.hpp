@@ -10,19 +10,20 @@
 
 namespace graincrack {
 
-/// Adds gravity and the edges' loads to `state.force`, then takes the forces off driven components and keeps them as reactions.
+/// Adds gravity and the loads of edges to `state.force`, then moves the force on each prescribed component into its reaction.
 void add_prescribed(const Assemblage& assemblage, const PrescribedConditions& prescribed, const StepLoading& loading,
-                    std::int32_t block, State& state);
+                    std::int32_t chunk, State& state);
 
 /// Work of gravity and of the edges' loads over half a step at the present velocities, J.
-double load_half_work(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+double load_half_work(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                       const State& state);
-/// Work of the reactions over half a step at the velocities that led here, as if driven nodes went on at them, J.
+/// Work of the reactions over half a step at the present velocities of the prescribed nodes, J.
 double reaction_half_work(const PrescribedConditions& prescribed, double time_step, const State& state);
 
-/// Before and after the nodes of a block are moved: driven components move as prescribed. \return work of their reactions, J
-void hold_prescribed(const PrescribedConditions& prescribed, std::int32_t block, State& state);
-double move_prescribed(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t block, double time_step,
+/// Before the nodes of a chunk are integrated: notes displacements and velocities of prescribed nodes.
+void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& state);
+/// After it: moves prescribed components as prescribed. \return work of their reactions, J
+double move_prescribed(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                        State& state);
 
 }  // namespace graincrack

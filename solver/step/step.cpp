@@ -1,6 +1,7 @@
 #include "solver/step/step.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
@@ -15,80 +16,135 @@ namespace graincrack {
 
 namespace {
 
-/// Whether the last review found other touches than there were before.
-bool have_changed(const ContactPairList& list) {
-    return std::any_of(list.active.changed.begin(), list.active.changed.begin() + static_cast<std::ptrdiff_t>(list.blocks.size()),
-                       [](std::uint8_t changed) { return changed != 0; });
+template <class Stage>
+void for_each_chunk(Range chunks, const Stage& stage) {
+    for (std::int32_t chunk = chunks.begin; chunk < chunks.end; ++chunk) {
+        stage(chunk);
+    }
 }
 
-/// Steps between two looks after the touches, each of so many parts, with a team of threads.
+/// Whether the last detection found other active contacts than there were before.
+bool have_changed(const ContactPairList& list) {
+    const auto& changed = list.active.changed;
+    return std::any_of(changed.begin(), changed.begin() + static_cast<std::ptrdiff_t>(list.chunks.size()),
+                       [](std::uint8_t flag) { return flag != 0; });
+}
+
+/// The steps of one thread of the team: its share of the chunks of grains, vertex clusters, contacts and candidate pairs, and the
+/// stages of a step on them. The team waits wherever a stage reads what other threads have written.
+class ThreadSteps {
+public:
+    ThreadSteps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const LoadingClock& clock,
+                int thread, ThreadTeam& team, State& s)
+        : a_(a),
+          boundary_(boundary),
+          parameters_(parameters),
+          team_(team),
+          s_(s),
+          clock_(clock),
+          is_first_(thread == 0),
+          grains_(share_of(a.grain_chunks.size(), thread, team.size())),
+          clusters_(share_of(parameters.mass_scaling.chunks.size(), thread, team.size())),
+          contacts_(share_of(a.contact_chunks.size(), thread, team.size())),
+          pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
+
+    /// A step of nodes that move with their own masses.
+    void advance(std::int64_t step, bool is_detection) {
+        for_each_chunk(grains_, [&](std::int32_t chunk) {
+            advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
+            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            integrate_nodes(a_, boundary_, parameters_, chunk, s_);
+            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+        });
+        team_.wait();
+        clock_.tick();
+        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
+        if (is_detection) {
+            for_each_chunk(pairs_, [&](std::int32_t chunk) { detect_contacts(a_, parameters_, chunk, s_); });
+            team_.wait();
+            index_changed_contacts();
+        } else {
+            for_each_chunk(pairs_, [&](std::int32_t chunk) { move_active_contacts(a_, parameters_, chunk, s_); });
+            team_.wait();
+        }
+    }
+    /// A step with mass scaling, in which vertex clusters are integrated and there are no node–edge contacts.
+    void advance_scaled(std::int64_t step) {
+        for_each_chunk(grains_, [&](std::int32_t chunk) {
+            advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
+            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+        });
+        team_.wait();
+        for_each_chunk(clusters_, [&](std::int32_t chunk) {
+            update_clusters(a_, parameters_, clock_.now(), chunk, s_);
+            integrate_clusters(a_, parameters_, clock_.now(), chunk, s_);
+        });
+        team_.wait();
+        for_each_chunk(grains_, [&](std::int32_t chunk) { book_half_work(a_, boundary_, chunk, parameters_.time_step, s_); });
+        clock_.tick();
+        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
+        team_.wait();
+    }
+    /// After the last step: writes the active contacts into the pair list.
+    void store_contacts() {
+        for_each_chunk(pairs_, [&](std::int32_t chunk) { store_active(chunk, s_.contact_pairs); });
+    }
+    [[nodiscard]] const LoadingClock& clock() const { return clock_; }
+
+private:
+    void index_changed_contacts() {
+        if (have_changed(s_.contact_pairs)) {
+            if (is_first_) {
+                index_node_forces(a_, s_.contact_pairs);
+            }
+            team_.wait();
+        }
+    }
+
+    const Assemblage& a_;
+    const Boundary& boundary_;
+    const StepParameters& parameters_;
+    ThreadTeam& team_;
+    State& s_;
+    LoadingClock clock_;
+    bool is_first_;
+    Range grains_, clusters_, contacts_, pairs_;
+};
+
+/// The steps between two updates of the pair list, each of so many substeps, with a team of threads.
 void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   std::int64_t parts, ThreadTeam& team, LoadingClock& clock_at_start, State& s) {
-    const std::int64_t first_step = s.step;
-    const bool scaled = parameters.mass_scaling.is_on();
-    LoadingClock clock_at_end = clock_at_start;
+                   std::int64_t substeps, ThreadTeam& team, LoadingClock& clock, State& s) {
+    const std::int64_t first_step = s.step + 1;
+    const bool is_scaled = parameters.mass_scaling.is_on();
+    LoadingClock clock_at_end = clock;
     team.run([&](int thread) {
-        const Range grain_blocks = share_of(a.grain_blocks.size(), thread, team.size());
-        const Range contact_blocks = share_of(a.contact_blocks.size(), thread, team.size());
-        const Range group_blocks = share_of(parameters.mass_scaling.blocks.size(), thread, team.size());
-        const Range detection_blocks = share_of(s.contact_pairs.blocks.size(), thread, team.size());
-        LoadingClock clock = clock_at_start;
-        for (std::int64_t k = 0; k < n_steps * parts; ++k) {
-            for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
-                sum_nodal_forces(a, boundary, clock.now(), block, true, s);
-                if (scaled) {
-                    book_half_work(a, boundary, block, parameters.time_step, s);
-                } else {
-                    integrate_nodes(a, boundary, parameters, block, s);
-                }
-            }
-            team.wait();
-            if (scaled) {
-                for (std::int32_t block = group_blocks.begin; block < group_blocks.end; ++block) {
-                    update_clusters(a, parameters, clock.now(), block, s);
-                    integrate_clusters(a, parameters, clock.now(), block, s);
-                }
-                team.wait();
-                for (std::int32_t block = grain_blocks.begin; block < grain_blocks.end; ++block) {
-                    book_half_work(a, boundary, block, parameters.time_step, s);
-                }
-            }
-            clock.tick();
-            for (std::int32_t block = contact_blocks.begin; block < contact_blocks.end; ++block) {
-                advance_contacts(a, parameters.law, block, first_step + k / parts + 1, s);
-            }
-            const bool is_detection = (s.integrations + k) % s.contact_pairs.detection_interval == 0;
-            for (std::int32_t block = detection_blocks.begin; block < detection_blocks.end; ++block) {
-                (is_detection ? detect_contacts : move_active_contacts)(a, parameters, block, s);
-            }
-            team.wait();
-            if (is_detection && have_changed(s.contact_pairs)) {
-                if (thread == 0) {
-                    index_node_forces(a, s.contact_pairs);
-                }
-                team.wait();
+        ThreadSteps steps(a, boundary, parameters, clock, thread, team, s);
+        for (std::int64_t k = 0; k < n_steps * substeps; ++k) {
+            if (is_scaled) {
+                steps.advance_scaled(first_step + k / substeps);
+            } else {
+                steps.advance(first_step + k / substeps, (s.integrations + k) % s.contact_pairs.detection_interval == 0);
             }
         }
-        for (std::int32_t block = detection_blocks.begin; block < detection_blocks.end; ++block) {
-            store_active(block, s.contact_pairs);
-        }
+        steps.store_contacts();
         if (thread == 0) {
-            clock_at_end = clock;
+            clock_at_end = steps.clock();
         }
     });
-    clock_at_start = clock_at_end;
+    clock = clock_at_end;
     s.step += n_steps;
-    s.integrations += n_steps * parts;
-    s.time = time_of(s, s.step, static_cast<double>(parts) * parameters.time_step);
+    s.integrations += n_steps * substeps;
+    s.time = time_of(s, s.step, static_cast<double>(substeps) * parameters.time_step);
 }
 
-/// Ends mass scaling: velocities stay, the added mass and what it carried are gone, and from the next step on steps are in parts.
-/// Books what half a step of the ledger's terms is shorter by.
-void go_on_in_substeps(const Assemblage& a, const Boundary& boundary, const StepParameters& whole,
-                       const StepParameters& of_substeps, const StepLoading& loading, State& s) {
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_blocks.size()); ++block) {
-        sum_nodal_forces(a, boundary, loading, block, false, s);
-        book_half_work(a, boundary, block, whole.time_step - of_substeps.time_step, s);
+/// Ends mass scaling. Velocities stay, the added mass and its kinetic energy are removed, and from the next step on every step is
+/// made of substeps. The energy balance at a step includes half a step of work at the present velocities; this half is booked at
+/// its new, shorter length.
+void end_mass_scaling(const Assemblage& a, const Boundary& boundary, const StepParameters& whole,
+                      const StepParameters& of_substeps, const StepLoading& loading, State& s) {
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.grain_chunks.size()); ++chunk) {
+        sum_nodal_forces(a, boundary, loading, chunk, s);
+        book_half_work(a, boundary, chunk, whole.time_step - of_substeps.time_step, s);
     }
     drop_added_mass(a, whole, loading, of_substeps.time_step, s);
     s.subcycled = true;
@@ -102,28 +158,28 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
     const StepParameters of_substeps = parameters_of_substeps(parameters);
     if (s.subcycled) {
-        clock.part(parameters.parts);
+        clock.subcycle(parameters.substeps);
     }
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
         const StepParameters& now = s.subcycled ? of_substeps : parameters;
-        const std::int64_t parts = s.subcycled ? parameters.parts : 1;
+        const std::int64_t substeps = s.subcycled ? parameters.substeps : 1;
         if (s.step >= s.contact_pairs.next_check) {
-            if (update_pair_list(a, now, parts, s)) {
-                go_on_in_substeps(a, boundary, parameters, of_substeps, clock.now(), s);
-                clock.part(parameters.parts);
+            if (update_pair_list(a, now, substeps, s)) {
+                end_mass_scaling(a, boundary, parameters, of_substeps, clock.now(), s);
+                clock.subcycle(parameters.substeps);
                 continue;
             }
-            s.contact_pairs.next_check = s.step + std::max<std::int64_t>(1, (s.contact_pairs.next_check - s.step) / parts);
+            s.contact_pairs.next_check = s.step + std::max<std::int64_t>(1, (s.contact_pairs.next_check - s.step) / substeps);
         }
-        advance_steps(a, boundary, now, std::min(end, s.contact_pairs.next_check) - s.step, parts, team, clock, s);
+        advance_steps(a, boundary, now, std::min(end, s.contact_pairs.next_check) - s.step, substeps, team, clock, s);
     }
     s.loading = clock.now();
 }
 
 void start(const Assemblage& a, const StepParameters& parameters, State& s) {
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.contact_blocks.size()); ++block) {
-        advance_contacts(a, parameters.law, block, s.step, s);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.contact_chunks.size()); ++chunk) {
+        advance_contacts(a, parameters.law, chunk, s.step, s);
     }
     s.clusters = make_cluster_state(a, parameters.mass_scaling, s);
     complete_cluster_state(parameters.mass_scaling, s);

@@ -17,7 +17,7 @@ namespace graincrack {
 void advance(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters,
              const IntervalLoading& loading, std::int64_t n_steps, ThreadTeam& team, State& state);
 
-/// Evaluates contacts and groups of nodes at the start, so that `advance` and `measure` find forces of the present
+/// Evaluates contacts and vertex clusters at the start, so that `advance` and `measure` find the forces of the present
 /// displacements.
 void start(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 

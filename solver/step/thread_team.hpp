@@ -1,4 +1,4 @@
-// A team of threads that walk through many steps together: contiguous shares of blocks and a cheap barrier.
+// A team of threads that work on many steps together: each has a contiguous share of the chunks, and a barrier separates stages.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace graincrack {
 
-/// Barrier for a fixed number of threads. Spins while the others are about to come; where they do not come in time, because
-/// processors are busy with something else or fewer than threads, it sleeps and leaves them the processor.
+/// Barrier for a fixed number of threads. It spins while the others are about to arrive. If they do not arrive in time, because
+/// processors are busy with something else or are fewer than threads, it sleeps and leaves them the processor.
 class SpinBarrier {
 public:
     explicit SpinBarrier(int n_threads) : n_threads_(n_threads) {}
@@ -29,7 +29,7 @@ public:
             generation_.notify_all();
             return;
         }
-        // Once in a while it finds out whether spinning pays again.
+        // Now and then it tries whether spinning pays again.
         const bool patient = patient_.load(std::memory_order_relaxed) || generation % waits_between_trials == 0;
         for (int spins = patient ? patient_spins : impatient_spins; spins > 0; --spins) {
             if (generation_.load(std::memory_order_acquire) != generation) {
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] int size() const { return static_cast<int>(others_.size()) + 1; }
     /// Runs `work(thread)` for every thread 0 … size − 1, thread 0 in the caller; returns when all are done.
     void run(const std::function<void(int)>& work);
-    /// For work that goes on in steps: returns when all threads of the team have called it.
+    /// Between stages of `work`: returns when all threads of the team have called it.
     void wait() { barrier_.wait(); }
 
 private:

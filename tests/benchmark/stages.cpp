@@ -18,32 +18,34 @@ LoadingRequest compression() {
 }
 
 template <class Act>
-void for_each_block(std::size_t n, Act&& act) {
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(n); ++block) {
-        act(block);
+void for_each_chunk(std::size_t n, Act&& act) {
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(n); ++chunk) {
+        act(chunk);
     }
 }
 
 void contacts(LoadedSpecimen& l) {
-    for_each_block(l.assemblage.contact_blocks.size(),
-                   [&](std::int32_t block) { advance_contacts(l.assemblage, l.parameters.law, block, l.state.step, l.state); });
+    for_each_chunk(l.assemblage.contact_chunks.size(),
+                   [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.law, chunk, l.state.step, l.state); });
 }
 void forces(LoadedSpecimen& l) {
-    for_each_block(l.assemblage.grain_blocks.size(), [&](std::int32_t block) {
-        sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, block, false, l.state);
-    });
+    for_each_chunk(l.assemblage.grain_chunks.size(),
+                   [&](std::int32_t chunk) { sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, chunk, l.state); });
 }
 void nodes(LoadedSpecimen& l) {
     StepParameters still = l.parameters;
     still.time_step = 0;  // as much work, and the state stays
-    for_each_block(l.assemblage.grain_blocks.size(),
-                   [&](std::int32_t block) { integrate_nodes(l.assemblage, l.boundary, still, block, l.state); });
+    for_each_chunk(l.assemblage.grain_chunks.size(), [&](std::int32_t chunk) {
+        book_half_work(l.assemblage, l.boundary, chunk, 0, l.state);
+        integrate_nodes(l.assemblage, l.boundary, still, chunk, l.state);
+        book_half_work(l.assemblage, l.boundary, chunk, 0, l.state);
+    });
 }
-void groups(LoadedSpecimen& l) {
+void clusters(LoadedSpecimen& l) {
     const double time_step = std::exchange(l.parameters.time_step, 0.0);
-    for_each_block(l.parameters.mass_scaling.blocks.size(), [&](std::int32_t block) {
-        update_clusters(l.assemblage, l.parameters, l.state.loading, block, l.state);
-        integrate_clusters(l.assemblage, l.parameters, l.state.loading, block, l.state);
+    for_each_chunk(l.parameters.mass_scaling.chunks.size(), [&](std::int32_t chunk) {
+        update_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
+        integrate_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
     });
     l.parameters.time_step = time_step;
 }
@@ -59,7 +61,7 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
     const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
     const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, factor);
     parameters.mass_scaling = make_mass_scaling(assemblage, factor);
-    parameters.parts = step.parts;
+    parameters.substeps = step.parts;
     parameters.time_step = 0.7 * step.time_step;
     state = make_state(assemblage, boundary, specimen);
     for (std::size_t i = 0; i < state.velocity.size(); ++i) {
@@ -92,7 +94,7 @@ std::vector<Stage> stages_of(const LoadedSpecimen& l) {
                                bytes_of_element * elements_of_grain + (8 + 32 + 16 + 16 + 1) * nodes_of_grain, forces}};
     if (l.parameters.mass_scaling.is_on()) {
         // Two means and two drags of two components, 2 · 26; force, velocity, displacement, masses and places.
-        stages.push_back({"integration by groups", 52 * nodes_of_grain, (16 + 32 + 32 + 32 + 8) * nodes_of_grain, groups});
+        stages.push_back({"integration of clusters", 52 * nodes_of_grain, (16 + 32 + 32 + 32 + 8) * nodes_of_grain, clusters});
     } else {
         stages.push_back({"integration", 22 * nodes_of_grain, (16 + 32 + 32 + 8) * nodes_of_grain, nodes});
     }

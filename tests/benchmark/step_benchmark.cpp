@@ -37,7 +37,8 @@ void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scal
     count(timer, loaded, static_cast<double>(steps));
 }
 
-/// Every contact is a crack, and each grain was pushed another way, so that some two hundred nodes touch.
+/// Every contact is a crack, and each grain was displaced in another direction, so that some two hundred nodes are in node–edge
+/// contact.
 LoadedSpecimen loose_grains(VectorTarget target) {
     Specimen specimen = granite(few);
     specimen.contact_kind.assign(specimen.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
@@ -52,8 +53,8 @@ LoadedSpecimen loose_grains(VectorTarget target) {
     return loaded;
 }
 
-/// The touches alone, moved or reviewed where they are.
-void run_touches(::benchmark::State& timer, VectorTarget target, bool is_detection) {
+/// Node–edge contacts alone, moved or detected where they are.
+void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool is_detection) {
     LoadedSpecimen loaded = loose_grains(target);
     loaded.parameters.time_step = 0;
     for (auto _ : timer) {
@@ -63,7 +64,7 @@ void run_touches(::benchmark::State& timer, VectorTarget target, bool is_detecti
     }
     count(timer, loaded, 1);
     const auto& moving = loaded.state.contact_pairs.active.count;
-    timer.counters["touches"] = std::accumulate(moving.begin(), moving.end(), 0);
+    timer.counters["node-edge contacts"] = std::accumulate(moving.begin(), moving.end(), 0);
 }
 
 void run_stage(::benchmark::State& timer, std::size_t index, bool scaled, VectorTarget target) {
@@ -107,8 +108,8 @@ void add_all() {
                 }
             }
         }
-        add("stage/touches/1122/" + unit, [=](auto& timer) { run_touches(timer, target, false); });
-        add("stage/review of touches/1122/" + unit, [=](auto& timer) { run_touches(timer, target, true); });
+        add("stage/node-edge contacts/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, false); });
+        add("stage/detection/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, true); });
         for (const LawDescription& law : all_contact_laws()) {
             add("law/" + std::string(law.name) + "/1122/" + unit,
                 [=, variant = law.variant](auto& timer) { run_steps(timer, few, variant, false, target, 1); });

@@ -1,4 +1,4 @@
-// The reading `consistent` of the contact law: the paper's curves, an energy, no mismatch.
+// The variant `consistent` of the contact law: the paper's curves, an energy, no non-conservative work.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(ConsistentLaw, PureOpeningIsEq7) {
     EXPECT_TRUE(walk.history().separated);
 }
 
-// Whatever the direction in which a point is torn, it takes Gf.
+// Every direction of opening takes Gf.
 TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
     for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
         const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
@@ -115,8 +115,8 @@ TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
         EXPECT_LE(open, closed);
         EXPECT_GT(walk.fracture(), before);
         const double again = walk.to({-tiny, sliding}).shear;
-        expect_close(again, open, 1e-9, closed);                     // and back without a jump
-        expect_close(walk.mismatch(), 0, 1e-12, c.fracture_energy);  // round-off
+        expect_close(again, open, 1e-9, closed);                             // and back without a jump
+        expect_close(walk.non_conservative(), 0, 1e-12, c.fracture_energy);  // round-off
     }
 }
 

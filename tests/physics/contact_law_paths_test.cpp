@@ -95,8 +95,8 @@ TEST(ContactLawPaths, DissipationIsNeverNegativeAndNothingHeals) {
     }
 }
 
-// Work = stored + fracture + friction + mismatch, up to an error that halves with the step: tractions jump where a peak is
-// passed and where branches meet, and a trapezium over a jump is wrong by half of it times the step.
+// Work = stored + fracture + friction + non-conservative work, up to an error that halves with the step: tractions jump where a
+// peak is passed and where branches meet, and a trapezium over a jump is wrong by half of it times the step.
 TEST(ContactLawPaths, WorkIsWhatWasBookedToTheStep) {
     const ContactParameters c = augig_contact();
     for (const ContactLaw& law : all_laws(c)) {
@@ -207,7 +207,7 @@ TEST(ContactLawPaths, MirrorSymmetryInSliding) {
                    "the same, to the bit", law.tc);
             EXPECT_EQ(walk.fracture(), mirrored.fracture());
             EXPECT_EQ(walk.friction(), mirrored.friction());
-            EXPECT_EQ(walk.mismatch(), mirrored.mismatch());
+            EXPECT_EQ(walk.non_conservative(), mirrored.non_conservative());
             EXPECT_EQ(walk.history().failed_open, mirrored.history().failed_open);
         }
     }
@@ -229,15 +229,15 @@ TEST(ContactLawPaths, NoMismatchWhereThereIsAPotential) {
             ContactHistory start;
             start.motion.opening = -1e-30;  // closed from the first step on
             const ContactWalk pushed = led_along(law, closed, 200, 1, start);
-            EXPECT_EQ(pushed.mismatch(), 0);
+            EXPECT_EQ(pushed.non_conservative(), 0);
             EXPECT_GT(pushed.work(), 0);
             const ContactWalk pulled = led_along(law, opening, 200);
-            expect_close(pulled.mismatch(), 0, 1e-12, c.fracture_energy);
+            expect_close(pulled.non_conservative(), 0, 1e-12, c.fracture_energy);
             EXPECT_GT(pulled.fracture(), 0);
-            others = std::max(others, std::abs(led_along(law, random_path(c, seed), 200).mismatch()));
+            others = std::max(others, std::abs(led_along(law, random_path(c, seed), 200).non_conservative()));
         }
         if (description_of(law.variant).potential) {
-            verify("law: random paths, mismatch over Gf, " + std::string(name_of(law.variant)), others, 0, 1e-12,
+            verify("law: random paths, non-conservative work over Gf, " + std::string(name_of(law.variant)), others, 0, 1e-12,
                    "it has a potential", c.fracture_energy);
         } else {
             EXPECT_GT(others, 1e-6 * c.fracture_energy);  // elsewhere these have some
@@ -245,7 +245,7 @@ TEST(ContactLawPaths, NoMismatchWhereThereIsAPotential) {
     }
 }
 
-// With history held the traction is the gradient of the stored energy, in any state a law has a potential in.
+// With its history fixed the traction is the gradient of the stored energy, in any state a law has a potential in.
 TEST(ContactLawPaths, TractionIsTheGradientOfTheStoredEnergy) {
     const ContactParameters c = augig_contact();
     const double d = 1e-5 * c.critical_opening;
@@ -260,7 +260,7 @@ TEST(ContactLawPaths, TractionIsTheGradientOfTheStoredEnergy) {
                 const ContactHistory& h = walk.history();
                 if (std::abs(corner.opening) < 2 * d ||
                     (law.variant == LawVariant::continuous && corner.opening > 0 && !h.failed())) {
-                    continue;  // no potential there: its part without gradient is booked as mismatch
+                    continue;  // no potential there: its part without gradient is booked as non-conservative work
                 }
                 const auto energy = [&](double opening, double sliding) {
                     ContactHistory at = h;
@@ -340,7 +340,7 @@ TEST(ContactLawPaths, ACycleThroughFailure) {
         walk.go({closed, 0}, 20000);
         verify("law: cycle, friction there and back over tan(phi) sigma_n", -walk.traction().shear / residual, 1, 1e-12, "1");
         walk.go({0.5 * pulled, 0}, 4000);
-        EXPECT_LE(walk.traction().normal, 0.5 * split * (1 + 1e-12));  // the secant it was torn to, or less
+        EXPECT_LE(walk.traction().normal, 0.5 * split * (1 + 1e-12));  // the secant it has softened to, or less
         verify("law: cycle, work less what was booked over that", walk.balance(), 0, 1e-4, "0 but for jumps within a step",
                walk.fracture() + walk.friction());
     }

@@ -1,4 +1,4 @@
-// The readings of the text alone, with every coupling: no mesh, no dynamics. Numbers are those of Augig granite with tc 24.15
+// The variants of the text alone, with every coupling: no mesh, no dynamics. Numbers are those of Augig granite with tc 24.15
 // MPa, cc 74.57 MPa, φc 48.76°, mixed-mode fracture energy, plane strain, computed from Eqs 3–14 by hand.
 #include "solver/law/contact_law.hpp"
 
@@ -23,18 +23,18 @@ using test::integral;
 using test::mm;
 using test::MPa;
 using test::name_of_law;
-using test::readings_of_the_text;
+using test::variants_of_the_text;
 using test::verify;
 constexpr double e = std::numbers::e;
 
 TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
     const ContactParameters c = augig_contact();
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
         const auto traction = [&](double opening) { return walk.to({opening, 0}).normal; };
         const double before = integral(traction, 0, c.critical_opening, 8);
-        traction(c.critical_opening * (1 + 1e-13));  // the reading `continuous` remembers where it failed
+        traction(c.critical_opening * (1 + 1e-13));  // the variant `continuous` remembers where it failed
         const double after = integral(traction, c.critical_opening * (1 + 1e-13), c.ultimate_opening, 8);
         verify("law: area under opening (J/m2)", before + after, c.fracture_energy, 1e-9, "Gf, Eqs 14, 32");
         verify("law: area under opening as printed (J/m2)", before + after, 412.97965, 1e-7, "Eq 32 by hand, eight digits");
@@ -49,7 +49,7 @@ TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
 TEST(ContactLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
     for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
         const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
-        for (const ContactLaw& law : readings_of_the_text(c)) {
+        for (const ContactLaw& law : variants_of_the_text(c)) {
             SCOPED_TRACE(name_of_law(law));
             ContactWalk walk(law);
             walk.go({1.01 * c.ultimate_opening, 0}, 40000);
@@ -64,7 +64,7 @@ TEST(ContactLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
 TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
     const ContactParameters c = augig_contact();
     verify("law: critical sliding (mm)", c.critical_sliding / mm, 2.9025e-3, 2e-5, "Eq 11, five digits");
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         for (const double pressure : {1 * MPa, 20 * MPa, 100 * MPa}) {
             SCOPED_TRACE(name_of_law(law));
             const double closure = -pressure / law.kt;
@@ -93,7 +93,7 @@ TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
 
 TEST(ContactLaw, FailedContactUnderPressureKeepsFriction) {
     const ContactParameters c = augig_contact();
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         const auto residual = [&](double pressure) {
             ContactWalk walk(law);
@@ -111,7 +111,7 @@ TEST(ContactLaw, FailedContactUnderPressureKeepsFriction) {
 TEST(ContactLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
     const ContactParameters c = augig_contact();
     const double residual = 20 * MPa * std::tan(c.friction_angle);
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         const double closure = -20 * MPa / law.kt;
         const double reach = 3 * c.critical_sliding;
@@ -139,7 +139,7 @@ TEST(ContactLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
     }
 }
 
-// At δn = 0 an intact contact that carries shear goes from Eq 10 to Eqs 7 and 13. What happens there is part of a reading:
+// At δn = 0 an intact contact that carries shear goes from Eq 10 to Eqs 7 and 13. What happens there is part of a variant:
 //   literal     τ from ks δs e^(−δs/δcs) to kt δs e^(−δs/δct): a jump up by nearly kt/ks = 9.8; a loop makes energy
 //   scaled      from ks δs e^(−δs/δcs) to ks δs e^(−√κ δs/δct): a jump down of second order; a loop takes energy
 //   continuous  none
@@ -150,7 +150,7 @@ TEST(ContactLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
     const auto energy = [](double k, double d, double peak) {  // of Eq 7 or 10
         return k * peak * peak * (1 - (1 + d / peak) * std::exp(-d / peak));
     };
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         const double kappa = law.ks / law.kt;
         const double closed = law.ks * s * std::exp(-x);
@@ -168,14 +168,14 @@ TEST(ContactLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
         walk.to({-tiny, 0});
         expect_close(walk.go({-tiny, s}, 4000).shear, closed, 1e-10, closed);
         verify("law: shear on opening over that before, " + std::string(name_of(law.variant)), walk.to({tiny, s}).shear / closed,
-               open / closed, 1e-10, "the reading's branches at opening 0");
+               open / closed, 1e-10, "the variant's branches at opening 0");
         walk.go({tiny, 0}, 4000);
         walk.to({-tiny, 0});
         EXPECT_FALSE(walk.history().failed());
         // The trapezia of 4000 steps: below 1e-7. The crossing itself is a leg without length.
         const double scale = energy(law.ks, s, law.dcs);
         expect_close(walk.work(), -made, 1e-6, scale);
-        expect_close(walk.mismatch(), -made, 1e-6, scale);
+        expect_close(walk.non_conservative(), -made, 1e-6, scale);
         EXPECT_EQ(walk.fracture(), 0);
         EXPECT_EQ(walk.friction(), 0);
         switch (law.variant) {
@@ -192,7 +192,7 @@ TEST(ContactLaw, ACycleThroughFailure) {
     const double pulled = 0.3 * c.ultimate_opening;
     const double closed = -20 * MPa / c.normal_stiffness;
     const double residual = 20 * MPa * std::tan(c.friction_angle);
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
         walk.go({pulled, 0}, 4000);
@@ -220,7 +220,7 @@ TEST(ContactLaw, ACycleThroughFailure) {
 // One that failed in shear under pressure: with coupling full nothing is left when it opens; with none Eq 7 as new.
 TEST(ContactLaw, OpeningAfterShearFailure) {
     const ContactParameters c = augig_contact();
-    for (const ContactLaw& law : readings_of_the_text(c)) {
+    for (const ContactLaw& law : variants_of_the_text(c)) {
         SCOPED_TRACE(name_of_law(law));
         ContactWalk walk(law);
         walk.to({-20 * MPa / law.kt, 0});

@@ -142,7 +142,7 @@ TEST(CoulombSlip, ResidualTensionIsBorneOnceAndNothingAfter) {
     walk.go({0.5 * opening, 0}, 100);
     EXPECT_EQ(walk.traction().normal, 0);
     EXPECT_EQ(walk.traction().shear, 0);
-    expect_close(walk.mismatch(), 0, 1e-12, fracture);
+    expect_close(walk.non_conservative(), 0, 1e-12, fracture);
 }
 
 // Stiffness of the user's: it is what the law has.

@@ -1,5 +1,5 @@
-// Selective mass scaling: a longer step that stays stable while groups fall apart, the same balance at rest, momentum to
-// round-off, a closed ledger, and fragments that fly free.
+// Selective mass scaling: a longer step that stays stable while clusters fall apart, the same balance at rest, momentum to
+// round-off, a closed energy balance, and fragments that fly free.
 #include "solver/model/vertex_clusters.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ SmallRun scaled_run(const Specimen& specimen, const ContactLaw& law, bool platen
 
 // --- the stable step -------------------------------------------------------------------------------------------------------
 
-/// M' of a specimen whose groups are those its contacts make, the supported ones held by a platen.
+/// M' of a specimen whose clusters are those its contacts make, the supported ones constrained by a platen.
 Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, double beta) {
     const auto n = static_cast<Eigen::Index>(a.position.size());
     std::vector<bool> on_platen(a.position.size(), false);
@@ -53,18 +53,18 @@ Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, doubl
     }
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     const MassScaling scaling = make_mass_scaling(a, beta);
-    for (const Range group : scaling.groups) {
+    for (const Range cluster : scaling.clusters) {
         double total = 0;
         bool supported = false;
-        for (std::int32_t i = group.begin; i < group.end; ++i) {
-            const auto node = static_cast<std::size_t>(scaling.members[static_cast<std::size_t>(i)]);
+        for (std::int32_t i = cluster.begin; i < cluster.end; ++i) {
+            const auto node = static_cast<std::size_t>(scaling.nodes[static_cast<std::size_t>(i)]);
             total += a.mass[node];
             supported = supported || on_platen[node];
         }
-        for (std::int32_t i = group.begin; i < group.end; ++i) {
-            for (std::int32_t j = group.begin; j < group.end; ++j) {
-                const std::int32_t k = scaling.members[static_cast<std::size_t>(i)];
-                const std::int32_t l = scaling.members[static_cast<std::size_t>(j)];
+        for (std::int32_t i = cluster.begin; i < cluster.end; ++i) {
+            for (std::int32_t j = cluster.begin; j < cluster.end; ++j) {
+                const std::int32_t k = scaling.nodes[static_cast<std::size_t>(i)];
+                const std::int32_t l = scaling.nodes[static_cast<std::size_t>(j)];
                 const double mk = a.mass[static_cast<std::size_t>(k)];
                 const double ml = a.mass[static_cast<std::size_t>(l)];
                 const double m = (k == l ? (1 + beta) * mk : 0) - (supported ? 0 : beta * mk * ml / total);
@@ -96,7 +96,7 @@ double exact_step(const Assemblage& a, const Boundary& boundary, const ContactLa
     return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
 }
 
-/// The assemblage with every `every`-th contact gone, counted from `first`: groups fall apart.
+/// The assemblage with every `every`-th contact gone, counted from `first`: clusters fall apart.
 Assemblage broken(Assemblage a, std::size_t every, std::size_t first) {
     std::vector<ContactGeometry> left;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
@@ -138,7 +138,7 @@ TEST(MassScaling, StepGrowsUntilTheGrainsLimitIt) {
     // The contacts alone would give √(1 + β); 3.3 at 10 is what the grains leave of it.
     verify_between("dynamics: step with mass scaling over that without, factor 10", step(10) / none, 3, 3.3, "sqrt(1 + factor)");
     const double enough = sufficient_mass_scaling(run.assemblage, platens, run.parameters.law);
-    ContactLaw slack = run.parameters.law;  // free faces are held in a step without scaling
+    ContactLaw slack = run.parameters.law;  // free faces are taken as supported in a step without scaling
     slack.kt = slack.ks = slack.stiffest_shear = 1;
     const double most = stable_time_step(broken(run.assemblage, 1, 0), run.boundary, slack);
     expect_close(step(enough) / most, 1 / std::sqrt(1.1), 0.005, 1);  // to the residual of the eigenvalues
@@ -166,7 +166,7 @@ Momenta momenta_of(const SmallRun& run) {
     return m;
 }
 
-TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
+TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
     for (const ContactLaw& law : test::all_laws(augig_contact())) {
         SCOPED_TRACE(test::name_of_law(law));
         SmallRun run = scaled_run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), law, false, 0.5);
@@ -181,11 +181,12 @@ TEST(MassScaling, MomentumAndEnergyWhileItIsTornApart) {
             run.steps(50);
             const Energies e = run.measured().energies;
             const Momenta now = momenta_of(run);
-            verify("dynamics: momentum with mass scaling while it is torn apart, drift over sum |p|",
+            verify("dynamics: momentum with mass scaling while it falls apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
-            EXPECT_GE(e.damping,
-                      last_regrouping_loss - 1e-9 * start.kinetic);  // no local damping here: what groups shed, never given back
+            EXPECT_GE(
+                e.damping,
+                last_regrouping_loss - 1e-9 * start.kinetic);  // no local damping here: what regrouping takes, never given back
             last_regrouping_loss = e.damping;
             // Undamped, laws lose up to 1.6 % of it to the step where they jump at zero opening; `consistent`, which has no
             // jump of stiffness, 0.11 % while masses are scaled, and 0.5 % when grains then knock together at 20 m/s.
@@ -217,10 +218,10 @@ Vector2 velocity_of_grain(const SmallRun& run, std::int32_t first) {
     return (1 / mass) * momentum;
 }
 
-TEST(MassScaling, ANodeLeavesItsGroupWhenItsContactsHaveSeparated) {
+TEST(MassScaling, ANodeLeavesItsClusterWhenItsContactsHaveSeparated) {
     SmallRun run = two_grains(100);
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
-    EXPECT_EQ(run.parameters.mass_scaling.groups.size(), 6U);  // of two nodes at either end, of one elsewhere
+    EXPECT_EQ(run.parameters.mass_scaling.clusters.size(), 6U);  // of two nodes at either end, of one elsewhere
     for (std::int32_t i = 4; i < 8; ++i) {
         run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     }
@@ -247,7 +248,8 @@ TEST(MassScaling, ANodeLeavesItsGroupWhenItsContactsHaveSeparated) {
     expect_close(velocity_of_grain(run, 4).y, upper.y, 1e-12, 5);
 }
 
-// A free grain falls back onto another: it is slowed before it touches, and no energy is made, nor when it hits from close by.
+// A free grain falls back onto another: it is slowed before it comes into contact, and no energy is created, nor when it hits
+// from close by.
 TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
     struct Fall {
         double gap, speed;
@@ -259,8 +261,9 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
         // A contact that closes within a step makes or takes energy, in proportion to the step.
         run.parameters.time_step *= hits ? 0.2 : 1;
         run.begin();
-        run.state.points.of(0) = run.state.points.of(1) = broken_contact();
-        run.state.failed[0] = run.state.failed[1] = 1;
+        for (const std::size_t point : {0, 1}) {
+            store_point(broken_contact(), false, point, run.state);
+        }
         for (std::int32_t i = 4; i < 8; ++i) {
             run.state.displacement[static_cast<std::size_t>(i)] = {0, fall.gap};
             run.state.velocity[static_cast<std::size_t>(i)] = {0, -fall.speed};
@@ -337,7 +340,8 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     // It rings undamped, some 40 periods of it: their share of the mean is a few thousandths.
     verify("dynamics: impulse of platens that speed up, with mass scaling, over that of the mass as it is",
            impulse / (mass * samples * sample * acceleration), 1, 0.01, "Newton", 1);
-    verify("dynamics: ledger residual of platens that speed up, with mass scaling", worst, 0, 1e-4, "each term by itself", 1);
+    verify("dynamics: residual of the energy balance of platens that speed up, with mass scaling", worst, 0, 1e-4,
+           "each term by itself", 1);
 }
 
 // A state at rest without mass scaling is at rest with it.
@@ -366,7 +370,7 @@ TEST(MassScaling, BalanceAtRestIsTheSame) {
     }
 }
 
-TEST(MassScaling, LedgerClosesThroughFailure) {
+TEST(MassScaling, EnergyBalanceClosesThroughFailure) {
     for (const ContactLaw& law : test::all_laws(augig_contact())) {
         SCOPED_TRACE(test::name_of_law(law));
         Compression test(law, 100);
@@ -381,7 +385,8 @@ TEST(MassScaling, LedgerClosesThroughFailure) {
         }
         EXPECT_GT(test.run.failed_points(), 20U);
         EXPECT_GT(peak, 1e6);
-        verify("specimens: ledger residual through failure with mass scaling", worst / scale, 0, 5e-3, "each term by itself", 1);
+        verify("specimens: residual of the energy balance through failure with mass scaling", worst / scale, 0, 5e-3,
+               "each term by itself", 1);
     }
 }
 

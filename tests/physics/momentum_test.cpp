@@ -1,4 +1,4 @@
-// Momentum and angular momentum of a specimen without supports that is torn apart while it spins: kept to round-off.
+// Momentum and angular momentum of a specimen without supports that breaks apart while it spins: conserved to round-off.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -16,7 +16,7 @@ using test::LinearPressure;
 using test::SmallRun;
 using test::verify;
 
-constexpr LawVariant all_readings[] = {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent};
+constexpr LawVariant all_variants[] = {LawVariant::literal, LawVariant::scaled, LawVariant::continuous, LawVariant::consistent};
 
 Vector2 turned(const Vector2& v, double angle) {
     return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
@@ -48,7 +48,7 @@ double largest_difference(const std::vector<Vector2>& a, const std::vector<Vecto
 // Through a whole turn: none of the forces of an unstrained specimen, and those of a strained one turned. Displacements of 0.04 m
 // are known to 7e-18 m, which times kt and half an edge is 1e-5 N against the 1e4 N of strains that crack.
 TEST(Objectivity, ForcesTurnWithTheSpecimen) {
-    for (const LawVariant variant : all_readings) {
+    for (const LawVariant variant : all_variants) {
         const SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law(variant));
         std::vector<Vector2> still(run.assemblage.position.size());
         std::vector<Vector2> strained(still.size());

@@ -1,5 +1,5 @@
 // What programs make possible, where the answer is known: free fall, weight, uniform tractions, a block on a slope, a joint in
-// shear, waves and their reflections; and the ledger of every force a program exerts.
+// shear, waves and their reflections; and the energy balance of every force a program exerts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -340,7 +340,7 @@ TEST(Program, AWaveRunsAndIsReflected) {
            "tau/(rho c)");
 }
 
-// --- ledger ----------------------------------------------------------------------------------------------------------
+// --- energy balance ----------------------------------------------------------------------------------------------------------
 
 // Everything at once, through failure: driven corners, a follower pressure, a dead traction, gravity, a start in motion.
 const char* const everything = R"(
@@ -369,15 +369,15 @@ ProgramRun everything_at_once(double damping, int threads) {
     return run;
 }
 
-TEST(Program, TheLedgerStaysClosed) {
+TEST(Program, TheEnergyBalanceStaysClosed) {
     for (const double damping : {0.0, 0.8}) {
         const ProgramRun all = everything_at_once(damping, 1);
         ASSERT_EQ(all.stage_controller.records().size(), 3U);
         EXPECT_EQ(all.stage_controller.records()[1].ended_by, "tensile_cracks");
         EXPECT_GT(all.run.failed_points(), 10U);
         EXPECT_GT(all.energies.back().external, 0.0);
-        verify("specimens: ledger residual over stored energy, a program with every force", all.residual(), 0, 2e-3,
-               "each term by its own definition", 1);
+        verify("specimens: residual of the energy balance over stored energy, a program with every force", all.residual(), 0,
+               2e-3, "each term by its own definition", 1);
     }
 }
 

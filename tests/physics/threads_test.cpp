@@ -29,7 +29,7 @@ SimulationRequest request(TestKind test, int threads) {
     return r;
 }
 
-// Small, so that the barriers show: a dozen blocks of grains and contacts for three threads.
+// Small, so that the barriers show: a dozen chunks of grains and contacts for three threads.
 const Specimen& specimen() {
     static const Specimen s = test::jittered_grid(8, 16, 0.04, 0.08, 0.25);
     return s;
@@ -65,7 +65,7 @@ TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
     EXPECT_EQ(digest_of(request(TestKind::uniaxial, 2), summary), first);
 }
 
-/// A specimen crushed until grains touch that were no neighbours.
+/// A specimen crushed until grains come into contact that were not neighbours.
 SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads) {
     SmallRun run(specimen(), test::augig_law(law));
     LoadingRequest loading;
@@ -77,7 +77,7 @@ SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
     run.begin();
     constexpr double speed = 2;  // m/s
-    const double scaled = static_cast<double>(run.parameters.parts);
+    const double scaled = static_cast<double>(run.parameters.substeps);
     run.steps(static_cast<std::int64_t>(12000 / scaled), {{speed, -speed}, {speed, -speed}, nullptr}, threads);
     return run;
 }
@@ -92,8 +92,8 @@ bool same(const SmallRun& l, const SmallRun& r) {
 TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {
     for (const double factor : {0.0, 60.0}) {
         const SmallRun one = crushed(LawVariant::consistent, factor, widest_vector_target(), 1);
-        const auto& touches = one.state.contact_pairs.contacts;
-        EXPECT_GT(std::count_if(touches.begin(), touches.end(), [](const NodeEdgeContact& touch) { return touch.active; }), 5);
+        const auto& contacts = one.state.contact_pairs.contacts;
+        EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
         EXPECT_EQ(one.state.subcycled, factor > 0);
         for (const int threads : {2, 3}) {
             EXPECT_TRUE(same(one, crushed(LawVariant::consistent, factor, widest_vector_target(), threads))) << threads;
@@ -112,7 +112,7 @@ TEST(Threads, EveryVectorUnitGivesTheSameBytesForEveryLaw) {
     }
 }
 
-// Damage before the peak is summed by lanes and blocks.
+// Damage before the peak is summed by lanes and chunks.
 TEST(Threads, OneAndTwoGiveTheSameDigestWithDamageBeforeThePeak) {
     SimulationRequest damaged = request(TestKind::tension, 1);
     damaged.law = LawVariant::consistent;

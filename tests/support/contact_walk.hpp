@@ -24,7 +24,7 @@ inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     return laws;
 }
 /// The variants of the paper's law that keep its curves for opening and for closure: literal, scaled, continuous.
-inline std::vector<ContactLaw> readings_of_the_text(const ContactParameters& contact) {
+inline std::vector<ContactLaw> variants_of_the_text(const ContactParameters& contact) {
     std::vector<ContactLaw> laws = all_laws(contact);
     std::erase_if(laws, [](const ContactLaw& law) { return !description_of(law.variant).coupling; });
     return laws;
@@ -45,7 +45,7 @@ public:
                         (traction_.shear + r.traction.shear) * (motion.sliding - from.sliding));
         fracture_ += r.dissipation.fracture;
         friction_ += r.dissipation.friction;
-        mismatch_ += r.dissipation.mismatch;
+        non_conservative_ += r.dissipation.non_conservative_work;
         min_fracture_ = std::min(min_fracture_, r.dissipation.fracture);
         min_friction_ = std::min(min_friction_, r.dissipation.friction);
         largest_shear_ = std::max(largest_shear_, std::abs(r.traction.shear));
@@ -70,10 +70,10 @@ public:
     [[nodiscard]] double work() const { return work_; }
     [[nodiscard]] double fracture() const { return fracture_; }
     [[nodiscard]] double friction() const { return friction_; }
-    [[nodiscard]] double mismatch() const { return mismatch_; }
+    [[nodiscard]] double non_conservative() const { return non_conservative_; }
     [[nodiscard]] double stored() const { return stored_energy(law_, history_); }
-    /// work − stored energy − dissipation
-    [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - mismatch_; }
+    /// work − stored energy − dissipation − non-conservative work
+    [[nodiscard]] double balance() const { return work_ - stored() - fracture_ - friction_ - non_conservative_; }
     [[nodiscard]] double min_fracture() const { return min_fracture_; }  ///< smallest of any update
     [[nodiscard]] double min_friction() const { return min_friction_; }
     [[nodiscard]] double largest_shear() const { return largest_shear_; }
@@ -83,7 +83,7 @@ private:
     ContactLaw law_;
     ContactHistory history_;
     ContactTraction traction_;
-    double work_ = 0, fracture_ = 0, friction_ = 0, mismatch_ = 0;
+    double work_ = 0, fracture_ = 0, friction_ = 0, non_conservative_ = 0;
     double min_fracture_ = 0, min_friction_ = 0, largest_shear_ = 0;
     bool healed_ = false;
 };

@@ -108,7 +108,7 @@ struct SmallRun {
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
         const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
-        parameters.parts = step.parts;
+        parameters.substeps = step.parts;
         parameters.time_step = fraction * step.time_step;
         state = make_state(assemblage, boundary, specimen);
     }
@@ -136,7 +136,7 @@ struct SmallRun {
     [[nodiscard]] std::size_t failed_points() const {
         std::size_t n = 0;
         for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) {
-            n += history_of(state, i).failed() ? 1U : 0U;
+            n += point_history(state, i).failed() ? 1U : 0U;
         }
         return n;
     }

@@ -84,7 +84,7 @@ TEST(Assemblage, ContactGeometryAndSlots) {
     std::map<std::int32_t, std::vector<std::int32_t>> slots;  // of each node, in the order they are summed in
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         for (const std::int32_t slot : a.slots[i]) {
-            if (slot < static_cast<std::int32_t>(a.contact_blocks.size()) * slot_stride) {
+            if (slot < static_cast<std::int32_t>(a.contact_chunks.size()) * slot_stride) {
                 slots[i].push_back(slot);
             }
         }
@@ -106,14 +106,14 @@ TEST(Assemblage, ContactGeometryAndSlots) {
     expect_close(a.contact_length, length_sum, 1e-14, length_sum);
 }
 
-TEST(Assemblage, BlocksCoverEverythingAndShareNoNode) {
+TEST(Assemblage, ChunksCoverEverythingAndShareNoNode) {
     const Specimen s = test::jittered_grid(16, 16, 0.02, 0.02, 0.2);
     const Assemblage a = of(s);
-    EXPECT_GT(a.grain_blocks.size(), 4U);
-    EXPECT_GT(a.contact_blocks.size(), 2U);
+    EXPECT_GT(a.grain_chunks.size(), 4U);
+    EXPECT_GT(a.contact_chunks.size(), 2U);
     std::int32_t element = 0;
     std::int32_t node = 0;
-    for (const GrainBlock& b : a.grain_blocks) {
+    for (const GrainChunk& b : a.grain_chunks) {
         EXPECT_EQ(b.elements.begin, element);
         EXPECT_EQ(b.nodes.begin, node);
         for (std::int32_t e = b.elements.begin; e < b.elements.end; ++e) {
@@ -127,9 +127,9 @@ TEST(Assemblage, BlocksCoverEverythingAndShareNoNode) {
     EXPECT_EQ(element, a.n_elements());
     EXPECT_EQ(node, a.n_nodes());
     std::int32_t contact = 0;
-    for (const Range& r : a.contact_blocks) {
+    for (const Range& r : a.contact_chunks) {
         EXPECT_EQ(r.begin, contact);
-        EXPECT_LE(r.size(), contacts_per_block);
+        EXPECT_LE(r.size(), contacts_per_chunk);
         contact = r.end;
     }
     EXPECT_EQ(contact, a.n_contacts());

@@ -1,4 +1,4 @@
-// The energy ledger of a small specimen loaded to failure: closed to half a per cent, and able to see an error of one.
+// The energy balance of a small specimen loaded to failure: closed to half a per cent, and able to show an error of one per cent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,9 +32,9 @@ constexpr std::array<Term, 10> terms{{{"external", &Energies::external},
                                       {"friction", &Energies::friction},
                                       {"damping", &Energies::damping},
                                       {"platen", &Energies::platen},
-                                      {"mismatch", &Energies::mismatch}}};
+                                      {"non-conservative work", &Energies::mismatch}}};
 
-struct Ledger {
+struct LoadedSpecimen {
     std::vector<Energies> rows;
     double scale = 0;  ///< largest stored energy
     double peak = 0;   ///< largest axial force
@@ -51,7 +51,7 @@ struct Ledger {
 };
 
 /// Uniaxial compression (or tension) of 96 grains between rubbing platens (or bonded ones), well past the peak.
-Ledger loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
+LoadedSpecimen loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
     SmallRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), law);
     LoadingRequest request;
     request.test = test;
@@ -64,24 +64,24 @@ Ledger loaded(const ContactLaw& law, TestKind test, double fraction = 0.5) {
     run.parameters.damping = 0.8;
     run.begin();
     test::TestPlatens platens(request, run.specimen);
-    Ledger ledger;
+    LoadedSpecimen specimen;
     const double dt = run.parameters.time_step;
     for (int i = 0; i < 2000; ++i) {
         run.steps(20, platens.next(run.state.time, 20 * dt));
         const Measurement m = run.measured();
-        ledger.rows.push_back(m.energies);
-        ledger.scale = std::max(ledger.scale, m.energies.stored());
-        ledger.last = test == TestKind::tension ? m.force_top : -m.force_top;
-        ledger.peak = std::max(ledger.peak, ledger.last);
-        if (ledger.last < 0.6 * ledger.peak && run.failed_points() > 0) {
+        specimen.rows.push_back(m.energies);
+        specimen.scale = std::max(specimen.scale, m.energies.stored());
+        specimen.last = test == TestKind::tension ? m.force_top : -m.force_top;
+        specimen.peak = std::max(specimen.peak, specimen.last);
+        if (specimen.last < 0.6 * specimen.peak && run.failed_points() > 0) {
             break;
         }
     }
-    ledger.failed = run.failed_points();
-    return ledger;
+    specimen.failed = run.failed_points();
+    return specimen;
 }
 
-TEST(Ledger, ClosesThroughFailure) {
+TEST(EnergyBalance, ClosesThroughFailure) {
     ContactParameters weak = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
     weak.cohesion = 30 * test::MPa;
     for (ContactLaw law : test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
@@ -89,49 +89,49 @@ TEST(Ledger, ClosesThroughFailure) {
         if (law.variant == LawVariant::coulomb_slip) {
             law = make_contact_law(weak, law.variant, law.coupling);  // its strength grows with pressure: hardly a contact failed
         }
-        const Ledger ledger = loaded(law, TestKind::uniaxial);
-        EXPECT_GT(ledger.failed, 20U);
-        EXPECT_GT(ledger.peak, 1e6);
-        verify("specimens: ledger residual over stored energy, uniaxial, " + std::string(name_of(law.variant)), ledger.residual(),
-               0, 1e-3, "each term by its own definition", 1);
+        const LoadedSpecimen specimen = loaded(law, TestKind::uniaxial);
+        EXPECT_GT(specimen.failed, 20U);
+        EXPECT_GT(specimen.peak, 1e6);
+        verify("specimens: residual of the energy balance over stored energy, uniaxial, " + std::string(name_of(law.variant)),
+               specimen.residual(), 0, 1e-3, "each term by its own definition", 1);
         // measured: 1e-6 (continuous) to 3.4e-4 (scaled, coupling none)
     }
 }
 
-// Under tension damage before the peak (consistent) takes a share of the energy that must not be forgotten.
-TEST(Ledger, ClosesThroughFailureInTension) {
+// Under tension damage before the peak (consistent) dissipates a share of the energy that must not be left out.
+TEST(EnergyBalance, ClosesThroughFailureInTension) {
     for (const ContactLaw& law :
          test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
         SCOPED_TRACE(test::name_of_law(law));
-        const Ledger ledger = loaded(law, TestKind::tension);
-        EXPECT_GT(ledger.failed, 5U);
-        EXPECT_GT(ledger.peak, 1e5);
-        verify("specimens: ledger residual over stored energy, tension, " + std::string(name_of(law.variant)), ledger.residual(),
-               0, 5e-3, "each term by its own definition", 1);
+        const LoadedSpecimen specimen = loaded(law, TestKind::tension);
+        EXPECT_GT(specimen.failed, 5U);
+        EXPECT_GT(specimen.peak, 1e5);
+        verify("specimens: residual of the energy balance over stored energy, tension, " + std::string(name_of(law.variant)),
+               specimen.residual(), 0, 5e-3, "each term by its own definition", 1);
         // measured: up to 2.4e-3 (scaled, coupling none)
     }
 }
 
 // A term scaled by 1 % off must show, where 1 % of it is large enough against the residual there is.
-TEST(Ledger, AnErrorOfOnePerCentInATermShows) {
-    const Ledger ledger = loaded(test::augig_law(), TestKind::uniaxial);
-    const double residual = ledger.residual();
-    EXPECT_GT(ledger.failed, 20U);
+TEST(EnergyBalance, AnErrorOfOnePerCentInATermShows) {
+    const LoadedSpecimen specimen = loaded(test::augig_law(), TestKind::uniaxial);
+    const double residual = specimen.residual();
+    EXPECT_GT(specimen.failed, 20U);
     // Shares of the largest stored energy here: external 1.20, strain 0.93, friction 0.13, contact 0.08, fracture in shear 0.06,
-    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and mismatch 3e-4 are too small to say anything
-    // beside a residual of 9e-6.
+    // platen 0.010, damping 0.007; fracture in tension 0.0014, kinetic 5e-4 and non-conservative work 3e-4 are too small to say
+    // anything beside a residual of 9e-6.
     std::size_t seen = 0;
     for (const Term& term : terms) {
-        Ledger wrong = ledger;
+        LoadedSpecimen wrong = specimen;
         double largest = 0;
         for (Energies& e : wrong.rows) {
             largest = std::max(largest, std::abs(e.*term.member));
             e.*term.member *= 1.01;
         }
-        const double move = 0.01 * largest / ledger.scale;
+        const double move = 0.01 * largest / specimen.scale;
         if (move > 2 * residual) {
             EXPECT_GT(wrong.residual(), 1.4 * residual) << term.name;
-            verify_between(std::string("specimens: ledger residual over 1 % of a term wrong by 1 %, ") + term.name,
+            verify_between(std::string("specimens: residual of the energy balance over 1 % of a term wrong by 1 %, ") + term.name,
                            wrong.residual() / move, 0.5, 2, "1 but for the residual there is");
             ++seen;
         }
@@ -140,10 +140,10 @@ TEST(Ledger, AnErrorOfOnePerCentInATermShows) {
     // The terms that carry a compression test must be among them.
     for (const double Energies::*member : {&Energies::external, &Energies::strain, &Energies::contact}) {
         double largest = 0;
-        for (const Energies& e : ledger.rows) {
+        for (const Energies& e : specimen.rows) {
             largest = std::max(largest, std::abs(e.*member));
         }
-        EXPECT_GT(0.01 * largest / ledger.scale, residual);
+        EXPECT_GT(0.01 * largest / specimen.scale, residual);
     }
 }
 

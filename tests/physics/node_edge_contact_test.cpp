@@ -1,4 +1,5 @@
-// Contact after failure: any node against any edge, with an energy, exact momenta and no jump when it is handed on.
+// Contact after failure: any node against any edge, with an energy, exact momenta, and no jump of force or energy when a contact
+// is transferred to another edge.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,10 +18,10 @@ namespace {
 using test::expect_close;
 using test::SmallRun;
 
-std::size_t active_touches(const SmallRun& run) {
+std::size_t pressing_contacts(const SmallRun& run) {
     return static_cast<std::size_t>(std::count_if(run.state.contact_pairs.contacts.begin(),
                                                   run.state.contact_pairs.contacts.end(),
-                                                  [](const NodeEdgeContact& t) { return t.active && t.overlap > 0; }));
+                                                  [](const NodeEdgeContact& c) { return c.active && c.overlap > 0; }));
 }
 std::size_t released_contacts(const SmallRun& run) {
     return static_cast<std::size_t>(
@@ -74,11 +75,11 @@ TEST(NodeEdgeContact, ACornerHitsAFace) {
     const Energies last = run.measured().energies;
     EXPECT_GT(pressed, 0.01 * energy_before) << "they never met";
     EXPECT_GT(last.friction, 1e-4 * energy_before) << "nothing rubbed";
-    EXPECT_EQ(active_touches(run), 0U) << "they should have parted";
+    EXPECT_EQ(pressing_contacts(run), 0U) << "they should have parted";
     expect_close(after.linear.x, before.linear.x, 1e-12, before.scale);
     expect_close(after.linear.y, before.linear.y, 1e-12, before.scale);
     expect_close(after.angular, before.angular, 1e-12, before.scale * 1e-2);
-    // A tenth of the 4.8e-3 that the knock gains at this step if a touch that ended gives nothing back.
+    // A tenth of the 4.8e-3 that the impact gains at this step without the correction of the energy at release.
     EXPECT_LT(worst, 5e-4 * energy_before);
 }
 
@@ -125,8 +126,8 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
         ++s.step;
         update_pair_list(run.assemblage, run.parameters, 1, s);
         Vector2 force;
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.contact_pairs.blocks.size()); ++block) {
-            detect_contacts(run.assemblage, run.parameters, block, s);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
+            detect_contacts(run.assemblage, run.parameters, chunk, s);
         }
         for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
             force += s.contact_pairs.pairs[i].node == node ? s.contact_pairs.forces[3 * i] : Vector2{};
@@ -134,7 +135,7 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
         return force;
     };
     lead({0, 0});
-    lead({0, -1e-5 - 1e-12});                  // just in touch: the depth at which a touch is found does not press
+    lead({0, -1e-5 - 1e-12});                  // in contact: the depth at which a contact is found is no overlap
     const Vector2 pressed = lead({0, -1e-8});  // 10 nm deep
     const double normal = law.kt * run.assemblage.surface.tributary[node] * 1e-8;
     expect_close(pressed.y, normal, 1e-3, normal);
@@ -157,7 +158,7 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
     EXPECT_LT(std::abs(back.x), pressed.y * law.tan_phi);
 }
 
-/// The touches of the last grain of a specimen that is led by hand; the others stand still.
+/// The node–edge contacts of the last grain of a specimen whose motion is prescribed; the other grains stand still.
 struct Led {
     SmallRun run;
     std::int32_t node = 0;  ///< of the last grain, its lowest
@@ -182,8 +183,8 @@ struct Led {
         }
         ++s.step;
         update_pair_list(run.assemblage, run.parameters, 1, s);
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.contact_pairs.blocks.size()); ++block) {
-            detect_contacts(run.assemblage, run.parameters, block, s);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
+            detect_contacts(run.assemblage, run.parameters, chunk, s);
         }
         Vector2 force;
         for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
@@ -193,7 +194,7 @@ struct Led {
     }
 };
 
-// A corner comes down on a roof of two bonded grains, so near its ridge that it is in the zone of corners where no touch begins,
+// A corner comes down on a roof of two bonded grains, so near its ridge that it is in the corner zone, where no contact begins,
 // and goes on down beside the bond between them.
 TEST(NodeEdgeContact, ACornerThatSlipsInBesideABondIsCaught) {
     const double a = 4e-3;
@@ -208,7 +209,7 @@ TEST(NodeEdgeContact, ACornerThatSlipsInBesideABondIsCaught) {
         while (depth < 0.02 * edge && led.lead({0, -1e-4 * edge}).y <= 0) {
             depth += 1e-4 * edge;
         }
-        // The largest depth at which a node goes unheld is the design's 0.6 %; a node is to stay above 1 %.
+        // By design a node may be 0.6 % deep before a contact begins; it is to stay above 1 %.
         EXPECT_LT(depth, 0.008 * edge);
     }
 }
@@ -245,7 +246,7 @@ TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
         const Vector2 before = force_on_grain();
         const Energies e = run.measured().energies;
         pressed = length(before);
-        // What the step's own look after the list does, seen from outside.
+        // The update of the pair list that the step makes, seen from outside.
         update_pair_list(run.assemblage, run.parameters, 1, run.state);
         const Vector2 after = force_on_grain();
         const Energies f = run.measured().energies;
@@ -301,13 +302,13 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
     double scale = 0;
     double worst = 0;
     while (run.state.loading.platen_displacement[bottom_platen] < 0.5 * shortening * 0.03) {
-        const std::int64_t steps = 2000 / run.parameters.parts;
+        const std::int64_t steps = 2000 / run.parameters.substeps;
         run.steps(steps, platens.next(run.state.time, static_cast<double>(steps) * run.parameters.time_step), threads);
         const Energies e = run.measured().energies;
         scale = std::max(scale, e.stored());
         worst = std::max(worst, std::abs(e.imbalance()));
         c.deepest = std::max(c.deepest, test::deepest_overlap(run.assemblage, run.state.displacement));
-        c.contacts = std::max(c.contacts, active_touches(run));
+        c.contacts = std::max(c.contacts, pressing_contacts(run));
     }
     c.residual = worst / scale;
     c.released = released_contacts(run);
@@ -322,7 +323,7 @@ TEST(NodeEdgeContact, CrushedToFivePerCentKeepsEnergyAndShape) {
     EXPECT_GT(c.contacts, 10U);
     EXPECT_LT(c.residual, 5e-3);
     EXPECT_LT(c.deepest, 0.01 * c.mean_edge);
-    EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);  // the measure sees what presses
+    EXPECT_GT(c.deepest, 1e-5 * c.mean_edge);  // the measure sees overlaps
 }
 
 TEST(NodeEdgeContact, CrushedWithMassScalingToo) {
