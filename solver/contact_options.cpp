@@ -22,19 +22,19 @@ void add_parameters(CLI::App& command, ContactOptions& o) {
     add_quantity(command, "--contact-friction-angle", o.friction_angle, quantity::contact_friction_angle,
                  "friction angle of the contacts instead of the material's");
     add_quantity(command, "--contact-open-shear-strength", o.open_shear_strength, quantity::contact_open_shear_strength,
-                 "consistent: shear strength while open; tc sqrt(ks/kt) unless given");
+                 "consistent, cohesive-frictional: shear strength while open; tc sqrt(ks/kt) unless given");
     add_quantity(command, "--contact-residual-tensile-strength", o.residual_tensile_strength,
                  quantity::contact_residual_tensile_strength, "coulomb-slip: tensile strength after failure; 0 unless given");
     add_quantity(command, "--contact-residual-cohesion", o.residual_cohesion, quantity::contact_residual_cohesion,
                  "coulomb-slip: cohesion after failure; 0 unless given");
-    add_quantity(command, "--contact-residual-friction-angle", o.residual_friction_angle,
-                 quantity::contact_residual_friction_angle,
-                 "coulomb-slip: friction angle after failure; that of the contacts unless given");
+    add_quantity(
+        command, "--contact-residual-friction-angle", o.residual_friction_angle, quantity::contact_residual_friction_angle,
+        "coulomb-slip, combined, cohesive-frictional: friction angle when cohesion is lost; that of the contacts unless given");
     add_fracture_energy(
         command, o.fracture_energy,
         "fracture energy of the contacts: mixed (Eq 32), mode-i (K_IC^2/E~) or a value; mode-i unless the material has one");
     add_quantity(command, "--mode-ii-fracture-energy", o.mode_ii_fracture_energy, quantity::mode_ii_fracture_energy,
-                 "combined: fracture energy in sliding; K_IIC^2/E~ unless given");
+                 "combined, cohesive-frictional: fracture energy in sliding; K_IIC^2/E~ unless given");
 }
 
 /// Refuses an option that is given and that the law has no use for.
@@ -69,7 +69,8 @@ void check_use(const ContactOptions& o) {
     require_use(o.open_shear_strength.has_value(), "--contact-open-shear-strength", o.law, &LawDescription::open_shear_strength);
     require_use(o.residual_tensile_strength.has_value(), "--contact-residual-tensile-strength", o.law, residual);
     require_use(o.residual_cohesion.has_value(), "--contact-residual-cohesion", o.law, residual);
-    require_use(o.residual_friction_angle.has_value(), "--contact-residual-friction-angle", o.law, residual);
+    require_use(o.residual_friction_angle.has_value(), "--contact-residual-friction-angle", o.law,
+                &LawDescription::residual_friction);
     const bool mixed = o.fracture_energy && o.fracture_energy->kind == FractureEnergyChoice::Kind::mixed;
     if (mixed && description_of(o.law).mode_ii_fracture_energy) {
         throw UsageError(fmt::format("--fracture-energy: the contact law {} has an energy for each mode; mode-i or a value fits",

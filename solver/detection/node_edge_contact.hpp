@@ -7,15 +7,17 @@
 // transferred to another edge without a jump. Per tributary area A of the node:
 //
 //   normal    kt A e on the node along n, stored ½ kt A e²
-//   friction  τ = ks q within ±kt e tan φc, q the elastic part of the sliding of the node along the edge; stored ½ ks A q²
+//   friction  τ = ks q within ±(c_r + kt e tan φ_r) while e > 0, q the elastic part of the sliding of the node along the edge;
+//   stored ½ ks A q²
 //
 // A contact ends between two steps: when the node is found outside it is past the edge by o, and the scheme has taken ½ kt A e o
 // more energy from the spring than it stored; a grain would gain energy at every impact. In the following step a tension of ½ kt
 // A e o/(e + o) corrects this: its work in the mean of the scheme, over the distance 2 (e + o) of two steps, is that energy.
 //
-// kt, ks, φc are those of a contact that failed (Kazerani & Zhao 2014, Eqs 10, 12), so a bonded contact that has lost its
-// cohesion turns into node–edge contacts of the same force and energy. The edge takes the opposite forces at its nodes in the
-// shares 1 − s and s, and the couple d τ that the distance of node and edge makes: linear and angular momentum are exact.
+// kt, ks and the residual cohesion c_r and friction angle φ_r (0 and φc where the law has none of its own) are those of a contact
+// on which nothing but friction is left (Kazerani & Zhao 2014, Eqs 10, 12), so a bonded contact that has lost its cohesion turns
+// into node–edge contacts of the same force and energy. The edge takes the opposite forces at its nodes in the shares 1 − s and
+// s, and the couple d τ that the distance of node and edge makes: linear and angular momentum are exact.
 #pragma once
 
 #include <algorithm>
@@ -84,7 +86,8 @@ GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law,
     const double past = old.initial_overlap - g.depth;
     const bool ends = (past > 0) & (old.overlap > 0);  // no branch: contacts are moved side by side
     contact.release_correction = ends ? 0.5 * old.overlap * past / (ends ? old.overlap + past : 1.0) : 0.0;
-    const double limit = law.kt * contact.overlap * law.tan_phi / law.ks;
+    const double pressure = law.kt * contact.overlap;
+    const double limit = (contact.overlap > 0 ? contact_law::residual_limit(law, pressure) : 0.0) / law.ks;
     const double trial = old.elastic_slip + sliding;
     contact.elastic_slip = std::clamp(trial, -limit, limit);
     r.friction = 0.5 * contact.area * law.ks * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);

@@ -56,7 +56,8 @@ bool find_debonded(const Assemblage& a, const ContactLaw& law, State& s) {
             continue;
         }
         const double far = debonding_travel * 2 * a.contacts[point / 2].point_area;
-        if (std::max(s.opening[point], std::abs(s.sliding[point])) > far || is_lost<Law>(law, s, point)) {
+        const bool has_moved = !law.softens_in_shear && std::max(s.opening[point], std::abs(s.sliding[point])) > far;
+        if (has_moved || is_lost<Law>(law, s, point)) {
             s.contact_pairs.debonded[point] = 1;
             found = true;
         }

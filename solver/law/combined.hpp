@@ -47,7 +47,8 @@ struct Combined {
                                                 .meaning = "softening of FEM/DEM codes with G_I and G_II",
                                                 .potential = true,
                                                 .fracture_energy = true,
-                                                .mode_ii_fracture_energy = true};
+                                                .mode_ii_fracture_energy = true,
+                                                .residual_friction = true};
     static constexpr bool damages_intact = false;
     /// The areas to the peaks.
     static FractureEnergies min_energies(const ContactLaw& law) { return {2.0 / 3 * law.tc * law.op, 2.0 / 3 * law.cc * law.sp}; }
@@ -59,6 +60,7 @@ struct Combined {
         law.inv_sp = 1 / law.sp;
         law.o_range = (law.gf / (law.tc * law.op) - 2.0 / 3) / softening_area;
         law.s_range = (law.g2 / (law.cc * law.sp) - 2.0 / 3) / softening_area;
+        law.softens_in_shear = true;
     }
 
     /// A motion over the displacements at the peaks.
@@ -91,10 +93,14 @@ struct Combined {
                (law.tc * law.op * rise_energy(at.open, c.largest.open) + law.cc * law.sp * rise_energy(at.slid, c.largest.slid));
     }
 
+    /// Of the friction angle: φc while all cohesion is there, φ_r when it is gone, between them in proportion to 1 − D.
+    static double tan_friction(const ContactLaw& law, const ContactHistory& h) {
+        return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * (1 - damage(law, h));
+    }
     /// Friction beside the cohesion of a closed point. It starts from zero in the step in which the point fails.
     static void advance_friction(const ContactLaw& law, const ContactMotion& to, bool rubs, ContactResponse& r) {
         if (rubs) {
-            slide(law, to, friction_limit(law, to), r);
+            slide(law, to, -law.kt * to.opening * tan_friction(law, r.history), r);
         } else {
             r.history.slip = to.sliding;
             r.traction.shear = 0;
@@ -156,7 +162,7 @@ struct Combined {
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return std::min(1.0, damage_at(law, cohesion_of(law, h).largest));
     }
-    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
+    static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.failed() && damage(law, h) >= 1; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double x = std::max(0.0, p.opening) * law.inv_op;
         const double y = std::abs(p.sliding) * law.inv_sp;

@@ -25,7 +25,8 @@ struct CoulombSlip {
                                                 .name = "coulomb-slip",
                                                 .meaning = "UDEC's Coulomb slip with residual strength",
                                                 .potential = true,
-                                                .residual_strength = true};
+                                                .residual_strength = true,
+                                                .residual_friction = true};
     static constexpr bool damages_intact = false;
     static FractureEnergies min_energies(const ContactLaw& /*law*/) { return {}; }
     static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }
@@ -38,6 +39,10 @@ struct CoulombSlip {
     /// Both branches: until it has separated a point behaves the same on both sides of δn = 0.
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
+        if (is_residual(law, h)) {
+            advance_residual(law, to, r);
+            return;
+        }
         if (!h.failed()) {
             if (advance_intact<CoulombSlip>(law, to, r)) {
                 return;
@@ -55,7 +60,8 @@ struct CoulombSlip {
         slide(law, to, bears ? shear_limit(law.residual_cc, law.residual_tan_phi, normal) : 0.0, r);
         h.motion = to;
     }
-    static void close(const ContactLaw& /*law*/, ContactHistory& /*h*/) {}
+    /// The shear spring of a point that has separated starts anew; that of another continues.
+    static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.separated ? h.motion.sliding : h.slip; }
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         if (h.separated && h.motion.opening >= 0) {
@@ -65,7 +71,8 @@ struct CoulombSlip {
         return 0.5 * (law.kt * h.motion.opening * h.motion.opening + law.ks * elastic * elastic);
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() ? 1 : 0; }
-    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& /*h*/) { return false; }
+    /// With a residual cohesion a point that opens has shear to relax, which the residual response knows nothing of.
+    static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.separated && law.residual_cc == 0; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double normal = law.kt * p.opening;
         const double shear = law.ks * p.sliding;

@@ -4,7 +4,7 @@
 //
 // - `description`: its row of the table
 // - `min_energies(law)`: the least Gf (G_I) and G_II with which the law works; 0 where it has none
-// - `complete(law)`: sets the constants that are its own; `stiffest_shear` in any case
+// - `complete(law)`: sets the constants that are its own; `stiffest_shear` in any case, `softens_in_shear` if it does
 // - `advance(law, to, r)`: a point moves to a motion on its side of δn = 0: sets r.traction, brings r.history up to date, adds to
 //   r.dissipation
 // - `close(law, history)`: an open point has arrived at δn = 0 (as history.motion says) and is about to be closed
@@ -13,12 +13,14 @@
 // - `intact(law, point)`: the response of a point that has not failed, without a branch
 // - `is_residual(law, history)`: true if friction while closed is all that is left, as in `residual_response`; a law may always
 //   answer false
+// - `softening(law, point)`, if the law has it: the response of a point past its peak, with cohesion left, without a branch
 // - `damages_intact`: true if `intact` changes the integrity or dissipates fracture energy
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "solver/law/cohesive_frictional.hpp"
 #include "solver/law/combined.hpp"
 #include "solver/law/consistent.hpp"
 #include "solver/law/continuous.hpp"
@@ -32,7 +34,7 @@ template <class... Laws>
 struct Table {
     static constexpr std::array<LawDescription, sizeof...(Laws)> descriptions{Laws::description...};
 };
-using AllLaws = Table<Literal, Scaled, Continuous, Consistent, CoulombSlip, Combined>;
+using AllLaws = Table<Literal, Scaled, Continuous, Consistent, CoulombSlip, Combined, CohesiveFrictional>;
 
 template <class First, class... Rest, class Action>
 constexpr auto with_law(Table<First, Rest...> /*table*/, LawVariant variant, const Action& action) {

@@ -12,7 +12,7 @@
 namespace graincrack {
 
 /// The contact laws (--contact-law); the order is that of `all_contact_laws`.
-enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent, coulomb_slip, combined };
+enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent, coulomb_slip, combined, cohesive_frictional };
 /// What failure in one mode does to the other (--coupling).
 enum class Coupling : std::uint8_t { full, none };
 constexpr std::string_view name_of(Coupling coupling) { return coupling == Coupling::full ? "full" : "none"; }
@@ -34,7 +34,8 @@ struct LawDescription {
     bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II
     bool mode_ii_fracture_energy = false;  ///< G_II
     bool open_shear_strength = false;      ///< shear strength while open
-    bool residual_strength = false;        ///< residual tensile strength, cohesion and friction angle
+    bool residual_strength = false;        ///< residual tensile strength and cohesion
+    bool residual_friction = false;        ///< residual friction angle
 };
 
 /// Constants of a law. Symbols as in the paper. \see make_contact_law
@@ -50,11 +51,12 @@ struct ContactLaw {
     double inv_dct, inv_dcs;     ///< 1/m
     double w;                    ///< weight of δs² in δeff² of the open branch: 1 (literal) or κ = ks/kt
     double stiffest_shear;       ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
-    double open_shear_strength;  ///< to (consistent), Pa
-    double inv_dso;              ///< 1/δso, δso = e to/ks (consistent)
+    double open_shear_strength;  ///< to (consistent, cohesive-frictional), Pa
+    double inv_dso;              ///< 1/δso, δso = e to/ks (likewise)
     double op, sp;               ///< o_p, s_p: displacements at the peaks (combined), m
     double inv_op, inv_sp;       ///< 1/m
-    double o_range, s_range;     ///< (o_r − o_p)/o_p, (s_r − s_p)/s_p (combined)
+    double o_range, s_range;  ///< (o_r − o_p)/o_p, (s_r − s_p)/s_p (combined); s = λu − 1 while closed (cohesive-frictional)
+    bool softens_in_shear;    ///< a closed point loses its cohesion over a distance, beside friction
 };
 
 struct ContactMotion {
@@ -75,8 +77,8 @@ struct ContactHistory {
     double largest_open = 0;                    ///< largest δn/o_p once past 1, else 0 (combined)
     double largest_slid = 0;                    ///< largest |δs|/s_p once past 1, else 0 (combined)
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
-    double integrity = 1;                       ///< β (consistent)
-    double friction_share = 0;                  ///< a (consistent)
+    double integrity = 1;                       ///< β (consistent, cohesive-frictional)
+    double friction_share = 0;                  ///< a (consistent, cohesive-frictional)
     bool failed_open = false;                   ///< passed the peak of the open branch
     bool failed_closed = false;                 ///< passed the peak of the closed branch
     bool separated = false;                     ///< past δut, or open after a failure that left nothing

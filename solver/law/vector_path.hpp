@@ -23,6 +23,23 @@ struct IntactResponse {
     double fracture = 0;  ///< dissipated by damage before the peak, J/m²
 };
 
+/// A point past its peak with cohesion left, before and after a motion.
+struct SofteningPoint {
+    double old_opening, old_sliding;  ///< m
+    double opening, sliding;          ///< m
+    double integrity;                 ///< β before
+    double slip;                      ///< before, m
+};
+/// What `update_contact` gives for it, where `holds`.
+struct SofteningResponse {
+    double normal, shear;  ///< Pa
+    double integrity;
+    double slip;      ///< m
+    double fracture;  ///< dissipated, J/m²
+    double friction;  ///< dissipated, J/m²
+    double holds;     ///< 1 if the point stays open or stays closed and cohesion is left, else 0
+};
+
 /// A residual point, one of which `is_residual` of its law says that no cohesion is left, before and after a motion.
 struct ResidualPoint {
     double old_opening, old_sliding;  ///< m
@@ -36,13 +53,13 @@ struct ResidualResponse {
     double friction;       ///< dissipated, J/m²
     double holds;          ///< 1 if the point stays open or stays closed, else 0
 };
-/// Compression and friction while closed, nothing while open.
+/// Compression and friction with the residual cohesion and friction angle while closed, nothing while open.
 inline ResidualResponse residual_response(const ContactLaw& law, const ResidualPoint& p) {
     const bool closed = p.opening < 0;
-    const ContactMotion compression{std::min(p.opening, 0.0), p.sliding};
-    const contact_law::FrictionReturn friction =
-        contact_law::friction_return(law.ks, p.old_sliding, p.sliding, p.slip, contact_law::friction_limit(law, compression));
-    return {law.kt * compression.opening, closed ? friction.shear : 0.0, closed ? friction.slip : p.slip,
+    const double compression = std::min(p.opening, 0.0);
+    const contact_law::FrictionReturn friction = contact_law::friction_return(
+        law.ks, p.old_sliding, p.sliding, p.slip, contact_law::residual_limit(law, -law.kt * compression));
+    return {law.kt * compression, closed ? friction.shear : 0.0, closed ? friction.slip : p.slip,
             closed ? friction.dissipated : 0.0, (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0};
 }
 
@@ -53,6 +70,9 @@ inline double stays_on_its_side(const IntactPoint& p) { return (p.opening >= 0) 
 
 inline IntactPoint intact_point(const ContactHistory& h, const ContactMotion& to) {
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity};
+}
+inline SofteningPoint softening_point(const ContactHistory& h, const ContactMotion& to) {
+    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity, h.slip};
 }
 inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion& to) {
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip};

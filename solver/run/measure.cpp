@@ -223,14 +223,16 @@ double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) 
             if (s.failed[i] == 0) {
                 const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
                 near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+            } else if (law.softens_in_shear && s.residual[i] == 0) {
+                near += 1;  // it loses cohesion as it slides on
             } else if (opening < 0 && s.contact_pairs.released[i / 2] == 0) {
-                const double limit = contact_law::friction_limit(law, {opening, sliding});
+                const double limit = contact_law::residual_limit(law, -law.kt * opening);
                 near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
             }
         }
     });
     for (const NodeEdgeContact& contact : s.contact_pairs.contacts) {
-        const double limit = law.kt * contact.overlap * law.tan_phi;
+        const double limit = contact_law::residual_limit(law, law.kt * contact.overlap);
         near += contact.active && contact.overlap > 0 && std::abs(law.ks * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
     }
     const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));

@@ -19,14 +19,17 @@ struct Lanes {
     alignas(64) double jump_x[2 * n], jump_y[2 * n];
     alignas(64) double opening[2 * n], sliding[2 * n];
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
-    alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
-    alignas(64) double residual[2 * n];  ///< 1 if it carries nothing but friction, else 0
-    alignas(64) double released[2 * n];  ///< 1 if the contact has been released to node–edge contacts, else 0
-    alignas(64) double done[2 * n];      ///< 1 where the intact or the residual response holds or the contact has been released;
-                                         ///< else 0: the point needs the full law
-    alignas(64) double fracture[2 * n], closed_fracture[2 * n];  ///< dissipated by intact points, J
-    alignas(64) double friction[2 * n];                          ///< dissipated by residual points, J
-    bool any_residual;  ///< whether a point is residual or released; else `residual` and `released` are not set
+    alignas(64) double intact[2 * n];     ///< 1 while the point has not failed, else 0
+    alignas(64) double softening[2 * n];  ///< 1 if it has failed and cohesion is left, else 0
+    alignas(64) double tensile[2 * n];    ///< 1 if a softening point failed in tension, else 0
+    alignas(64) double residual[2 * n];   ///< 1 if it carries nothing but friction, else 0
+    alignas(64) double released[2 * n];   ///< 1 if the contact has been released to node–edge contacts, else 0
+    alignas(64) double done[2 * n];       ///< 1 where one of these responses holds or the contact has been released; else 0: the
+                                          ///< point needs the full law
+    alignas(64) double fracture[2 * n], shear_fracture[2 * n];  ///< dissipated, J
+    alignas(64) double friction[2 * n];                         ///< dissipated, J
+    bool any_softening;  ///< whether a point is softening; else `softening` and `tensile` are not set
+    bool any_residual;   ///< whether a point is residual or released; else `residual` and `released` are not set
 };
 
 void gather(const Assemblage& a, const State& s, Range range, Lanes& b) {
@@ -88,7 +91,21 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
     return found != 0;
 }
 
-/// Which points of a chunk are intact, residual or released before they move.
+/// Which points of a chunk are softening, and in which mode they failed.
+void find_softening(const State& s, Range range, Lanes& b) {
+    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
+    double found = 0;
+    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+        const std::size_t point = first + static_cast<std::size_t>(k);
+        const bool softening = s.failed[point] != 0 && s.residual[point] == 0;
+        b.softening[k] = softening ? 1.0 : 0.0;
+        b.tensile[k] = softening && s.points[point].first_mode == CrackMode::tensile ? 1.0 : 0.0;
+        found += b.softening[k];
+    }
+    b.any_softening = found > 0;
+}
+
+/// Which points of a chunk are intact, softening, residual or released before they move.
 void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
@@ -96,6 +113,10 @@ void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const std::uint8_t* const released = &s.contact_pairs.released[range.begin];
     const bool any_failed = any(failed, count);
     b.any_residual = any(residual, count) || any(released, range.size());
+    b.any_softening = false;
+    if (any_failed) {
+        find_softening(s, range, b);
+    }
     if (!any_failed) {
         std::fill_n(b.intact, count, 1.0);
     }
@@ -161,6 +182,34 @@ GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const 
     }
 }
 
+/// Whether a law has a softening response.
+template <class Law>
+constexpr bool has_softening = requires(const ContactLaw& law, const SofteningPoint& p) {
+    Law::softening(law, p);
+};
+
+/// The softening response of softening points.
+template <class Law>
+GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
+    const ContactLaw law = constants;
+    const double* const old_opening = points.old_opening;
+    const double* const old_sliding = points.old_sliding;
+    double* __restrict const integrity = points.integrity;
+    double* __restrict const slip = points.slip;
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        const SofteningResponse r =
+            Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k], slip[k]});
+        const double softening = r.holds * b.softening[k];
+        b.normal_traction[k] = softening != 0 ? r.normal : b.normal_traction[k];
+        b.shear_traction[k] = softening != 0 ? r.shear : b.shear_traction[k];
+        integrity[k] = softening != 0 ? r.integrity : integrity[k];
+        slip[k] = softening != 0 ? r.slip : slip[k];
+        b.fracture[k] = softening != 0 ? r.fracture : 0.0;
+        b.friction[k] = softening != 0 ? r.friction : 0.0;
+        b.done[k] = b.done[k] + softening;
+    }
+}
+
 /// The residual response of residual points; released contacts carry nothing here.
 GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
     const ContactLaw law = constants;
@@ -194,7 +243,7 @@ GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// Friction of residual points, J.
+/// What friction dissipates at the points of a chunk, J.
 GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.area[i] * b.friction[2 * i];
@@ -212,8 +261,11 @@ GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const Lanes& b) 
     return undone;
 }
 
-/// Books the fracture energy of damage before the peak: by point, and in the sums by the branch it happens on.
-GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t count, Lanes& b, ContactSums& sums) {
+/// Books the fracture energies of the points of a chunk: by point, and in the sums by mode.
+/// \param is_tensile whether that of point k counts as tensile
+template <class IsTensile>
+GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, Lanes& b, ContactSums& sums,
+                                     const IsTensile& is_tensile) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
         b.fracture[2 * i] = b.area[i] * b.fracture[2 * i];
@@ -223,11 +275,12 @@ GRAINCRACK_INLINE void book_intact_damage(const Points& points, std::int32_t cou
         fracture_energy[k] += b.fracture[k];
     }
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        b.closed_fracture[k] = b.opening[k] >= 0 ? 0.0 : b.fracture[k];
-        b.fracture[k] = b.opening[k] >= 0 ? b.fracture[k] : 0.0;
+        const bool tensile = is_tensile(k);
+        b.shear_fracture[k] = tensile ? 0.0 : b.fracture[k];
+        b.fracture[k] = tensile ? b.fracture[k] : 0.0;
     }
     sums.fracture_tension += sum_of_points(count, b.fracture);
-    sums.fracture_shear += sum_of_points(count, b.closed_fracture);
+    sums.fracture_shear += sum_of_points(count, b.shear_fracture);
 }
 
 /// A contact point in its chunk.
@@ -317,9 +370,19 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
         find_motions(count, b);
         apply_intact_response<Law>(law, points, count, b);
         if constexpr (Law::damages_intact) {
-            book_intact_damage(points, count, b, sums);
+            // Damage before the peak belongs to the branch it happens on.
+            book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.opening[k] >= 0; });
         }
     });
+    if constexpr (has_softening<Law>) {
+        if (b.any_softening) {
+            run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+                apply_softening_response<Law>(law, points, count, b);
+                book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.tensile[k] != 0; });
+                sums.friction += sum_friction(count, b);
+            });
+        }
+    }
     std::int32_t undone = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         if (b.any_residual) {

@@ -1,0 +1,132 @@
+// `cohesive-frictional`: the law `consistent` whose closed contacts lose their cohesion over a fracture energy G_II, with
+// friction mobilised beside it, so that the strength feels pressure before a contact has failed.
+//
+//   open     (σn, τ) = β (kt δn, ks δs)
+//   closed   σn = kt δn, τ = β ks δs + a ks (δs − slip), the second term within ±|σn| tan φ
+//
+// β is the integrity of `cohesive_damage.hpp`. Its softening has the area Gf while open and G_II while closed: sliding under
+// compression follows Eq 10's curve to cc at δcs and then falls linearly to zero at δcs (1 + s), s = 2 [G_II/(cc δcs) − (e − 2)].
+// a is 0 until the point fails and 1 from then on: friction starts from zero and is mobilised over a sliding of |σn| tan φ/ks, so
+// that the strength under a compression is cc + |σn| tan φc less what cohesion loses on that way, cc |σn| tan φc/(ks s δcs).
+// Pressure acts through friction alone: a cohesion in the energy that depended on σn would make a normal force.
+//
+// Friction itself may weaken (cohesion weakening, Hajiabdolmajid, Kaiser & Martin 2002, Int J Rock Mech Min Sci 39): tan φ falls
+// from tan φc, while all cohesion is there, to tan φr, when it is gone, in proportion to 1 − D of the closed branch.
+//
+// The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the way to the peak,
+// cc δcs (e − 2), there is no softening: cohesion is lost at once, and friction starts from the traction the point had (Eq 12).
+//
+// Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip, is never negative. On crossing δn =
+// 0 friction is zero and β can only fall: the law has a potential. Failure in one mode always weakens the other (full coupling).
+#pragma once
+
+#include "solver/law/cohesive_damage.hpp"
+
+namespace graincrack::contact_law {
+
+struct CohesiveFrictional {
+    static constexpr LawDescription description{.variant = LawVariant::cohesive_frictional,
+                                                .name = "cohesive-frictional",
+                                                .meaning = "friction beside a cohesion that softens over G_II",
+                                                .potential = true,
+                                                .fracture_energy = true,
+                                                .mode_ii_fracture_energy = true,
+                                                .open_shear_strength = true,
+                                                .residual_friction = true};
+    static constexpr bool damages_intact = true;
+    static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }
+    static void complete(ContactLaw& law) {
+        law.stiffest_shear = 2 * law.ks;  // cohesion and friction side by side
+        law.inv_dso = inverse_open_sliding(law);
+        law.s_range = std::max(0.0, softening_range(law.g2, law.ks * law.dcs * law.dcs));
+        law.softens_in_shear = law.s_range > 0;
+    }
+
+    static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+        ContactHistory& h = r.history;
+        if (!h.failed() && cohesive_load(law, to.opening, to.sliding) <= 1) {
+            const IntactResponse cohesion = intact(law, intact_point(h, to));
+            r.traction = {cohesion.normal, cohesion.shear};
+            r.dissipation.fracture += cohesion.fracture;
+            h.integrity = cohesion.integrity;
+            h.motion = to;
+            return;
+        }
+        if (!h.failed()) {
+            fail(law, to, r);
+        }
+        if (h.integrity == 0) {
+            advance_residual(law, to, r);
+            return;
+        }
+        const SofteningResponse softening_now = softening(law, softening_point(h, to));
+        r.traction = {softening_now.normal, softening_now.shear};
+        r.dissipation.fracture += softening_now.fracture;
+        r.dissipation.friction += softening_now.friction;
+        h.integrity = softening_now.integrity;
+        h.slip = softening_now.slip;
+        h.separated = h.separated || (to.opening >= 0 && h.integrity == 0);
+        h.motion = to;
+    }
+    /// A contact closes: the normal traction is zero there, so friction starts from zero.
+    static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
+    static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
+    static double damage(const ContactLaw& law, const ContactHistory& h) {
+        return h.failed() ? 1 - cohesion_left(law, h.integrity) : 0;
+    }
+    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() && h.integrity == 0; }
+    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
+    /// Cohesion past the peak, and friction beside it while closed.
+    static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
+        const bool closed = p.opening < 0;
+        const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
+        const double integrity = std::min(p.integrity, integrity_at(law, p.opening, p.sliding));
+        const double limit = -law.kt * std::min(p.opening, 0.0) * tan_friction(law, integrity);
+        const FrictionReturn friction = friction_return(law.ks, p.old_sliding, p.sliding, p.slip, limit);
+        return {(closed ? 1.0 : integrity) * law.kt * p.opening,
+                integrity * law.ks * p.sliding + (closed ? friction.shear : 0.0),
+                integrity,
+                closed ? friction.slip : p.slip,
+                energy_of_fall(law, motion, p.integrity - integrity),
+                closed ? friction.dissipated : 0.0,
+                integrity > 0 ? stays_on_its_side(motion) : 0.0};
+    }
+
+private:
+    /// The largest integrity that a motion leaves.
+    static double integrity_at(const ContactLaw& law, double opening, double sliding) {
+        const double load = cohesive_load(law, opening, sliding);
+        const double open_range = softening_range(law.gf * load * load, cohesive_form(law, opening, sliding));
+        const double lost = softening_damage(load, opening >= 0 ? open_range : law.s_range);
+        return load <= 1 ? exp_of_minus(load) : (1 - lost) / (std::numbers::e * load);
+    }
+    /// 1 − D of the closed branch at an integrity: β = (1 − D)/(e λ) with D = (λ − 1)/s solved for 1 − D; 1 before the peak.
+    static double cohesion_left(const ContactLaw& law, double integrity) {
+        const double scaled = std::numbers::e * integrity;
+        return std::min(1.0, scaled * (1 + law.s_range) / (1 + law.s_range * scaled));
+    }
+    static double tan_friction(const ContactLaw& law, double integrity) {
+        return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * cohesion_left(law, integrity);
+    }
+    /// The point passes its peak. Where no softening is left while closed, friction takes over the traction it had.
+    static void fail(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+        ContactHistory& h = r.history;
+        const bool closed = to.opening < 0;
+        mark_failed(h, closed ? CrackMode::shear : CrackMode::tensile);
+        h.friction_share = 1;
+        if (!closed) {
+            return;
+        }
+        h.slip = to.sliding;
+        if (integrity_at(law, to.opening, to.sliding) == 0) {
+            const double limit = residual_limit(law, -law.kt * to.opening);
+            const double cohesive = h.integrity * law.ks * to.sliding;
+            const double carried = std::clamp(cohesive, -limit, limit);
+            r.dissipation.fracture += 0.5 * (cohesive * to.sliding - carried * carried / law.ks);
+            h.slip = to.sliding - carried / law.ks;
+            h.integrity = 0;
+        }
+    }
+};
+
+}  // namespace graincrack::contact_law
