@@ -119,7 +119,6 @@ TEST(CohesiveFrictional, FrictionWeakensWithCohesion) {
     EXPECT_GE(walk.min_friction(), 0);
     const double stored_at_first = 0.5 * pressure * pressure / law.kt;
     expect_close(walk.balance(), -stored_at_first, 1e-7, walk.work());  // trapezia
-                 walk.work());  // trapezia, of second order in the step: 1.8e-4 with a tenth of the steps
 }
 
 // Below the energy of the way to the peak nothing softens: under pressure the law is `consistent`.
