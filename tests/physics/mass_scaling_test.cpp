@@ -192,7 +192,7 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
             // jump of stiffness, 0.11 % while masses are scaled, and 0.5 % when grains then knock together at 20 m/s.
             const double of_consistent = run.state.subcycled ? 1e-2 : 2e-3;
             const double tolerance = law.variant == LawVariant::consistent ? of_consistent : 0.05;
-            expect_close(e.imbalance(), start.imbalance(), tolerance, start.kinetic);
+            expect_close(e.balance_error(), start.balance_error(), tolerance, start.kinetic);
         }
         EXPECT_GT(run.failed_points(), 10U);
         EXPECT_GT(last_regrouping_loss, 1e-6 * start.kinetic);
@@ -279,7 +279,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
             closest = std::min({closest, run.state.opening[0], run.state.opening[1]});
             EXPECT_LT(e.kinetic + e.stored(), 1.01 * kinetic) << fall.speed;
             // What it began with is nobody's work. Measured: 0.09 %, in the hit 0.9 %.
-            expect_close(e.imbalance(), -kinetic, 0.02, kinetic);
+            expect_close(e.balance_error(), -kinetic, 0.02, kinetic);
         }
         EXPECT_LT(closest, hits ? 0 : 1e-2 * reach);
     }
@@ -334,7 +334,7 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
         run.steps(20, batch);
         const Measurement now = run.measured();
         impulse += sample * (now.force_top + now.force_bottom);
-        worst = std::max(worst, std::abs(now.energies.imbalance()) / now.energies.external);
+        worst = std::max(worst, std::abs(now.energies.balance_error()) / now.energies.external);
     }
     EXPECT_EQ(run.failed_points(), 0U);
     // It rings undamped, some 40 periods of it: their share of the mean is a few thousandths.
@@ -380,7 +380,7 @@ TEST(MassScaling, EnergyBalanceClosesThroughFailure) {
         while (test.strain() < 0.012 && (test.run.failed_points() == 0 || -test.now.force_top > 0.6 * peak)) {
             test.advance_to(0.1);
             scale = std::max(scale, test.now.energies.stored());
-            worst = std::max(worst, std::abs(test.now.energies.imbalance()));
+            worst = std::max(worst, std::abs(test.now.energies.balance_error()));
             peak = std::max(peak, -test.now.force_top);
         }
         EXPECT_GT(test.run.failed_points(), 20U);
