@@ -93,7 +93,8 @@ std::vector<Stage> stages_of(const LoadedSpecimen& l) {
                               {"elements and sum at nodes", of_element * elements_of_grain + 2 * nodes_of_grain,
                                bytes_of_element * elements_of_grain + (8 + 32 + 16 + 16 + 1) * nodes_of_grain, forces}};
     if (l.parameters.mass_scaling.is_on()) {
-        // Two means and two drags of two components, 2 · 26; force, velocity, displacement, masses and places.
+        // Two means and two damping forces of two components each, 2 · 26 operations; force, velocity, displacement, masses and
+        // places.
         stages.push_back({"integration of clusters", 52 * nodes_of_grain, (16 + 32 + 32 + 32 + 8) * nodes_of_grain, clusters});
     } else {
         stages.push_back({"integration", 22 * nodes_of_grain, (16 + 32 + 32 + 8) * nodes_of_grain, nodes});

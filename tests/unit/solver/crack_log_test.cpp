@@ -1,4 +1,4 @@
-// The catalogue of micro-cracks from the events of a step.
+// The crack log, made from the events of a step.
 #include "solver/run/crack_log.hpp"
 
 #include <gtest/gtest.h>
