@@ -3,6 +3,7 @@
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
+#include "tests/support/small_run.hpp"
 
 #include <utility>
 
@@ -73,8 +74,8 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
 }
 
 void LoadedSpecimen::advance_by(std::int64_t steps, ThreadTeam& team) {
-    const IntervalLoading batch{{speed, -speed}, {speed, -speed}, 0, 0};
-    advance(assemblage, boundary, parameters, batch, steps, team, state);
+    const IntervalLoading loading{{speed, -speed}, {speed, -speed}, nullptr};
+    advance(assemblage, boundary, parameters, loading, steps, team, state);
 }
 
 std::vector<Stage> stages_of(const LoadedSpecimen& l) {
