@@ -12,8 +12,9 @@
 
 namespace graincrack {
 
-/// Version of the file layout this build writes; newer files are refused.
-inline constexpr int schema_version = 1;
+/// Version of the file layout this build writes. Newer files are refused, older ones are read: names and texts that changed are
+/// in share/former_names.
+inline constexpr int schema_version = 2;
 
 /// Version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();
@@ -21,7 +22,8 @@ std::string hdf5_version();
 /// Shape of an array, slowest index first.
 using Extents = std::vector<std::size_t>;
 
-/// A file open for reading; "-" reads an HDF5 file image from stdin.
+/// A file open for reading; "-" reads an HDF5 file image from stdin. Paths and attributes have their names of today for files of
+/// every schema version; only `children`, `digest` and `describe` tell names as the file has them.
 class H5Input {
 public:
     /// \param path a file or "-"
@@ -38,6 +40,7 @@ public:
 
     [[nodiscard]] const std::string& name() const;  ///< the path, or "stdin", for messages
     [[nodiscard]] const std::string& kind() const;  ///< root attribute "kind"
+    [[nodiscard]] std::int64_t version() const;     ///< root attribute "schema_version"; 0 without one
 
     [[nodiscard]] bool has(const std::string& path) const;
     [[nodiscard]] bool has_attribute(const std::string& object, const std::string& attribute) const;

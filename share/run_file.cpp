@@ -35,8 +35,8 @@ const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)>
     {"energy_friction", Dimension::energy, "energy dissipated by friction in failed contacts"},
     {"energy_damping", Dimension::energy, "energy absorbed by damping"},
     {"energy_platen", Dimension::energy, "energy stored in platen springs and dissipated by platen friction"},
-    {"law_mismatch", Dimension::energy, "energy lost (positive) or made (negative) where the law has no potential"},
-    {"ledger_residual", Dimension::one, "(external - sum of the others) / largest stored energy so far"},
+    {"non_conservative_work", Dimension::energy, "energy lost (positive) or made (negative) where the law has no potential"},
+    {"energy_balance_error", Dimension::one, "(external - sum of the others) / largest stored energy so far"},
     {"unbalanced_ratio", Dimension::one, "mean unbalanced nodal force over mean magnitude of the forces at a node"},
     {"tensile_cracks", Dimension::one, "contacts that failed in tension (points / 2)"},
     {"shear_cracks", Dimension::one, "contacts that failed in shear (points / 2)"},
@@ -100,7 +100,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
     visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
     visit("energy_scale", h.energy_scale, Dimension::energy);
-    visit("ledger_residual", h.ledger_residual, Dimension::one);
+    visit("energy_balance_error", h.energy_balance_error, Dimension::one);
     visit("platen_force_difference", h.platen_force_difference, Dimension::one);
     visit("confinement_mean", h.confinement_mean, Dimension::stress);
     visit("confinement_deviation", h.confinement_deviation, Dimension::stress);

@@ -49,13 +49,13 @@ struct RunHeader {
     double stable_time_step = 0;  ///< s
     double time_step = 0;         ///< s
     // set when the run ends
-    std::string stop_reason;  ///< "peak drop" | "strain cap" | "end of the program" | "checkpoint"
+    std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
-    std::int64_t integrations = 0;  ///< steps, a step of n substeps counted n times; 0 in older files
-    double isotropic_end_time = 0;  ///< end of the isotropic stage (triaxial), s; 0 without one
-    double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
-    double energy_scale = 0;        ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
-    double ledger_residual = 0;     ///< energy balance: max over time of |external − sum of the others| / energy_scale
+    std::int64_t integrations = 0;    ///< steps, a step of n substeps counted n times; 0 in older files
+    double isotropic_end_time = 0;    ///< end of the isotropic stage (triaxial), s; 0 without one
+    double peak_axial_stress = 0;     ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
+    double energy_scale = 0;          ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
+    double energy_balance_error = 0;  ///< energy balance: max over time of |external − sum of the others| / energy_scale
     double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
     double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa
     double confinement_deviation = 0;
@@ -84,8 +84,8 @@ enum class HistoryColumn : std::size_t {
     energy_friction,
     energy_damping,
     energy_platen,
-    law_mismatch,
-    ledger_residual,
+    non_conservative_work,
+    energy_balance_error,
     unbalanced_ratio,
     tensile_cracks,
     shear_cracks,

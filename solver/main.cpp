@@ -63,7 +63,7 @@ void print_summary(const SimulationSummary& s) {
                "% of the "
                "work, and "
                "carried {:.2f} % of the load before the peak\n",
-               h.test, h.ledger_residual, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
+               h.test, h.energy_balance_error, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
     fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns a grain-step\n", h.test, s.wall_time, s.ns_per_grain_step);
     if (h.damping_load > trusted_damping_load) {
         fmt::print(
@@ -73,12 +73,13 @@ void print_summary(const SimulationSummary& s) {
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
-    if (h.ledger_residual > trusted_residual) {
+    if (h.energy_balance_error > trusted_residual) {
         fmt::print(
             stderr,
             "{}: warning: the energy balance is off by {:.1f} % of the stored energy, more than {:.1f} %: take results after "
-            "that with care (`history`, ledger_residual), or use another --contact-law, --mass-scaling none or a slower --rate\n",
-            h.test, 100 * h.ledger_residual, 100 * trusted_residual);
+            "that with care (`history`, energy_balance_error), or use another --contact-law, --mass-scaling none or a slower "
+            "--rate\n",
+            h.test, 100 * h.energy_balance_error, 100 * trusted_residual);
     }
 }
 

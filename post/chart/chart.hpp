@@ -48,7 +48,7 @@ public:
     /// A line through points; what lies outside the frame is cut off, a NaN interrupts it.
     void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side = Side::left);
     void points(std::span<const double> x, std::span<const double> y, const Marker& marker);
-    /// An upright bar with caps from low to high.
+    /// An upright bar from low to high with a short line across each end.
     void error_bar(double x, double low, double high, Colour colour);
     /// The area between two curves over x, in the frame; drawn under what follows.
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);

@@ -95,7 +95,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     RowBuilder row;
     row.add("runs", static_cast<std::int64_t>(tests.compression.size()));
-    row.add("capped_runs", static_cast<std::int64_t>(tests.at_strain_limit));
+    row.add("runs_at_strain_limit", static_cast<std::int64_t>(tests.at_strain_limit));
     row.add_interval("cohesion", "MPa", envelope.cohesion, mega);
     row.add_interval("friction_angle", "deg", envelope.friction_angle, degrees);
     row.add("r_squared", envelope.line.r_squared);

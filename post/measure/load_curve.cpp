@@ -155,7 +155,7 @@ std::string peak_kind(const RunData& run, const LoadCurve& curve) {
     const auto after = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.peak);
     const double lowest = *std::min_element(after, curve.stress.end());
     if (lowest <= (1 - decisive_drop(run.header)) * curve.peak_stress()) return "drop";
-    return run.header.stop_reason == "strain cap" ? "cap" : "";
+    return run.header.stop_reason == "strain limit" ? "cap" : "";
 }
 
 }  // namespace graincrack

@@ -28,7 +28,7 @@ const std::vector<Term>& terms() {
                                        {energy_damping, "damping", {palette::series(3), 4}},
                                        {energy_platen, "platens", {palette::series(5), 3, true}},
                                        {energy_kinetic, "kinetic", {palette::series(6), 3, true}},
-                                       {law_mismatch, "non-conservative work", {palette::rim, 2.5, true}}};
+                                       {non_conservative_work, "non-conservative work", {palette::rim, 2.5, true}}};
     return all;
 }
 
@@ -41,12 +41,12 @@ Drawing draw_energy(const RunData& run) {
     const std::vector<double>& x = loaded ? strain : run.history[HistoryColumn::time];
     std::vector<double> all;
     for (const Term& term : terms()) all.insert(all.end(), run.history[term.column].begin(), run.history[term.column].end());
-    Chart chart(
-        {test_title(run.header),
-         {fmt::format("energy balance, J per metre of thickness; largest residual {:.2g} %", 100 * run.header.ledger_residual),
-          fmt::format("of the peak stored energy; damping took {:.2g} % of the work", 100 * run.header.damping_share)}},
-        Axis{loaded ? "axial strain, %" : "time, s", std::min(0.0, smallest(x)), 1.03 * largest(x)},
-        Axis{"energy, J", padded_range(all, 0.04).first, padded_range(all, 0.04).second});
+    Chart chart({test_title(run.header),
+                 {fmt::format("energy balance, J per metre of thickness; largest residual {:.2g} %",
+                              100 * run.header.energy_balance_error),
+                  fmt::format("of the peak stored energy; damping took {:.2g} % of the work", 100 * run.header.damping_share)}},
+                Axis{loaded ? "axial strain, %" : "time, s", std::min(0.0, smallest(x)), 1.03 * largest(x)},
+                Axis{"energy, J", padded_range(all, 0.04).first, padded_range(all, 0.04).second});
     for (const Term& term : terms()) {
         const std::vector<double>& values = run.history[term.column];
         if (largest(values) == 0 && smallest(values) == 0) continue;

@@ -33,9 +33,9 @@ std::string law_label(const RunHeader& header) {
     return header.contact_law + ", " + potential;
 }
 
-double mismatch_percent(const TestReport& t) {
+double non_conservative_percent(const TestReport& t) {
     const double scale = t.data.header.energy_scale;
-    return scale > 0 ? 100 * t.data.history[HistoryColumn::law_mismatch].back() / scale : std::nan("");
+    return scale > 0 ? 100 * t.data.history[HistoryColumn::non_conservative_work].back() / scale : std::nan("");
 }
 
 std::string confinement_label(const TestReport& t) {
@@ -130,8 +130,8 @@ const std::vector<Check>& checks() {
         {"the curve ended by", ending_label},
         {"contact law", [](const TestReport& t) { return law_label(t.data.header); }},
         {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
-        {"energy balance residual, of peak stored energy", nullptr, percent_of(&RunHeader::ledger_residual), "\u00a0%"},
-        {"non-conservative work of the law, of peak stored energy", nullptr, mismatch_percent, "\u00a0%"},
+        {"energy balance residual, of peak stored energy", nullptr, percent_of(&RunHeader::energy_balance_error), "\u00a0%"},
+        {"non-conservative work of the law, of peak stored energy", nullptr, non_conservative_percent, "\u00a0%"},
         {"share of the work that damping took", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
         {"load that damping carries before the peak", nullptr, percent_of(&RunHeader::damping_load), "\u00a0%"},
         {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},

@@ -17,8 +17,8 @@ struct ReportOptions {
 
 /// The page: key figures, fitted and predicted, quality checks, curves, envelope, maps, energy balance, parameters, provenance.
 /// Runs are read one after the other; of each test and confining pressure the first run has maps. An envelope is drawn only of
-/// runs with peaks, unless runs stopped at the strain limit are accepted. \throws InputError as its parts, or if the runs are not
-/// of one material
+/// runs with peaks, unless runs stopped at the strain limit are accepted. \throws InputError if a run cannot
+/// be read or evaluated, or if the runs are not of one material
 std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity);
 
 }  // namespace graincrack

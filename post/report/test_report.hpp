@@ -46,7 +46,7 @@ struct TestReport {
     ProvenanceEntries provenance;
 };
 
-/// \throws InputError as its parts
+/// Evaluates a run for the report. \throws InputError if it cannot be read or evaluated
 TestReport read_test_report(const RunReader& run);
 
 }  // namespace graincrack

@@ -4,9 +4,10 @@
 
 namespace graincrack {
 
-/// Parts of a block: in the first the platens start, in the last they stop.
+/// Intervals of equal length that a loading block consists of: the platens start in the first and stop in the last.
 inline constexpr int parts_of_block = 5;
-/// Travel of a block over speed and duration of its parts: the platens start within the first and stop within the last.
+/// Travel of the platens in a block over their speed and the duration of the block: they accelerate in the first interval and
+/// decelerate in the last.
 inline constexpr double moving_share_of_block = 1 - 1.0 / parts_of_block;
 
 class BlockControl {

@@ -372,7 +372,7 @@ void read_platens(TomlTable& file, Program& program) {
         return;
     }
     ProgramPlatens platens;
-    platens.bonded = table->flag("bonded").value_or(table->flag("glued").value_or(false));  // glued: as it was called before
+    platens.bonded = table->flag("bonded").value_or(table->flag("glued").value_or(false));  // `glued` is the former name
     platens.max_strain = table->quantity("max_strain", quantity::max_strain).value_or(platens.max_strain);
     table->refuse_others();
     program.platens = platens;

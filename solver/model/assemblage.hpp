@@ -55,7 +55,7 @@ struct TriangleTable {
     }
 };
 
-/// A node that contacts meet at more than twice: grains whose outline touches itself.
+/// A further contact slot of a node at which more than two contact edges meet: its grain has an outline that meets itself there.
 struct FurtherSlot {
     std::int32_t node, slot;
 };

@@ -40,10 +40,10 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
             const double facing = boundary.facing_length[i];
             const double tributary = facing > 1e-9 * s.width ? facing : corner_tributary;
             // A bonded platen holds the face it is bonded to; a platen may be met by anything near.
-            const bool touches = gap > -1e-9 * s.height;
-            const bool candidate = platens[p].bonded ? outer && touches : gap > -reach;
+            const bool at_face = gap > -1e-9 * s.height;
+            const bool candidate = platens[p].bonded ? outer && at_face : gap > -reach;
             if (candidate) {
-                b.platen_points.push_back({i, p, tributary, std::min(gap, 0.0), 0, 0, outer || touches});
+                b.platen_points.push_back({i, p, tributary, std::min(gap, 0.0), 0, 0, outer || at_face});
             }
         }
     }

@@ -123,7 +123,7 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
         energies.fracture_tension += sums.fracture_tension;
         energies.fracture_shear += sums.fracture_shear;
         energies.friction += sums.friction;
-        energies.mismatch += sums.non_conservative_work;
+        energies.non_conservative_work += sums.non_conservative_work;
     }
 }
 

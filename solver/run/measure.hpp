@@ -35,11 +35,11 @@ Gauges make_gauges(const Assemblage& assemblage, const Specimen& specimen);
 /// All terms of the energy balance, J per metre of thickness; each from its own definition.
 struct Energies {
     double external = 0, kinetic = 0, strain = 0, contact = 0, fracture_tension = 0, fracture_shear = 0, friction = 0,
-           damping = 0, platen = 0, mismatch = 0;
+           damping = 0, platen = 0, non_conservative_work = 0;
     /// external − all the others
-    [[nodiscard]] double imbalance() const {
-        return external -
-               (kinetic + strain + contact + fracture_tension + fracture_shear + friction + damping + platen + mismatch);
+    [[nodiscard]] double balance_error() const {
+        return external - (kinetic + strain + contact + fracture_tension + fracture_shear + friction + damping + platen +
+                           non_conservative_work);
     }
     [[nodiscard]] double stored() const { return strain + contact; }
 };

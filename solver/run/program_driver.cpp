@@ -23,8 +23,8 @@ std::vector<T> column_of(const std::vector<StageRecord>& records, T StageRecord:
 /// What a program began with that went on from another run.
 void write_start(H5Output& file, const StageControllerState& start) {
     const std::string group = schema::program_group;
-    file.attribute(group, "start_controls", start.boundary_conditions.names);
-    file.attribute(group, "start_control_values", start.boundary_conditions.values);
+    file.attribute(group, "start_amplitudes", start.boundary_conditions.names);
+    file.attribute(group, "start_amplitude_values", start.boundary_conditions.values);
     file.attribute(group, "start_platen_speed", start.platen_speed);
     file.attribute(group, "start_mean_compression", start.mean_compression);
 }
@@ -36,8 +36,8 @@ std::optional<StageControllerState> read_start(const H5Input& file) {
         return std::nullopt;
     }
     StageControllerState start;
-    start.boundary_conditions = {file.attribute<std::vector<std::string>>(group, "start_controls"),
-                                 file.attribute<std::vector<double>>(group, "start_control_values")};
+    start.boundary_conditions = {file.attribute<std::vector<std::string>>(group, "start_amplitudes"),
+                                 file.attribute<std::vector<double>>(group, "start_amplitude_values")};
     start.platen_speed = speed;
     start.mean_compression = file.attribute<double>(group, "start_mean_compression");
     return start;
@@ -82,7 +82,7 @@ std::string ProgramDriver::stop_reason(double axial_strain) const {
     if (stages_.finished()) {
         return is_standard() && stages_.records().back().ended_by == "peak_drop" ? "peak drop" : "end of the program";
     }
-    return program_.platens && std::abs(axial_strain) >= program_.platens->max_strain ? "strain cap" : "";
+    return program_.platens && std::abs(axial_strain) >= program_.platens->max_strain ? "strain limit" : "";
 }
 
 void ProgramDriver::complete(RunHeader& header, double time) {

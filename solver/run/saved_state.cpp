@@ -77,31 +77,31 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("contact_slots", s.contact_force);
     visit("opening", s.opening);
     visit("sliding", s.sliding);
-    visit("cohesion_left", s.integrity);
+    visit("integrity", s.integrity);
     visit("slip", s.slip);
     visit("failed", s.failed);
-    visit("spent", s.residual);
+    visit("residual", s.residual);
     visit("fracture_energy", s.fracture_energy);
     visit("platen_points", s.platen_points);
     visit("grain_sums", s.grain_sums);
     visit("contact_sums", s.contact_sums);
-    visit("touch_loose", s.contact_pairs.debonded);
-    visit("touch_released", s.contact_pairs.released);
-    visit("touch_pairs", s.contact_pairs.pairs);
-    visit("touches", s.contact_pairs.contacts);
-    visit("touch_forces", s.contact_pairs.forces);
-    visit("touch_groups", s.contact_pairs.groups);
-    visit("touch_awake", s.contact_pairs.watched);
-    visit("touch_awake_groups", s.contact_pairs.watched_groups);
-    visit("touch_blocks", s.contact_pairs.chunks);
-    visit("touch_friction", s.contact_pairs.friction);
-    visit("touch_displacement_at_search", s.contact_pairs.displacement_at_search);
-    visit("touch_area_taken", s.contact_pairs.occupied_area);
-    visit("group_tied", s.clusters.linked);
-    visit("group_supported", s.clusters.supported);
-    visit("group_component", s.clusters.component);
-    visit("group_inverse_mass", s.clusters.inverse_mass);
-    visit("group_energies", s.clusters.sums);
+    visit("debonded", s.contact_pairs.debonded);
+    visit("released", s.contact_pairs.released);
+    visit("candidate_pairs", s.contact_pairs.pairs);
+    visit("node_edge_contacts", s.contact_pairs.contacts);
+    visit("pair_forces", s.contact_pairs.forces);
+    visit("pair_groups", s.contact_pairs.groups);
+    visit("watched_pairs", s.contact_pairs.watched);
+    visit("watched_groups", s.contact_pairs.watched_groups);
+    visit("watched_chunks", s.contact_pairs.chunks);
+    visit("pair_friction", s.contact_pairs.friction);
+    visit("displacement_at_search", s.contact_pairs.displacement_at_search);
+    visit("occupied_area", s.contact_pairs.occupied_area);
+    visit("cluster_linked", s.clusters.linked);
+    visit("cluster_supported", s.clusters.supported);
+    visit("cluster_component", s.clusters.component);
+    visit("cluster_inverse_mass", s.clusters.inverse_mass);
+    visit("cluster_energies", s.clusters.sums);
 }
 
 /// And every single number.
@@ -112,12 +112,12 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("integrations", s.integrations);
     visit("origin_step", s.origin_step);
     visit("origin_time", s.origin_time);
-    visit("touch_friction_before", s.contact_pairs.friction_before);
-    visit("touch_next_check", s.contact_pairs.next_check);
-    visit("touch_wants_search", s.contact_pairs.wants_rebuild);
-    visit("touch_way_unsearched", s.contact_pairs.travel_since_rebuild);
-    visit("touch_review_interval", s.contact_pairs.detection_interval);
-    visit("in_parts", s.subcycled);
+    visit("pair_friction_before", s.contact_pairs.friction_before);
+    visit("next_list_update", s.contact_pairs.next_check);
+    visit("wants_rebuild", s.contact_pairs.wants_rebuild);
+    visit("travel_since_rebuild", s.contact_pairs.travel_since_rebuild);
+    visit("detection_interval", s.contact_pairs.detection_interval);
+    visit("subcycled", s.subcycled);
     visit("platen_displacement_bottom", s.loading.platen_displacement[bottom_platen]);
     visit("platen_displacement_top", s.loading.platen_displacement[top_platen]);
     visit("platen_increment_bottom", s.loading.increment_before[bottom_platen]);
@@ -147,10 +147,32 @@ void write_array(H5Output& file, const std::string& name, const std::vector<Item
                        "of the solver's state, in its own order, SI");
 }
 
+/// Rows of `grain_sums` of the first files of schema 1, in which the work of the membrane has the third column for itself: it is
+/// added to the work of loads, the fourth, to which it belongs since.
+std::vector<double> add_membrane_to_loads(const std::vector<double>& rows) {
+    constexpr std::size_t width = 6, membrane = 2, loads = 3;
+    std::vector<double> merged;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i % width != membrane) {
+            merged.push_back(i % width == loads ? rows[i - 1] + rows[i] : rows[i]);
+        }
+    }
+    return merged;
+}
+
 template <class Item>
 void read_array(const H5Input& file, const std::string& name, std::vector<Item>& items) {
-    const std::vector<double> numbers = file.read<double>(path_of(name));
-    items.resize(numbers.size() / width_of<Item>());
+    std::vector<double> numbers = file.read<double>(path_of(name));
+    std::size_t width = file.extents(path_of(name)).at(1);
+    if (std::is_same_v<Item, GrainSums> && file.version() < 2 && width == width_of<Item>() + 1) {
+        numbers = add_membrane_to_loads(numbers);
+        --width;
+    }
+    if (width != width_of<Item>()) {
+        throw InputError(fmt::format("{}: {} has {} numbers a row, not {}: it is of another version of graincrack-solve",
+                                     file.name(), path_of(name), width, width_of<Item>()));
+    }
+    items.resize(numbers.size() / width);
     std::size_t at = 0;
     for (Item& item : items) {
         visit_members(item, [&](auto& member) { member = static_cast<std::decay_t<decltype(member)>>(numbers[at++]); });
@@ -169,6 +191,12 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
     if (!run.file().has(schema::state_group)) {
         refuse("keeps no state to start from; make it with --save-state or --checkpoint-every");
+    }
+    if (old.stop_reason == "checkpoint" && run.file().version() < schema_version) {
+        refuse(
+            fmt::format("is a checkpoint of schema {}, which this build (schema {}) cannot continue; use the build that wrote "
+                        "it, or run the test again",
+                        run.file().version(), schema_version));
     }
     if (!same_mesh(run.specimen(), specimen)) {
         refuse("is a run of another specimen; give the one it was made from, or itself");
@@ -226,10 +254,11 @@ void book_change(const RunHeader& old, const Setup& setup, State& s) {
 
 StageControllerState read_loading(const H5Input& file) {
     const std::string group = schema::state_group;
-    const auto texts = [&](const char* name) { return file.attribute<std::vector<std::string>>(group, name); };
-    const auto numbers = [&](const char* name) { return file.attribute<std::vector<double>>(group, name); };
+    // The first files of schema 1 have no stages; only a checkpoint needs them.
+    const auto texts = [&](const char* name) { return file.attribute_or<std::vector<std::string>>(group, name, {}); };
+    const auto numbers = [&](const char* name) { return file.attribute_or<std::vector<double>>(group, name, {}); };
     StageControllerState loading;
-    loading.boundary_conditions = {texts("controls"), numbers("control_values")};
+    loading.boundary_conditions = {texts("amplitudes"), numbers("amplitude_values")};
     loading.platen_speed = file.attribute<double>(group, "platen_speed");
     loading.mean_compression = file.attribute<double>(group, "mean_compression");
     loading.progress = {texts("stages"), numbers("stage_values")};
@@ -239,7 +268,7 @@ StageControllerState read_loading(const H5Input& file) {
 
 }  // namespace
 
-void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_imbalance) {
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error) {
     const std::string group = schema::state_group;
     file.create_group(group);
     visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
@@ -249,14 +278,14 @@ void write_saved_state(H5Output& file, const State& state, const StageController
         histories.push_back(state.points[point]);
     }
     write_array(file, "history", histories);
-    file.attribute(group, "controls", loading.boundary_conditions.names);
-    file.attribute(group, "control_values", loading.boundary_conditions.values);
+    file.attribute(group, "amplitudes", loading.boundary_conditions.names);
+    file.attribute(group, "amplitude_values", loading.boundary_conditions.values);
     file.attribute(group, "platen_speed", loading.platen_speed);
     file.attribute(group, "mean_compression", loading.mean_compression);
     file.attribute(group, "stages", loading.progress.names);
     file.attribute(group, "stage_values", loading.progress.values);
     file.attribute(group, "stages_ended_by", loading.stages_end_by);
-    file.attribute(group, "energy_imbalance", energy_imbalance);
+    file.attribute(group, "energy_balance_error", energy_balance_error);
 }
 
 SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,
@@ -293,7 +322,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     saved.loading = read_loading(file);
     saved.cracks = run.cracks();
     saved.energy_scale = old.energy_scale;
-    saved.energy_imbalance = file.attribute<double>(group, "energy_imbalance");
+    saved.energy_balance_error = file.attribute<double>(group, "energy_balance_error");
     return saved;
 }
 

@@ -15,15 +15,15 @@ namespace graincrack {
 class H5Output;
 
 /// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
-void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_imbalance);
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error);
 
 /// What a run starts with that goes on from another.
 struct SavedState {
     State state;
     StageControllerState loading;
     std::vector<Crack> cracks;
-    double energy_scale = 0;      ///< largest stored energy so far, J
-    double energy_imbalance = 0;  ///< largest so far, J
+    double energy_scale = 0;          ///< largest stored energy so far, J
+    double energy_balance_error = 0;  ///< largest so far, J
 };
 
 /// Reads the end of the run `path`. Its specimen, rock, plane and mass scaling must be those of `setup`; contact values and time

@@ -137,7 +137,7 @@ public:
         append_rows();
         driver_.write(writer_->file());
         if (request_.save_state) {
-            write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_imbalance_);
+            write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_balance_error_);
         }
         writer_->finish(header_, crack_log_.rows(state_), provenance, sensitivity);
         if (checkpoint_clock_) {
@@ -156,7 +156,7 @@ private:
         driver_.append(writer.file(), 0);
         driver_.write(writer.file());
         writer.add_frame(make_frame(assemblage_, parameters_.law, state_), true);
-        write_saved_state(writer.file(), state_, driver_.saved(state_.time), largest_imbalance_);
+        write_saved_state(writer.file(), state_, driver_.saved(state_.time), largest_balance_error_);
         RunHeader header = header_;
         header.stop_reason = "checkpoint";
         header.steps = state_.step;
@@ -182,7 +182,7 @@ private:
         state_ = saved.state;
         crack_log_.restore(saved.cracks);
         header_.energy_scale = saved.energy_scale;
-        largest_imbalance_ = saved.energy_imbalance;
+        largest_balance_error_ = saved.energy_balance_error;
     }
 
     void push(HistoryColumn column, double value) { history_[column].push_back(value); }
@@ -244,11 +244,11 @@ private:
         // What is dynamic may be all motion, and store next to nothing.
         const double scale = energies.stored() + (is_dynamic_ ? energies.kinetic : 0);
         header_.energy_scale = std::max(header_.energy_scale, scale);
-        const double residual = header_.energy_scale > 0 ? energies.imbalance() / header_.energy_scale : 0;
+        const double residual = header_.energy_scale > 0 ? energies.balance_error() / header_.energy_scale : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
             throw_unstable(residual);
         }
-        largest_imbalance_ = std::max(largest_imbalance_, std::abs(energies.imbalance()));
+        largest_balance_error_ = std::max(largest_balance_error_, std::abs(energies.balance_error()));
     }
 
     [[noreturn]] void throw_unstable(double residual) const {
@@ -281,8 +281,8 @@ private:
         push(energy_friction, e.friction);
         push(energy_damping, e.damping);
         push(energy_platen, e.platen);
-        push(law_mismatch, e.mismatch);
-        push(ledger_residual, header_.energy_scale > 0 ? e.imbalance() / header_.energy_scale : 0);
+        push(non_conservative_work, e.non_conservative_work);
+        push(energy_balance_error, header_.energy_scale > 0 ? e.balance_error() / header_.energy_scale : 0);
         push(unbalanced_ratio, m.unbalanced_ratio);
         push(tensile_cracks, 0.5 * static_cast<double>(crack_log_.tensile_points()));
         push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));
@@ -332,9 +332,9 @@ private:
         header_.peak_axial_stress = sign * history_[HistoryColumn::axial_stress][peak];
         header_.platen_force_difference = platen_force_difference(peak, sign);
         header_.damping_load = damping_load_at(peak);
-        header_.ledger_residual = header_.energy_scale > 0 ? largest_imbalance_ / header_.energy_scale : 0;
-        if (header_.ledger_residual > unstable_residual) {
-            throw_unstable(header_.ledger_residual);
+        header_.energy_balance_error = header_.energy_scale > 0 ? largest_balance_error_ / header_.energy_scale : 0;
+        if (header_.energy_balance_error > unstable_residual) {
+            throw_unstable(header_.energy_balance_error);
         }
         const double external = history_[HistoryColumn::energy_external].back();
         header_.damping_share = external > 0 ? history_[HistoryColumn::energy_damping].back() / external : 0;
@@ -373,9 +373,9 @@ private:
     ThreadTeam team_;
     RateMeasures rate_;  ///< of the last row
     std::size_t rows_written_ = 0;
-    double largest_imbalance_ = 0;  ///< of the energy balance, J
-    double last_axial_stress_ = 0;  ///< tension positive, Pa
-    double peak_ = 0;               ///< of it since contacts have failed, absolute, Pa
+    double largest_balance_error_ = 0;  ///< of the energy balance, J
+    double last_axial_stress_ = 0;      ///< tension positive, Pa
+    double peak_ = 0;                   ///< of it since contacts have failed, absolute, Pa
     std::optional<RunWriter> writer_;
     std::optional<FrameOutput> frames_;
     std::string checkpoint_;  ///< its file

@@ -3,6 +3,7 @@
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
+#include "tests/support/small_run.hpp"
 
 #include <utility>
 
@@ -73,8 +74,8 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
 }
 
 void LoadedSpecimen::advance_by(std::int64_t steps, ThreadTeam& team) {
-    const IntervalLoading batch{{speed, -speed}, {speed, -speed}, 0, 0};
-    advance(assemblage, boundary, parameters, batch, steps, team, state);
+    const IntervalLoading loading{{speed, -speed}, {speed, -speed}, nullptr};
+    advance(assemblage, boundary, parameters, loading, steps, team, state);
 }
 
 std::vector<Stage> stages_of(const LoadedSpecimen& l) {
@@ -93,7 +94,8 @@ std::vector<Stage> stages_of(const LoadedSpecimen& l) {
                               {"elements and sum at nodes", of_element * elements_of_grain + 2 * nodes_of_grain,
                                bytes_of_element * elements_of_grain + (8 + 32 + 16 + 16 + 1) * nodes_of_grain, forces}};
     if (l.parameters.mass_scaling.is_on()) {
-        // Two means and two drags of two components, 2 · 26; force, velocity, displacement, masses and places.
+        // Two means and two damping forces of two components each, 2 · 26 operations; force, velocity, displacement, masses and
+        // places.
         stages.push_back({"integration of clusters", 52 * nodes_of_grain, (16 + 32 + 32 + 32 + 8) * nodes_of_grain, clusters});
     } else {
         stages.push_back({"integration", 22 * nodes_of_grain, (16 + 32 + 32 + 8) * nodes_of_grain, nodes});

@@ -58,8 +58,8 @@ void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool
     LoadedSpecimen loaded = loose_grains(target);
     loaded.parameters.time_step = 0;
     for (auto _ : timer) {
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(loaded.state.contact_pairs.blocks.size()); ++block) {
-            (is_detection ? detect_contacts : move_active_contacts)(loaded.assemblage, loaded.parameters, block, loaded.state);
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(loaded.state.contact_pairs.chunks.size()); ++chunk) {
+            (is_detection ? detect_contacts : move_active_contacts)(loaded.assemblage, loaded.parameters, chunk, loaded.state);
         }
     }
     count(timer, loaded, 1);

@@ -215,7 +215,7 @@ TEST(ContactLawPaths, MirrorSymmetryInSliding) {
 
 // Where a law has a potential, nothing may be left over: closed paths, and opening without sliding; in laws that say they have
 // one everywhere, any path.
-TEST(ContactLawPaths, NoMismatchWhereThereIsAPotential) {
+TEST(ContactLawPaths, NoNonConservativeWorkWhereThereIsAPotential) {
     const ContactParameters c = augig_contact();
     for (const ContactLaw& law : all_laws(c)) {
         SCOPED_TRACE(name_of_law(law));

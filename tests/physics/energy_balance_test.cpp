@@ -32,7 +32,7 @@ constexpr std::array<Term, 10> terms{{{"external", &Energies::external},
                                       {"friction", &Energies::friction},
                                       {"damping", &Energies::damping},
                                       {"platen", &Energies::platen},
-                                      {"non-conservative work", &Energies::mismatch}}};
+                                      {"non-conservative work", &Energies::non_conservative_work}}};
 
 struct LoadedSpecimen {
     std::vector<Energies> rows;
@@ -44,7 +44,7 @@ struct LoadedSpecimen {
     [[nodiscard]] double residual() const {
         double worst = 0;
         for (const Energies& e : rows) {
-            worst = std::max(worst, std::abs(e.imbalance()));
+            worst = std::max(worst, std::abs(e.balance_error()));
         }
         return worst / scale;
     }

@@ -192,7 +192,7 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
             // jump of stiffness, 0.11 % while masses are scaled, and 0.5 % when grains then knock together at 20 m/s.
             const double of_consistent = run.state.subcycled ? 1e-2 : 2e-3;
             const double tolerance = law.variant == LawVariant::consistent ? of_consistent : 0.05;
-            expect_close(e.imbalance(), start.imbalance(), tolerance, start.kinetic);
+            expect_close(e.balance_error(), start.balance_error(), tolerance, start.kinetic);
         }
         EXPECT_GT(run.failed_points(), 10U);
         EXPECT_GT(last_regrouping_loss, 1e-6 * start.kinetic);
@@ -279,7 +279,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
             closest = std::min({closest, run.state.opening[0], run.state.opening[1]});
             EXPECT_LT(e.kinetic + e.stored(), 1.01 * kinetic) << fall.speed;
             // What it began with is nobody's work. Measured: 0.09 %, in the hit 0.9 %.
-            expect_close(e.imbalance(), -kinetic, 0.02, kinetic);
+            expect_close(e.balance_error(), -kinetic, 0.02, kinetic);
         }
         EXPECT_LT(closest, hits ? 0 : 1e-2 * reach);
     }
@@ -287,11 +287,11 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
 
 // --- a test ----------------------------------------------------------------------------------------------------------------
 
-/// A specimen between platens that approach at 0.1 m/s, from batch to batch.
+/// A specimen between platens whose speed grows from interval to interval, up to 0.1 m/s.
 struct Compression {
     SmallRun run;
     Boundary boundary;
-    IntervalLoading batch;
+    IntervalLoading loading;
     Measurement now;
     Compression(const ContactLaw& law, double factor) : run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), law) {
         boundary = platens_of(run);
@@ -304,10 +304,10 @@ struct Compression {
     [[nodiscard]] double strain() const { return 2 * run.state.loading.platen_displacement[bottom_platen] / run.specimen.height; }
     /// A microsecond to a platen speed, with a start that takes 50 of them.
     void advance_to(double speed) {
-        batch.velocity_begin = batch.velocity_end;
-        const double next = std::min(speed, batch.velocity_end[bottom_platen] + 2e-3);
-        batch.velocity_end = {next, -next};
-        run.steps(std::max<std::int64_t>(1, static_cast<std::int64_t>(1e-6 / run.parameters.time_step)), batch);
+        loading.velocity_begin = loading.velocity_end;
+        const double next = std::min(speed, loading.velocity_end[bottom_platen] + 2e-3);
+        loading.velocity_end = {next, -next};
+        run.steps(std::max<std::int64_t>(1, static_cast<std::int64_t>(1e-6 / run.parameters.time_step)), loading);
         now = run.measured();
     }
 };
@@ -327,14 +327,14 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     const int samples = 1000;
     double impulse = 0;
     double worst = 0;
-    IntervalLoading batch;
+    IntervalLoading loading;
     for (int i = 0; i < samples; ++i) {
-        batch.velocity_begin = batch.velocity_end;
-        batch.velocity_end[bottom_platen] = batch.velocity_end[top_platen] = (i + 1) * sample * acceleration;
-        run.steps(20, batch);
+        loading.velocity_begin = loading.velocity_end;
+        loading.velocity_end[bottom_platen] = loading.velocity_end[top_platen] = (i + 1) * sample * acceleration;
+        run.steps(20, loading);
         const Measurement now = run.measured();
         impulse += sample * (now.force_top + now.force_bottom);
-        worst = std::max(worst, std::abs(now.energies.imbalance()) / now.energies.external);
+        worst = std::max(worst, std::abs(now.energies.balance_error()) / now.energies.external);
     }
     EXPECT_EQ(run.failed_points(), 0U);
     // It rings undamped, some 40 periods of it: their share of the mean is a few thousandths.
@@ -380,7 +380,7 @@ TEST(MassScaling, EnergyBalanceClosesThroughFailure) {
         while (test.strain() < 0.012 && (test.run.failed_points() == 0 || -test.now.force_top > 0.6 * peak)) {
             test.advance_to(0.1);
             scale = std::max(scale, test.now.energies.stored());
-            worst = std::max(worst, std::abs(test.now.energies.imbalance()));
+            worst = std::max(worst, std::abs(test.now.energies.balance_error()));
             peak = std::max(peak, -test.now.force_top);
         }
         EXPECT_GT(test.run.failed_points(), 20U);

@@ -69,7 +69,7 @@ TEST(NodeEdgeContact, ACornerHitsAFace) {
         run.steps(5);
         const Energies e = run.measured().energies;
         pressed = std::max(pressed, e.contact);
-        worst = std::max(worst, std::abs(e.imbalance() + energy_before));
+        worst = std::max(worst, std::abs(e.balance_error() + energy_before));
     }
     const Balance after = balance_of(run);
     const Energies last = run.measured().energies;
@@ -260,7 +260,7 @@ TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
     run.steps(2000);
     const Energies last = run.measured().energies;
     EXPECT_GT(last.friction, 0.0);
-    EXPECT_LT(std::abs(last.imbalance() + energy), 5e-3 * energy);
+    EXPECT_LT(std::abs(last.balance_error() + energy), 5e-3 * energy);
 }
 
 TEST(NodeEdgeContact, BondedNeighboursAreNotSearched) {
@@ -306,7 +306,7 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
         run.steps(steps, platens.next(run.state.time, static_cast<double>(steps) * run.parameters.time_step), threads);
         const Energies e = run.measured().energies;
         scale = std::max(scale, e.stored());
-        worst = std::max(worst, std::abs(e.imbalance()));
+        worst = std::max(worst, std::abs(e.balance_error()));
         c.deepest = std::max(c.deepest, test::deepest_overlap(run.assemblage, run.state.displacement));
         c.contacts = std::max(c.contacts, pressing_contacts(run));
     }

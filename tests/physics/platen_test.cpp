@@ -62,7 +62,7 @@ TEST(Platen, ABlockBounces) {
     expect_close(run.mean(run.state.velocity).x, 0, 1e-3, speed);
     expect_close(largest, speed * std::sqrt(k * run.mass()), 2e-3, largest);  // and with the force of that spring
     const Energies e = run.measured().energies;
-    expect_close(e.imbalance() + 0.5 * run.mass() * speed * speed, 0, 1e-6, e.kinetic);
+    expect_close(e.balance_error() + 0.5 * run.mass() * speed * speed, 0, 1e-6, e.kinetic);
 }
 
 // A block between platens, pushed sideways by a pressure on its left side until it slips.
@@ -123,7 +123,7 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
             // Booked: traction times slip, within what slips first and last at the corners.
             expect_close(m.energies.platen - at_rest.energies.platen, limit * slip, 0.02, limit * slip);
         }
-        expect_close(m.energies.imbalance(), 0, 5e-3, m.energies.stored() + m.energies.platen);
+        expect_close(m.energies.balance_error(), 0, 5e-3, m.energies.stored() + m.energies.platen);
     }
 }
 
@@ -154,7 +154,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     verify("dynamics: mean stress under a membrane (MPa)", xx / area * 1e-6, -pressure * 1e-6, 5e-3, "its pressure");
     expect_close(yy / area, 0, 5e-3, pressure);
     EXPECT_GT(m.energies.external, 0);
-    expect_close(m.energies.imbalance(), 0, 1e-3, m.energies.stored());
+    expect_close(m.energies.balance_error(), 0, 1e-3, m.energies.stored());
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST(Sensitivity, ARowTellsThePeakAndWhatFollows) {
     EXPECT_EQ(row.post_peak_slope, -4);  // (1 − 3)/(1 − 0.5)
     EXPECT_EQ(row.tensile_cracks, 4);
     EXPECT_EQ(row.shear_cracks, 2);
-    header.stop_reason = "strain cap";
+    header.stop_reason = "strain limit";
     EXPECT_TRUE(std::isnan(sensitivity_row("as it is", header, history).post_peak_slope));
 }
 

@@ -58,7 +58,7 @@ public:
         double worst = 0;
         double scale = 0;
         for (const Energies& e : energies) {
-            worst = std::max(worst, std::abs(e.imbalance()));
+            worst = std::max(worst, std::abs(e.balance_error()));
             scale = std::max({scale, e.stored(), e.kinetic});
         }
         return worst / scale;

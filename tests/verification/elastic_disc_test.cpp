@@ -40,11 +40,11 @@ SmallRun compressed_disc() {
     const double transit = diameter / 3120.23;
     const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
     const double speed = approach / (10 * transit);
-    IntervalLoading batch;
-    batch.velocity_end = {speed, -speed};
-    run.steps(steps, batch);
-    std::swap(batch.velocity_begin, batch.velocity_end);
-    run.steps(steps, batch);
+    IntervalLoading loading;
+    loading.velocity_end = {speed, -speed};
+    run.steps(steps, loading);
+    std::swap(loading.velocity_begin, loading.velocity_end);
+    run.steps(steps, loading);
     run.steps(2 * steps);
     return run;
 }

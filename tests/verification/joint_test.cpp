@@ -14,7 +14,7 @@ void expect_jaeger(double angle, double pressure) {
     EXPECT_EQ(specimen.n_grains(), 1024U);
     const TestOutcome outcome = run_test(specimen, joint.request(), "joint", Verbosity::quiet);
     const std::string name = fmt::format("1,024 grains, {} deg, {} MPa", angle, pressure);
-    EXPECT_EQ(outcome.header.stop_reason, "strain cap");
+    EXPECT_EQ(outcome.header.stop_reason, "strain limit");
     test::verify("specimens: strength of a joint, " + name + " (MPa)", outcome.header.peak_axial_stress / test::MPa,
                  joint.strength() / test::MPa, 0.02, "Jaeger, to 2 %");
 }

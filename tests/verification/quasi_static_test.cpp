@@ -71,14 +71,14 @@ void expect_quasi_static(TestKind test, LawVariant law, double rate) {
     double peak = 0;
     for (const double share : {1.0, 0.5}) {
         const Outcome o = run(test, law, share * rate);
-        EXPECT_EQ(o.header.stop_reason, test == TestKind::triaxial ? "strain cap" : "peak drop");
+        EXPECT_EQ(o.header.stop_reason, test == TestKind::triaxial ? "strain limit" : "peak drop");
         EXPECT_GT(o.cracks, 5U);  // the specimen failed
         EXPECT_GT(o.header.peak_axial_stress, 10 * MPa);
         verify("specimens: quasi-static, difference of the platen forces before the peak, " + name,
                o.header.platen_force_difference, 0, 0.02, "equilibrium", 1);
         verify("specimens: quasi-static, kinetic over strain energy before the peak, " + name, o.kinetic_over_strain, 0, 1e-3,
                "equilibrium", 1);
-        verify("specimens: energy balance to the end, " + name, o.header.ledger_residual, 0, 5e-3,
+        verify("specimens: energy balance to the end, " + name, o.header.energy_balance_error, 0, 5e-3,
                "each term by its own definition", 1);
         if (test == TestKind::triaxial) {
             verify("specimens: achieved confinement (MPa)", o.header.confinement_mean / MPa, confining_pressure / MPa, 0.01,

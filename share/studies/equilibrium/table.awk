@@ -7,7 +7,7 @@ FNR == 1 { head(); next }
     name = test "-" seed_of(value("file")) "-" variant(value("file"))
     peak[name] = value("peak_compressive_stress_MPa") value("tensile_strength_MPa")
     carried[test] = max(carried[test], value("damping_load"))
-    balance_error[test] = max(balance_error[test], value("ledger_residual"))
+    balance_error[test] = max(balance_error[test], value("energy_balance_error"))
     if (name !~ /-slow$/) forces[test] = max(forces[test], value("platen_force_difference"))
     achieved = value("achieved_confining_pressure_MPa")
     if (achieved != "") pressure[test] = max(pressure[test], abs(achieved / value("confining_pressure_MPa") - 1))

@@ -7,7 +7,7 @@ FNR == 1 { head(); next }
     if (!(test in runs)) order[++n] = test
     ++runs[test]
     load[test] = max(load[test], 100 * value("damping_load"))
-    balance[test] = max(balance[test], 100 * value("ledger_residual"))
+    balance[test] = max(balance[test], 100 * value("energy_balance_error"))
     forces[test] = max(forces[test], 100 * value("platen_force_difference"))
     if (value("damping_load") > 0.02) above[test] = above[test] (above[test] == "" ? "" : ", ") stem(value("file"))
 }

@@ -14,7 +14,7 @@ has("share_with_more_sliding") {
     run = variant(value("file"))
     test = test_of(value("file"))
     add(test, run, value("peak_compressive_stress_MPa") value("tensile_strength_MPa"))
-    balance_error[test, run] = balance_error[test, run] + 0 > value("ledger_residual") ? balance_error[test, run] : value("ledger_residual")
+    balance_error[test, run] = balance_error[test, run] + 0 > value("energy_balance_error") ? balance_error[test, run] : value("energy_balance_error")
 }
 END {
     n_variants = split(variants, name_of, " ")

@@ -32,7 +32,7 @@ END {
     for (i = 1; i <= n_pressures; ++i) of_sample("s1_at_" pressures[i] "_MPa", a == "" ? "" : a + b * pressures[i], "")
     of_fit("cohesion", "MPa", cohesion, theirs[5])
     of_fit("friction_angle", "deg", friction_angle, theirs[6])
-    row("slope_b", b, theirs[6] == "" ? "" : slope(theirs[6]), slope(fit["friction_angle_deg"]), slope(fit["friction_angle_low_deg"]), slope(fit["friction_angle_high_deg"]), "", fit["runs"], fit["capped_runs"], "")
+    row("slope_b", b, theirs[6] == "" ? "" : slope(theirs[6]), slope(fit["friction_angle_deg"]), slope(fit["friction_angle_low_deg"]), slope(fit["friction_angle_high_deg"]), "", fit["runs"], fit["runs_at_strain_limit"], "")
     yield_fit("cohesion", "MPa")
     yield_fit("friction_angle", "deg")
 }
@@ -45,7 +45,7 @@ function of_sample(name, laboratory, published,    m, h, needed) {
     row(name, laboratory, published, m, h == "" ? "" : m - h, h == "" ? "" : m + h, deviation(name), count(name), n_without_peak[name] + 0, needed)
 }
 function of_fit(name, unit, laboratory, published) {
-    row(name "_" unit, laboratory, published, fit[name "_" unit], fit[name "_low_" unit], fit[name "_high_" unit], fit["seed_" name "_deviation_" unit], fit["runs"], fit["capped_runs"], "")
+    row(name "_" unit, laboratory, published, fit[name "_" unit], fit[name "_low_" unit], fit[name "_high_" unit], fit["seed_" name "_deviation_" unit], fit["runs"], fit["runs_at_strain_limit"], "")
 }
 function yield_fit(name, unit) {
     if (fit[name "_at_first_yield_" unit] != "")

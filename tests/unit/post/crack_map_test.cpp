@@ -133,12 +133,12 @@ TEST_F(CrackMap, WarpedCracksLieOnWarpedFacets) {
     }
 }
 
-TEST_F(CrackMap, CatalogueAndRosetteAreTables) {
-    const std::string catalogue = test::read_text(map("cracks.tsv"));
+TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
+    const std::string crack_log = test::read_text(map("cracks.tsv"));
     const std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
-    EXPECT_EQ(test::parse_tsv(catalogue).size(), cracks.size() + 1);
-    EXPECT_EQ(test::field(catalogue, "mode", 0), cracks[0].mode == CrackMode::tensile ? "tensile" : "shear");
-    EXPECT_EQ(test::field(catalogue, "time_separated_s", 1), "");  // not separated
+    EXPECT_EQ(test::parse_tsv(crack_log).size(), cracks.size() + 1);
+    EXPECT_EQ(test::field(crack_log, "mode", 0), cracks[0].mode == CrackMode::tensile ? "tensile" : "shear");
+    EXPECT_EQ(test::field(crack_log, "time_separated_s", 1), "");  // not separated
     EXPECT_EQ(test::parse_tsv(test::read_text(map("rosette.tsv"))).size(), 19U);
     const std::string summary = test::read_text(map("summary.tsv"));
     EXPECT_EQ(test::field(summary, "at", 0), "peak");
@@ -177,7 +177,7 @@ TEST_F(CrackMap, TablesMayBeJsonLines) {
     EXPECT_TRUE(std::filesystem::exists(folder_.file("json/cracks.jsonl")));
 }
 
-TEST_F(CrackMap, CatalogueThatNamesMissingContactsIsRefused) {
+TEST_F(CrackMap, CrackLogThatNamesMissingContactsIsRefused) {
     std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     cracks[3].contact = static_cast<std::int32_t>(recipe_.specimen.n_contacts());
     test::write_run(folder_.file("bad.h5"), recipe_, cracks);

@@ -1,4 +1,4 @@
-// What is read from the catalogue: fragments, counts, events, balance.
+// What is computed from the crack log: fragments, counts, events, balance.
 #include <gtest/gtest.h>
 
 #include <cmath>

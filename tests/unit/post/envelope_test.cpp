@@ -147,15 +147,15 @@ protected:
 };
 
 TEST_F(EnvelopeTable, RunsEndedByTheStrainCapAreRefusedUnlessAccepted) {
-    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain cap"),
-                                        run("8", 8e6, "", 0, 0, "strain cap")};
+    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain limit"),
+                                        run("8", 8e6, "", 0, 0, "strain limit")};
     std::ostringstream out;
     test::expect_one_line<InputError>([&] { write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes_); },
                                       {runs[1], "strain limit (1.5 %)", "--capped accept"});
     EXPECT_EQ(out.str(), "");
     EXPECT_EQ(notes_.str(), "");
     write_envelope_table(out, runs, TableFormat::tsv, StrainLimitRuns::accept, notes_);
-    EXPECT_EQ(field(out.str(), "capped_runs"), "2");
+    EXPECT_EQ(field(out.str(), "runs_at_strain_limit"), "2");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
     EXPECT_NE(notes_.str().find("2 of 3 runs were stopped at the strain limit"), std::string::npos) << notes_.str();
     const std::string notes = notes_.str();
@@ -173,7 +173,7 @@ TEST_F(EnvelopeTable, RowOfThreeRuns) {
     std::ostringstream out;
     write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv, StrainLimitRuns::refuse, notes_);
     EXPECT_EQ(field(out.str(), "runs"), "3");
-    EXPECT_EQ(field(out.str(), "capped_runs"), "0");
+    EXPECT_EQ(field(out.str(), "runs_at_strain_limit"), "0");
     EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
     EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_deg")), 53, 1e-4);
     EXPECT_NE(field(out.str(), "hoek_brown_mi"), "");

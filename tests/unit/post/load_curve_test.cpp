@@ -79,7 +79,7 @@ TEST(LoadCurve, PeakKindTellsDropFromCap) {
         return peak_kind(run, load_curve(run));
     };
     EXPECT_EQ(kind(), "drop");
-    recipe.stop_reason = "strain cap";  // went on to the cap, yet fell by half: there was a peak
+    recipe.stop_reason = "strain limit";  // reached the strain limit, but the stress had fallen by half: there was a peak
     EXPECT_EQ(kind(), "drop");
     recipe.drop = 0.1;
     EXPECT_EQ(kind(), "cap");

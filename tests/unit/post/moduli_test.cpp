@@ -46,7 +46,7 @@ TEST(Moduli, WhatSpeaksAgainstThemStandsInTheRow) {
     EXPECT_EQ(field(table_of(recipe), "warning"), "");  // the platens see 2 % more strain
     recipe.platen_compliance = 1.1;
     recipe.drop = 0;
-    recipe.stop_reason = "strain cap";
+    recipe.stop_reason = "strain limit";
     EXPECT_EQ(
         field(table_of(recipe), "warning"),
         "no peak: shares are of the largest stress; by the gauges E is 10 % larger than by the platens: not at rest, or not "
@@ -79,7 +79,7 @@ TEST(Moduli, BrittlenessIsTheFallOverTheChord) {
     EXPECT_NEAR(value(table, "post_peak_slope_over_young_modulus"), 2.5, 1e-6);
     Recipe at_strain_limit;
     at_strain_limit.drop = 0.1;
-    at_strain_limit.stop_reason = "strain cap";
+    at_strain_limit.stop_reason = "strain limit";
     EXPECT_EQ(field(table_of(at_strain_limit), "post_peak_slope_over_young_modulus"), "");
 }
 

@@ -81,7 +81,7 @@ TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
     test::expect_one_line<InputError>([&] { write_size_effect_table(out, one, TableFormat::tsv, StrainLimitRuns::refuse); },
                                       {"one mean edge (2 mm)"});
     std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
-    at_strain_limit[1].header.stop_reason = "strain cap";
+    at_strain_limit[1].header.stop_reason = "strain limit";
     at_strain_limit[1].history = [] {
         test::Recipe recipe;
         recipe.test = "brazilian";

@@ -30,7 +30,7 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
     EXPECT_EQ(table.substr(0, table.find('\n')),
               "file\ttest\tseed\tgrains\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\t"
               "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
-              "ledger_residual\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
+              "energy_balance_error\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
               "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
               "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
               "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load");

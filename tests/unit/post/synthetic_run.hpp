@@ -181,7 +181,7 @@ inline RunHeader synthetic_header(const Recipe& r) {
     header.stop_reason = r.stop_reason;
     header.steps = 200000;
     header.isotropic_end_time = r.confining_pressure > 0 ? 1.0 : 0.0;
-    header.ledger_residual = 0.002;
+    header.energy_balance_error = 0.002;
     header.platen_force_difference = 0.01;
     return header;
 }

@@ -73,7 +73,7 @@ TEST_F(ToughnessTable, OtherRunsAreRefused) {
     EXPECT_NE(refused(pressed).find("toughness needs a tension test"), std::string::npos);
     Recipe at_strain_limit = notched_tension(-0.02, 0.02);
     at_strain_limit.drop = 0;
-    at_strain_limit.stop_reason = "strain cap";
+    at_strain_limit.stop_reason = "strain limit";
     EXPECT_NE(refused(at_strain_limit).find("without a peak"), std::string::npos);
 }
 

@@ -54,7 +54,7 @@ RunHeader header() {
     h.isotropic_end_time = 24.5;
     h.peak_axial_stress = 25.5;
     h.energy_scale = 26.5;
-    h.ledger_residual = 27.5;
+    h.energy_balance_error = 27.5;
     h.platen_force_difference = 28.5;
     h.confinement_mean = 29.5;
     h.confinement_deviation = 30.5;
@@ -164,7 +164,7 @@ TEST(RunFile, HeaderRoundTrip) {
                                       r.isotropic_end_time,
                                       r.peak_axial_stress,
                                       r.energy_scale,
-                                      r.ledger_residual,
+                                      r.energy_balance_error,
                                       r.platen_force_difference,
                                       r.confinement_mean,
                                       r.confinement_deviation,
@@ -231,7 +231,7 @@ TEST(RunFile, ColumnsHaveDifferentNamesAndStandUnderThem) {
     EXPECT_EQ(name(HistoryColumn::time), "time");
     EXPECT_EQ(name(HistoryColumn::gauge_lateral_strain), "gauge_lateral_strain");
     EXPECT_EQ(name(HistoryColumn::energy_platen), "energy_platen");
-    EXPECT_EQ(name(HistoryColumn::ledger_residual), "ledger_residual");
+    EXPECT_EQ(name(HistoryColumn::energy_balance_error), "energy_balance_error");
     EXPECT_EQ(name(HistoryColumn::platen_speed), "platen_speed");
 }
 

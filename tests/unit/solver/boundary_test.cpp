@@ -123,9 +123,9 @@ TEST(Boundary, PointsAreThoseWithinReach) {
 TEST(Boundary, BondedPlatensHoldTheirFacesOnly) {
     const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
     const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    std::array<Platen, 2> caps = platens_of(s);
-    caps[0].bonded = caps[1].bonded = true;
-    for (const PlatenPoint& p : make_boundary(a, s, caps, 0.02).platen_points) {
+    std::array<Platen, 2> platens = platens_of(s);
+    platens[0].bonded = platens[1].bonded = true;
+    for (const PlatenPoint& p : make_boundary(a, s, platens, 0.02).platen_points) {
         expect_close(std::abs(a.position[p.node].y), 0.03, 1e-9, 0.03);
     }
 }

@@ -21,8 +21,8 @@ constexpr double time_constant = mean_transits * transit;
 
 /// A specimen whose nodes all move at v(t) along y and are held back by D(t) each, under platens of unit power; the share after
 /// fifty time constants.
-template <class Velocity, class Drag>
-double share_of(Velocity&& velocity, Drag&& damping_force) {
+template <class Velocity, class DampingForce>
+double share_of(Velocity&& velocity, DampingForce&& damping_force) {
     SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
     State& s = run.state;
     const double interval = 0.05 * transit;
@@ -49,7 +49,7 @@ TEST(DampingLoad, WhatDampingTakesFromWavesDoesNotCount) {
     const auto v = [](double t) { return std::sin(2 * M_PI * t / (0.5 * transit)); };
     const double share = share_of(v, [&](double t) { return std::copysign(1.0, v(t)); });
     expect_close(share, 0, 0.02, 2 / M_PI);  // 2/π is all that it takes
-    // The same on top of steady motion, with a drag that is as often with it as against it.
+    // The same on top of steady motion, with a damping force that acts as often along it as against it.
     EXPECT_LT(std::abs(share_of([&](double t) { return 0.1 + v(t); }, [&](double t) { return std::copysign(1.0, v(t)); })), 0.02);
 }
 

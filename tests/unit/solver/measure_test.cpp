@@ -55,7 +55,7 @@ TEST(Measure, KineticEnergyOfAFlight) {
     EXPECT_EQ(m.energies.strain, 0);
     EXPECT_EQ(m.energies.contact, 0);
     EXPECT_EQ(m.unbalanced_ratio, 0);
-    EXPECT_EQ(m.energies.imbalance(), -m.energies.kinetic);
+    EXPECT_EQ(m.energies.balance_error(), -m.energies.kinetic);
 }
 
 // One contact opened by hand to half its critical opening.
