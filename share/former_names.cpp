@@ -67,6 +67,16 @@ std::string_view stored_name(std::int64_t version, std::string_view group, std::
     return version >= 2 || row == names_of_schema_1.end() ? name : row->before;
 }
 
+std::vector<std::pair<std::string_view, std::string_view>> former_names_of(std::string_view group) {
+    std::vector<std::pair<std::string_view, std::string_view>> names;
+    for (const FormerName& name : names_of_schema_1) {
+        if (name.group == group) {
+            names.emplace_back(name.now, name.before);
+        }
+    }
+    return names;
+}
+
 std::string_view present_text(std::int64_t version, std::string_view group, std::string_view attribute, std::string_view text) {
     const auto row = std::find_if(texts_of_schema_1.begin(), texts_of_schema_1.end(), [&](const FormerText& f) {
         return f.group == group && f.attribute == attribute && f.before == text;

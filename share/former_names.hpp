@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace graincrack {
 
@@ -11,6 +13,9 @@ namespace graincrack {
 /// \param group path of the group or object that it belongs to, "/history"
 /// \param name name of today; returned unchanged unless the file has another one
 std::string_view stored_name(std::int64_t version, std::string_view group, std::string_view name);
+
+/// Names of today and former ones of what a group holds. Those of `/history` stay as links, for scripts that know them.
+std::vector<std::pair<std::string_view, std::string_view>> former_names_of(std::string_view group);
 
 /// The text of today for a text that an attribute of a file of a schema version has.
 /// \param attribute name of today

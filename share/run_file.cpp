@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "share/error.hpp"
+#include "share/former_names.hpp"
 #include "share/h5_file.hpp"
 #include "share/provenance.hpp"
 #include "share/schema.hpp"
@@ -314,6 +315,10 @@ std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
 
 void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance,
                        const std::vector<SensitivityRow>& sensitivity) {
+    for (const auto& [now, before] : former_names_of(schema::history_group)) {
+        state_->file.hard_link(fmt::format("{}/{}", schema::history_group, now),
+                               fmt::format("{}/{}", schema::history_group, before));
+    }
     write_header(state_->file, header);
     write_cracks(state_->file, cracks);
     if (!sensitivity.empty()) {

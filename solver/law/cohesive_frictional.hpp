@@ -72,7 +72,7 @@ struct CohesiveFrictional {
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
     static double damage(const ContactLaw& law, const ContactHistory& h) {
-        return h.failed() ? 1 - cohesion_left(law, h.integrity) : 0;
+        return h.failed() ? 1 - remaining_cohesion(law, h.integrity) : 0;
     }
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() && h.integrity == 0; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
@@ -101,12 +101,12 @@ private:
         return load <= 1 ? exp_of_minus(load) : (1 - lost) / (std::numbers::e * load);
     }
     /// 1 − D of the closed branch at an integrity: β = (1 − D)/(e λ) with D = (λ − 1)/s solved for 1 − D; 1 before the peak.
-    static double cohesion_left(const ContactLaw& law, double integrity) {
+    static double remaining_cohesion(const ContactLaw& law, double integrity) {
         const double scaled = std::numbers::e * integrity;
         return std::min(1.0, scaled * (1 + law.s_range) / (1 + law.s_range * scaled));
     }
     static double tan_friction(const ContactLaw& law, double integrity) {
-        return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * cohesion_left(law, integrity);
+        return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * remaining_cohesion(law, integrity);
     }
     /// The point passes its peak. Where no softening is left while closed, friction takes over the traction it had.
     static void fail(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
