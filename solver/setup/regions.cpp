@@ -140,7 +140,7 @@ Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Pro
     }
     double reach = 0;
     if (program.platens) {
-        // A platen can be met by whatever its own approach and a loose grain's turn can bring to it.
+        // Nodes can reach a platen by its own approach and by the rotation of a separated grain.
         reach = 2 * s.statistics.mean_edge + program.platens->max_strain * s.height;
         for (Platen& platen : platens) {
             platen.normal_stiffness = contact.normal_stiffness;

@@ -287,11 +287,11 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
 
 // --- a test ----------------------------------------------------------------------------------------------------------------
 
-/// A specimen between platens that approach at 0.1 m/s, from batch to batch.
+/// A specimen between platens whose speed grows from interval to interval, up to 0.1 m/s.
 struct Compression {
     SmallRun run;
     Boundary boundary;
-    IntervalLoading batch;
+    IntervalLoading loading;
     Measurement now;
     Compression(const ContactLaw& law, double factor) : run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), law) {
         boundary = platens_of(run);
@@ -304,10 +304,10 @@ struct Compression {
     [[nodiscard]] double strain() const { return 2 * run.state.loading.platen_displacement[bottom_platen] / run.specimen.height; }
     /// A microsecond to a platen speed, with a start that takes 50 of them.
     void advance_to(double speed) {
-        batch.velocity_begin = batch.velocity_end;
-        const double next = std::min(speed, batch.velocity_end[bottom_platen] + 2e-3);
-        batch.velocity_end = {next, -next};
-        run.steps(std::max<std::int64_t>(1, static_cast<std::int64_t>(1e-6 / run.parameters.time_step)), batch);
+        loading.velocity_begin = loading.velocity_end;
+        const double next = std::min(speed, loading.velocity_end[bottom_platen] + 2e-3);
+        loading.velocity_end = {next, -next};
+        run.steps(std::max<std::int64_t>(1, static_cast<std::int64_t>(1e-6 / run.parameters.time_step)), loading);
         now = run.measured();
     }
 };
@@ -327,11 +327,11 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
     const int samples = 1000;
     double impulse = 0;
     double worst = 0;
-    IntervalLoading batch;
+    IntervalLoading loading;
     for (int i = 0; i < samples; ++i) {
-        batch.velocity_begin = batch.velocity_end;
-        batch.velocity_end[bottom_platen] = batch.velocity_end[top_platen] = (i + 1) * sample * acceleration;
-        run.steps(20, batch);
+        loading.velocity_begin = loading.velocity_end;
+        loading.velocity_end[bottom_platen] = loading.velocity_end[top_platen] = (i + 1) * sample * acceleration;
+        run.steps(20, loading);
         const Measurement now = run.measured();
         impulse += sample * (now.force_top + now.force_bottom);
         worst = std::max(worst, std::abs(now.energies.balance_error()) / now.energies.external);

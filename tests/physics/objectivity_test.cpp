@@ -120,9 +120,9 @@ double tensile_strength(int seed, double angle) {
     run.begin();
     const double rate = -25e6 / 40000;  // Pa a step: of 50 transits of a wave to the strength
     LinearPressure pressure;
-    constexpr int batch = 20;
+    constexpr int interval = 20;
     while (run.state.step < 80000) {
-        run.steps_under(pressure, pressure.present() + batch * rate, batch);
+        run.steps_under(pressure, pressure.present() + interval * rate, interval);
         double widest = 0;
         for (const double opening : run.state.opening) {
             widest = std::max(widest, opening);

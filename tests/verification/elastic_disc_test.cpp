@@ -40,11 +40,11 @@ SmallRun compressed_disc() {
     const double transit = diameter / 3120.23;
     const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
     const double speed = approach / (10 * transit);
-    IntervalLoading batch;
-    batch.velocity_end = {speed, -speed};
-    run.steps(steps, batch);
-    std::swap(batch.velocity_begin, batch.velocity_end);
-    run.steps(steps, batch);
+    IntervalLoading platens;
+    platens.velocity_end = {speed, -speed};
+    run.steps(steps, platens);
+    std::swap(platens.velocity_begin, platens.velocity_end);
+    run.steps(steps, platens);
     run.steps(2 * steps);
     return run;
 }

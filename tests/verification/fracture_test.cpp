@@ -120,10 +120,10 @@ struct Cantilever {
     /// Pressure at which the first point separates. It grows to 0.85 of `expected` in a third of the `duration`, and then more
     /// slowly than the arms oscillate.
     double pressure_at_first_separation(double expected, double duration) {
-        constexpr int batch = 50;
+        constexpr int interval = 50;
         while (separated() == 0 && pressure.present() < 1.3 * expected) {
             const double rate = (pressure.present() < 0.85 * expected ? 0.85 * 3 : 0.15 * 1.5) * expected / duration;
-            run.steps_under(pressure, pressure.present() + rate * batch * run.parameters.time_step, batch);
+            run.steps_under(pressure, pressure.present() + rate * interval * run.parameters.time_step, interval);
         }
         return pressure.present();
     }

@@ -78,7 +78,7 @@ TEST(CrackLog, SeparationIsNoCrackOfItsOwn) {
     EXPECT_EQ(crack_log.rows(run.state).size(), 1U);
 }
 
-// Torn apart by hand: what the contact stage reports is what was done to it.
+// The upper of two grains has a velocity upwards: both points of their contact fail in tension.
 TEST(CrackLog, OfARunThatIsPulledApart) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
                                           {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
@@ -86,7 +86,7 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
     run.set_velocity([](const Vector2&) { return Vector2{}; });
     for (std::int32_t i = 4; i < 8; ++i) {
-        run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};  // the upper grain flies off
+        run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     }
     run.begin();
     CrackLog crack_log(2);

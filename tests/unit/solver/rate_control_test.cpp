@@ -24,9 +24,9 @@ class Bar {
 public:
     explicit Bar(double near_failure, double tolerance_of_control = tolerance, double share = 1)
         : control_(tolerance_of_control, scales, share), near_failure_(near_failure) {}
-    /// Speed after some more batches.
-    double speed_after(int batches) {
-        for (int i = 0; i < batches; ++i) {
+    /// Speed after further intervals.
+    double speed_after(int intervals) {
+        for (int i = 0; i < intervals; ++i) {
             const double stored = 0.5 * mass * wave_speed * wave_speed * strain_ * strain_;
             speed_ = control_.next(
                 {strain_, mass * speed_ * speed_ / 6, stored, unbalanced_ratio, difference, damping_load, near_failure_},
@@ -139,7 +139,7 @@ TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
         for (int part = 0; part < parts_of_block - 1; ++part) {
             EXPECT_EQ(control.next(part == 0 ? 1e-5 : 0.5, 1.0), 2.0);
         }
-        for (int batch = 0; batch < 5; ++batch) {
+        for (int interval = 0; interval < 5; ++interval) {
             EXPECT_EQ(control.next(0.5, 1.0), 0.0);
         }
     }
