@@ -40,11 +40,11 @@ SmallRun compressed_disc() {
     const double transit = diameter / 3120.23;
     const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
     const double speed = approach / (10 * transit);
-    IntervalLoading approach_of_platens;
-    approach_of_platens.velocity_end = {speed, -speed};
-    run.steps(steps, approach_of_platens);
-    std::swap(approach_of_platens.velocity_begin, approach_of_platens.velocity_end);
-    run.steps(steps, approach_of_platens);
+    IntervalLoading platens;
+    platens.velocity_end = {speed, -speed};
+    run.steps(steps, platens);
+    std::swap(platens.velocity_begin, platens.velocity_end);
+    run.steps(steps, platens);
     run.steps(2 * steps);
     return run;
 }
