@@ -91,6 +91,16 @@ TEST(Plan, FileSizeIsThatOfTheArraysThatTheRunWrites) {
     EXPECT_LE(total, plan.file_size);
 }
 
+TEST(Plan, NoRunHasMoreStepsAndRows) {
+    SimulationRequest request = tension();
+    request.loading.max_strain = 2e-4;  // reached while the platens still speed up and nothing fails
+    const SimulationPlan plan = plan_simulation(specimen(), request);
+    const TestOutcome outcome = run_test(specimen(), request, "", Verbosity::quiet);
+    ASSERT_EQ(outcome.header.stop_reason, "strain cap");
+    EXPECT_LE(outcome.header.steps, plan.max_steps);
+    EXPECT_LE(outcome.history.size(), plan.rows);
+}
+
 TEST(Plan, SavedStateCountsWhereItIsKept) {
     SimulationRequest without = tension();
     without.save_state = false;
