@@ -14,7 +14,7 @@ using enum HistoryColumn;
 using test::expect_close;
 
 /// Rows of which all columns are zero, but the time: 0, 1, 2, … s.
-History history_of(std::size_t rows) {
+History rows_of_zeros(std::size_t rows) {
     History h;
     for (auto& column : h.columns) {
         column.assign(rows, 0);
@@ -32,7 +32,7 @@ RunHeader header_of(const std::string& test) {
 }
 
 TEST(Outcome, StrengthIsThatOfTheSenseOfTheTest) {
-    History h = history_of(4);
+    History h = rows_of_zeros(4);
     h[axial_stress] = {0, -5e6, 2e6, -3e6};
     EXPECT_EQ(sign_of_strength(header_of("uniaxial"), h), -1);
     EXPECT_EQ(peak_row(header_of("uniaxial"), h), 1U);
@@ -44,7 +44,7 @@ TEST(Outcome, StrengthIsThatOfTheSenseOfTheTest) {
 }
 
 TEST(Outcome, PlatenForcesAreComparedFromHalfThePeakToThePeak) {
-    History h = history_of(5);
+    History h = rows_of_zeros(5);
     constexpr double width = 0.04;
     h[force_top] = {-0.1e6, -0.39e6, -0.9e6, -1e6, -0.5e6};
     h[force_bottom] = {-0.3e6, -0.41e6, -1.1e6, -1e6, -0.9e6};
@@ -53,7 +53,7 @@ TEST(Outcome, PlatenForcesAreComparedFromHalfThePeakToThePeak) {
 }
 
 TEST(Outcome, DampingLoadIsTheMeanOverTheLastTenthOfTheWayToThePeak) {
-    History h = history_of(5);
+    History h = rows_of_zeros(5);
     h[axial_strain] = {0, -0.8e-3, -0.92e-3, -0.95e-3, -1e-3};
     h[axial_stress] = {0, -8e6, -9e6, -9.5e6, -10e6};
     h[damping_load] = {9, 9, 9, 0.01, 0.03};
@@ -63,7 +63,7 @@ TEST(Outcome, DampingLoadIsTheMeanOverTheLastTenthOfTheWayToThePeak) {
 }
 
 TEST(Outcome, DampingShareIsOfTheExternalWork) {
-    History h = history_of(2);
+    History h = rows_of_zeros(2);
     EXPECT_EQ(damping_share(h), 0) << "without work";
     h[energy_external] = {0, 20};
     h[energy_damping] = {0, 5};
@@ -71,7 +71,7 @@ TEST(Outcome, DampingShareIsOfTheExternalWork) {
 }
 
 TEST(Outcome, ConfinementCountsFromTheEndOfTheIsotropicStage) {
-    History h = history_of(4);
+    History h = rows_of_zeros(4);
     h[confining_pressure] = {0, 100, 3, 5};
     const Confinement achieved = achieved_confinement(h, 2);
     EXPECT_EQ(achieved.mean, 4);
@@ -79,7 +79,7 @@ TEST(Outcome, ConfinementCountsFromTheEndOfTheIsotropicStage) {
 }
 
 TEST(Outcome, CompletesTheHeader) {
-    History h = history_of(3);
+    History h = rows_of_zeros(3);
     h[axial_stress] = {0, -5e6, -4e6};
     h[energy_external] = {0, 10, 20};
     h[energy_damping] = {0, 1, 4};
