@@ -78,10 +78,11 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     plan.rows = length.rows;
     const std::size_t points = state.failed.size();
-    plan.file = {size_of_arrays(specimen) + size_of_vtk_view(specimen),
-                 history_datasets.size() * sizeof(double) + driver.size_of_row(),
-                 size_of_frame(make_frame(setup.assemblage, setup.parameters.law, state)), size_of_crack(),
-                 request.save_state ? size_of_saved_state(state) : 0};
+    plan.file.specimen = size_of_arrays(specimen) + size_of_vtk_view(specimen);
+    plan.file.row = history_datasets.size() * sizeof(double) + driver.size_of_row();
+    plan.file.frame = size_of_frame(make_frame(setup.assemblage, setup.parameters.law, state));
+    plan.file.crack = size_of_crack();
+    plan.file.saved_state = request.save_state ? size_of_saved_state(state) : 0;
     plan.file_size = plan.file.total(plan.rows, FrameOutput::max_frames(std::abs(request.frames)), points);
     constexpr std::size_t frames_in_memory = 2;  // that of the peak so far, and the one that is written
     plan.memory = size_of_arrays(specimen) + memory_of(setup.assemblage) + memory_of(setup.boundary) +
