@@ -1,5 +1,6 @@
 // Kernels compiled for several vector units from one source, and chosen when a run starts (--vector). The arithmetic is the same
-// in all of them: no fused multiply-add is formed (-ffp-contract=off) and no sum is reordered, so the bytes are the same too.
+// in all of them: no fused multiply-add is formed (-ffp-contract=off) and no sum is reordered, so the bytes are the same too. A
+// sum that vector units share is therefore made by lanes: each lane sums every eighth value, whatever the unit is.
 #pragma once
 
 #include <array>
@@ -61,6 +62,32 @@ void run_on(VectorTarget target, const Kernel& kernel) {
     }
 #endif
     kernel();
+}
+
+/// Lanes of a sum: those of the widest vector unit. Any fixed number gives the same bytes on all of them.
+inline constexpr std::int32_t sum_lanes = 8;
+
+/// Number of terms of a sum by lanes of `count` terms, rounded up to whole lanes.
+constexpr std::int32_t in_whole_lanes(std::int32_t count) { return (count + sum_lanes - 1) / sum_lanes * sum_lanes; }
+
+/// Σ term(k) for k from 0 to `in_whole_lanes(count)`, lane by lane and then over the lanes. What is added beyond `count` must be
+/// zero. \param term a lambda `[&](std::int32_t k) GRAINCRACK_KERNEL { … }`
+template <class Term>
+GRAINCRACK_INLINE double sum_by_lanes(std::int32_t count, const Term& term) {
+    double sum[sum_lanes] = {};
+    for (std::int32_t k = 0; k < count; k += sum_lanes) {
+        for (std::int32_t l = 0; l < sum_lanes; ++l) {
+            sum[l] += term(k + l);
+        }
+    }
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+/// Sum by lanes of `count` values. Those from `count` up to whole lanes are set to zero: the array must have room for them.
+GRAINCRACK_INLINE double sum_values_by_lanes(std::int32_t count, double* values) {
+    for (std::int32_t k = count; k < in_whole_lanes(count); ++k) {
+        values[k] = 0;
+    }
+    return sum_by_lanes(count, [&](std::int32_t k) GRAINCRACK_KERNEL { return values[k]; });
 }
 
 }  // namespace graincrack

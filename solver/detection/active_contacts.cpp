@@ -12,7 +12,7 @@ namespace graincrack {
 namespace {
 
 constexpr std::int32_t max_contacts = 64;  // that a vector kernel works on at a time
-constexpr std::int32_t lanes = 8;          // of the widest vector unit; any fixed number gives the same bytes everywhere
+static_assert(max_contacts % sum_lanes == 0);
 
 /// Motions and forces of contacts side by side.
 struct Lanes {
@@ -93,20 +93,6 @@ GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Lan
         b.force_x[2][i] = live * r.forces.on_second.x;
         b.force_y[2][i] = live * r.forces.on_second.y;
     }
-    for (std::int32_t i = count; i % lanes != 0; ++i) {
-        b.friction[i] = 0;
-    }
-}
-
-/// Sum by lanes.
-double sum_of(std::int32_t count, const double* values) {
-    std::array<double, lanes> sum{};
-    for (std::int32_t i = 0; i < count; i += lanes) {
-        for (std::int32_t l = 0; l < lanes; ++l) {
-            sum[l] += values[i + l];
-        }
-    }
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
 void scatter(Range contacts, const Lanes& b, ActiveContacts& active) {
@@ -139,7 +125,7 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
             move(parameters.law, contacts.size(), b);
         });
         scatter(contacts, b, active);
-        s.contact_pairs.friction[chunk] += sum_of(contacts.size(), b.friction);
+        s.contact_pairs.friction[chunk] += sum_values_by_lanes(contacts.size(), b.friction);
     }
 }
 

@@ -149,7 +149,7 @@ double PlatenControl::longest_time() const {
     for (int i = 0; i < parts; ++i) {
         time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
     }
-    return time;
+    return time + (std::isfinite(function_end()) ? function_end() : 0);  // the speed is lower until its function ends
 }
 
 }  // namespace graincrack

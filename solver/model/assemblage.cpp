@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/model/memory.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -115,6 +117,19 @@ Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCond
     cut_chunks(a, specimen);
     a.surface = make_surface(specimen, a.node_of_specimen);
     return a;
+}
+
+std::size_t memory_of(const TriangleTable& table) {
+    const auto& [gradient1_x, gradient1_y, gradient2_x, gradient2_y, area] = table;
+    return memory_of_all(gradient1_x, gradient1_y, gradient2_x, gradient2_y, area);
+}
+
+std::size_t memory_of(const Assemblage& assemblage) {
+    const auto& [elasticity, position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, contacts, slots,
+                 further_slots, grain_chunks, contact_chunks, node_of_specimen, surface, contact_length, vector_target] =
+        assemblage;
+    return memory_of_all(position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, contacts, slots, further_slots,
+                         grain_chunks, contact_chunks, node_of_specimen, surface);
 }
 
 }  // namespace graincrack

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -54,6 +55,8 @@ struct TriangleTable {
         area.push_back(g.area);
     }
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const TriangleTable& table);
 
 /// A further contact slot of a node at which more than two contact edges meet: its grain has an outline that meets itself there.
 struct FurtherSlot {
@@ -92,6 +95,8 @@ struct Assemblage {
     [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contacts.size()); }
     [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const Assemblage& assemblage);
 
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);

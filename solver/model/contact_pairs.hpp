@@ -10,6 +10,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -53,6 +54,8 @@ struct ActiveContacts {
     std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
     std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const ActiveContacts& contacts);
 
 struct ContactPairList {
     std::vector<std::uint8_t> debonded;     ///< [2 c] 1 once the point no longer links its nodes
@@ -90,6 +93,8 @@ struct ContactPairList {
         }
     }
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const ContactPairList& list);
 
 /// An empty list; pre-existing cracks are found by the first search.
 ContactPairList make_contact_pair_list(const Assemblage& assemblage);

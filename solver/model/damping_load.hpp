@@ -11,8 +11,10 @@
 // All means are exponential, with the time constant `mean_transits`: (u − ū)/τ is that of v if ū is that of u.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "solver/model/memory.hpp"
 #include "solver/vector2.hpp"
 
 namespace graincrack {
@@ -25,5 +27,10 @@ struct DampingLoad {
     /// Of the load of the platens; 0 while they do no work.
     [[nodiscard]] double share() const { return platen_power > 0 ? damping_power / platen_power : 0; }
 };
+/// Bytes of its arrays.
+inline std::size_t memory_of(const DampingLoad& load) {
+    const auto& [mean_displacement, damping_power, platen_power, time] = load;
+    return memory_of_all(mean_displacement);
+}
 
 }  // namespace graincrack

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/model/memory.hpp"
+
 namespace graincrack {
 
 void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
@@ -11,6 +13,16 @@ void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
                      [](const LoadedEdge& l, const LoadedEdge& r) { return l.nodes < r.nodes; });
     prescribed.nodes_of_chunk = ranges_by_chunk(a, prescribed.nodes, [](const PrescribedNode& n) { return n.node; });
     prescribed.edges_of_chunk = ranges_by_chunk(a, prescribed.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
+}
+
+std::size_t memory_of(const PrescribedConditions& prescribed) {
+    const auto& [gravity, nodes, nodes_of_chunk, edges, edges_of_chunk] = prescribed;
+    return memory_of_all(nodes, nodes_of_chunk, edges, edges_of_chunk);
+}
+
+std::size_t memory_of(const PrescribedState& state) {
+    const auto& [nodes, load, pressing] = state;
+    return memory_of_all(nodes, load, pressing);
 }
 
 }  // namespace graincrack

@@ -1,6 +1,7 @@
 // Everything that changes during a run.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "solver/model/boundary.hpp"
 #include "solver/model/contact_pairs.hpp"
 #include "solver/model/damping_load.hpp"
+#include "solver/model/memory.hpp"
 #include "solver/model/vertex_clusters.hpp"
 
 namespace graincrack {
@@ -60,12 +62,15 @@ public:
         }
         return chunk[point % points_per_chunk];
     }
+    /// Bytes of those that exist.
+    [[nodiscard]] std::size_t memory() const { return memory_of(chunks_); }
 
 private:
     static constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
     static constexpr ContactHistory new_contact_{};
     std::vector<std::vector<ContactHistory>> chunks_;
 };
+inline std::size_t memory_of(const PointHistories& histories) { return histories.memory(); }
 
 struct State {
     std::int64_t step = 0;
@@ -100,6 +105,8 @@ struct State {
     DampingLoad damping_load;
     bool subcycled = false;  ///< mass scaling has ended, see `StepParameters::substeps`
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const State& state);
 
 /// Time of a step, s.
 inline double time_of(const State& state, std::int64_t step, double time_step) {

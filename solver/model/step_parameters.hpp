@@ -1,10 +1,12 @@
 // Constants of a run that the step needs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "solver/law/contact_law.hpp"
 #include "solver/law/damping.hpp"
+#include "solver/model/memory.hpp"
 #include "solver/model/vertex_clusters.hpp"
 
 namespace graincrack {
@@ -20,6 +22,11 @@ struct StepParameters {
     std::int64_t substeps = 1;
     [[nodiscard]] Damping damps() const { return make_damping(damping, damping_form); }
 };
+/// Bytes of its arrays.
+inline std::size_t memory_of(const StepParameters& parameters) {
+    const auto& [law, time_step, damping, damping_form, mass_scaling, substeps] = parameters;
+    return memory_of_all(mass_scaling);
+}
 
 /// The parameters of the substeps of a step, which have no mass scaling.
 inline StepParameters parameters_of_substeps(const StepParameters& p) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/model/memory.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -68,6 +70,11 @@ GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& no
         }
     }
     return o;
+}
+
+std::size_t memory_of(const GrainSurface& surface) {
+    const auto& [edges, grain_of_node, edge_begin, edges_of_node, tributary, mean_length] = surface;
+    return memory_of_all(edges, grain_of_node, edge_begin, edges_of_node, tributary);
 }
 
 }  // namespace graincrack

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct GrainSurface {
     std::vector<double> tributary;            ///< [n] length of outline a node stands for in a node–edge contact, m
     double mean_length = 0;                   ///< of the edges, m
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const GrainSurface& surface);
 
 /// The outline of a validated specimen whose nodes have the internal indices `node_of_specimen`. A node stands for half the mean
 /// of the two edges it ends: with another node of a flush face opposite, that is what a bonded contact has for each of its two

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "share/error.hpp"
+#include "solver/model/memory.hpp"
 
 namespace graincrack {
 
@@ -109,6 +110,18 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
         m.inverse_mass.insert(m.inverse_mass.end(), 2, a.inverse_mass[node]);
     }
     return m;
+}
+
+std::size_t memory_of(const MassScaling& scaling) {
+    const auto& [factor, nodes, links, clusters, links_of_cluster, chunks, mass, inverse_mass] = scaling;
+    return memory_of_all(nodes, links, clusters, links_of_cluster, chunks, mass, inverse_mass);
+}
+
+std::size_t memory_of(const ClusterState& state) {
+    const auto& [linked, supported, constraining_platen, component, inverse_mass, whole, sums, constrained, chunk_of_point,
+                 cracked, platen_nodes] = state;
+    return memory_of_all(linked, supported, constraining_platen, component, inverse_mass, whole, sums, constrained,
+                         chunk_of_point, cracked, platen_nodes);
 }
 
 }  // namespace graincrack

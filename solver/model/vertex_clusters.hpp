@@ -60,6 +60,8 @@ struct MassScaling {
         return {clusters[chunks[chunk].begin].begin, clusters[chunks[chunk].end - 1].end};
     }
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const MassScaling& scaling);
 /// Representative of `i` in a forest of parents, with the path to it shortened.
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i);
 
@@ -101,6 +103,8 @@ struct ClusterState {
         }
     }
 };
+/// Bytes of its arrays.
+std::size_t memory_of(const ClusterState& clusters);
 /// Velocities of the platens, by `ClusterState::constraining_platen`.
 class PlatenVelocities {
 public:

@@ -1,6 +1,7 @@
 // Which moments of a run become frames.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "share/run_file.hpp"
@@ -20,6 +21,8 @@ public:
     /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.
     void peak(bool is_highest, bool has_fallen, const Assemblage& assemblage, const ContactLaw& law, const State& state);
     void last(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+    /// Frames of a run with one peak, at most. \param wanted as above
+    static constexpr std::size_t max_frames(std::size_t wanted) { return wanted == 0 ? 1 : 2 * wanted + 2; }
 
 private:
     int wanted_;

@@ -109,13 +109,7 @@ double strain_energy(const Assemblage& a, const State& s, double& element_force)
 }
 
 void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.contact_pairs.released[c] != 0) {
-            continue;
-        }
-        energies.contact += a.contacts[c].point_area *
-                            (stored_energy(law, point_history(s, 2 * c)) + stored_energy(law, point_history(s, 2 * c + 1)));
-    }
+    add_stored_in_contacts(a, law, s, energies.contact);
     energies.contact += stored_in_active_contacts(law, s.contact_pairs);
     energies.friction +=
         std::accumulate(s.contact_pairs.friction.begin(), s.contact_pairs.friction.end(), s.contact_pairs.friction_before);
@@ -150,6 +144,29 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     m.energies.external += reaction_half_work(prescribed, time_step, s);
     for (const double pressing : s.prescribed.pressing) {
         m.membrane_force += std::abs(pressing);  // two ends an edge, two sides: the mean of the sides
+    }
+}
+
+/// Motions, tractions, damage and states of all contact points, into a frame.
+template <class Law>
+void add_contacts(const Assemblage& a, const ContactLaw& law, const State& s, Frame& frame) {
+    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) {
+        pairs->resize(a.contacts.size());
+    }
+    frame.traction.resize(a.contacts.size());
+    frame.state.resize(a.contacts.size());
+    for (std::size_t point = 0; point < 2 * a.contacts.size(); ++point) {
+        const std::size_t c = point / 2;
+        const std::size_t end = point % 2;
+        const ContactHistory h = point_history(s, point);
+        const bool released = s.contact_pairs.released[c] != 0;  // node–edge contacts carry its load
+        const ContactTraction t = released ? ContactTraction{} : contact_law::update<Law>(law, h.motion, h).traction;
+        frame.opening[c][end] = h.motion.opening;
+        frame.sliding[c][end] = h.motion.sliding;
+        frame.traction[c][2 * end] = t.normal;
+        frame.traction[c][2 * end + 1] = t.shear;
+        frame.damage[c][end] = contact_law::damage<Law>(law, h);
+        frame.state[c][end] = static_cast<std::uint8_t>(point_state(h));
     }
 }
 
@@ -214,6 +231,21 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     return m;
 }
 
+void add_stored_in_contacts(const Assemblage& a, const ContactLaw& law, const State& s, double& energy) {
+    contact_law::with_law(law.variant, [&](auto kind) {
+        for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+            if (s.contact_pairs.released[c] != 0) {
+                continue;
+            }
+            double of_points = 0;  // per area
+            for (const std::size_t point : {2 * c, 2 * c + 1}) {
+                of_points += decltype(kind)::stored_energy(law, point_history(s, point));
+            }
+            energy += a.contacts[c].point_area * of_points;
+        }
+    });
+}
+
 double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) {
     std::size_t near = 0;
     contact_law::with_law(law.variant, [&](auto kind) {
@@ -253,18 +285,7 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
             a.elasticity, triangle_state(a.element_geometry[e], a.elasticity, s.displacement[n1] - s.displacement[n0],
                                          s.displacement[n2] - s.displacement[n0])));
     }
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        const ContactHistory h0 = point_history(s, 2 * c);
-        const ContactHistory h1 = point_history(s, 2 * c + 1);
-        const bool released = s.contact_pairs.released[c] != 0;  // node–edge contacts carry its load
-        const ContactTraction t0 = released ? ContactTraction{} : update_contact(law, h0.motion, h0).traction;
-        const ContactTraction t1 = released ? ContactTraction{} : update_contact(law, h1.motion, h1).traction;
-        frame.opening.push_back({h0.motion.opening, h1.motion.opening});
-        frame.sliding.push_back({h0.motion.sliding, h1.motion.sliding});
-        frame.traction.push_back({t0.normal, t0.shear, t1.normal, t1.shear});
-        frame.damage.push_back({damage(law, h0), damage(law, h1)});
-        frame.state.push_back({static_cast<std::uint8_t>(point_state(h0)), static_cast<std::uint8_t>(point_state(h1))});
-    }
+    contact_law::with_law(law.variant, [&](auto kind) { add_contacts<decltype(kind)>(a, law, s, frame); });
     return frame;
 }
 

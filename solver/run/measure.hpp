@@ -59,6 +59,9 @@ struct Measurement {
 /// `state.force` is used as scratch.
 Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
 
+/// Adds to `energy` what is stored in the contacts that have not been released to node–edge contacts, J, contact by contact.
+void add_stored_in_contacts(const Assemblage& assemblage, const ContactLaw& law, const State& state, double& energy);
+
 /// How much of a line across the specimen is near failure or slides, 0 to 1: contact points that would fail if their jumps grew
 /// by a quarter, closed failed ones whose friction has reached half its limit, and node–edge contacts of which that is true; over
 /// half the root of the number of contact points, about as many as stand on half a line across. A line is what it takes: one

@@ -1,14 +1,72 @@
 #include "solver/run/plan.hpp"
 
-#include "solver/loading/stage_control.hpp"
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "solver/detection/pair_list.hpp"
 #include "solver/loading/standard_tests.hpp"
+#include "solver/model/memory.hpp"
+#include "solver/run/frame_output.hpp"
+#include "solver/run/measure.hpp"
+#include "solver/run/program_driver.hpp"
+#include "solver/run/saved_state.hpp"
 #include "solver/setup/setup.hpp"
+#include "solver/step/step.hpp"
 
 namespace graincrack {
+namespace {
+
+std::size_t size_of_frame(const Frame& frame) {
+    const auto& [time, step, displacement, velocity, element_stress, opening, sliding, traction, damage, state] = frame;
+    return memory_of_all(displacement, velocity, element_stress, opening, sliding, traction, damage, state);
+}
+
+std::size_t size_of_arrays(const Specimen& specimen) {
+    const auto& [shape, width, height, tessellation, seed, elements_per_edge, loading_arc, statistics, node_position,
+                 element_nodes, element_grain, grain_phase, grain_area, contact_nodes, contact_grain_boundary, contact_kind,
+                 boundary_edges, boundary_part, phase_names, part_names] = specimen;
+    return memory_of_all(node_position, element_nodes, element_grain, grain_phase, grain_area, contact_nodes,
+                         contact_grain_boundary, contact_kind, boundary_edges, boundary_part);
+}
+
+/// The specimen once more as VTK reads it: points, connectivity, offsets and types of its cells, and their three numbers.
+std::size_t size_of_vtk_view(const Specimen& specimen) {
+    constexpr std::size_t nodes_of_cell = std::tuple_size_v<decltype(specimen.element_nodes)::value_type>;
+    const std::size_t integers = nodes_of_cell * specimen.n_elements() + (specimen.n_elements() + 1) + 3;
+    return specimen.n_nodes() * sizeof(std::array<double, 3>) + integers * sizeof(std::int64_t) +
+           specimen.n_elements() * sizeof(std::uint8_t);
+}
+
+template <class... Columns>
+constexpr std::size_t size_of_row(const Columns&... /*columns*/) {
+    return (sizeof(Columns) + ...);
+}
+std::size_t size_of_crack() {
+    const auto [time, step, contact, point, mode, mode_angle, position, orientation, length, opening, sliding, energy_released,
+                time_separated] = Crack{};
+    return size_of_row(time, step, contact, point, mode, mode_angle, position, orientation, length, opening, sliding,
+                       energy_released, time_separated);
+}
+
+/// The state in the first step, with histories of all contact points as if all had failed.
+State state_with_all_histories(const Specimen& specimen, const Setup& setup) {
+    State state = make_state(setup.assemblage, setup.boundary, specimen);
+    start(setup.assemblage, setup.parameters, state);
+    update_pair_list(setup.assemblage, setup.parameters, setup.parameters.substeps, state);
+    for (std::size_t point = 0; point < state.failed.size(); ++point) {
+        state.points.of(point);
+    }
+    return state;
+}
+
+}  // namespace
 
 SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request) {
     const Program program = program_of(request, specimen);
     const Setup setup = make_setup(specimen, request, program);
+    const State state = state_with_all_histories(specimen, setup);
+    const ProgramDriver driver(program, request.loading.test, setup.assemblage, specimen, request.material.rock);
     SimulationPlan plan;
     plan.grains = specimen.n_grains();
     plan.elements = specimen.n_elements();
@@ -16,15 +74,20 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.contacts = specimen.n_contacts();
     plan.stable_time_step = setup.stable_time_step;
     plan.time_step = setup.parameters.time_step;
-    const LoadingLength length = StageController(program, specimen, request.material.rock).longest(plan.time_step);
+    const LoadingLength length = driver.longest(plan.time_step);
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
-    plan.memory = plan.nodes * (5 * sizeof(Vector2) + 2 * sizeof(double)) + plan.elements * (sizeof(TriangleGeometry) + 16) +
-                  plan.contacts * (sizeof(ContactGeometry) + 4 * sizeof(Vector2) + 2 * sizeof(ContactHistory) +
-                                   4 * sizeof(std::int32_t) + 16);
-    const std::size_t frame = plan.nodes * 32 + plan.elements * 32 + plan.contacts * 82;
-    const std::size_t row = 8 * static_cast<std::size_t>(HistoryColumn::count);
-    plan.file_size = plan.nodes * 40 + plan.elements * 60 + plan.contacts * 21 + length.rows * row +
-                     static_cast<std::size_t>(2 * std::abs(request.frames) + 2) * frame;
+    plan.rows = length.rows;
+    const std::size_t points = state.failed.size();
+    plan.file.specimen = size_of_arrays(specimen) + size_of_vtk_view(specimen);
+    plan.file.row = history_datasets.size() * sizeof(double) + driver.size_of_row();
+    plan.file.frame = size_of_frame(make_frame(setup.assemblage, setup.parameters.law, state));
+    plan.file.crack = size_of_crack();
+    plan.file.saved_state = request.save_state ? size_of_saved_state(state) : 0;
+    plan.file_size = plan.file.total(plan.rows, FrameOutput::max_frames(std::abs(request.frames)), points);
+    constexpr std::size_t frames_in_memory = 2;  // that of the peak so far, and the one that is written
+    plan.memory = size_of_arrays(specimen) + memory_of(setup.assemblage) + memory_of(setup.boundary) +
+                  memory_of(setup.parameters) + memory_of(state) + plan.rows * plan.file.row + points * sizeof(Crack) +
+                  frames_in_memory * plan.file.frame;
     return plan;
 }
 

@@ -31,6 +31,8 @@ public:
 
     /// Steps of the next interval; its end is a row of the history.
     [[nodiscard]] std::int64_t interval_steps(double time_step) const { return stages_.interval_steps(time_step); }
+    /// The longest that the program may take.
+    [[nodiscard]] LoadingLength longest(double time_step) const { return stages_.longest(time_step); }
     /// Loading of the next `duration` seconds.
     IntervalLoading next(double duration) { return stages_.next(duration); }
     /// Takes note of a new row. The first is that of the start.
@@ -49,6 +51,8 @@ public:
     void go_on(const StageControllerState& state, const RunReader& checkpoint);
     /// What the run file gets of its rows from `first` on, besides the history; of a standard test nothing.
     void append(H5Output& file, std::size_t first) const;
+    /// Bytes of a row of that.
+    [[nodiscard]] std::size_t size_of_row() const;
     /// And at the end.
     void write(H5Output& file) const;
 

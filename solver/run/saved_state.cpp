@@ -11,6 +11,7 @@
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
+#include "solver/run/measure.hpp"
 #include "solver/step/mass_scaling.hpp"
 
 namespace graincrack {
@@ -231,14 +232,9 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
     }
 }
 
-double stored_in_contacts(const Assemblage& a, const StepParameters& parameters, const State& s) {
-    double energy = stored_in_active_contacts(parameters.law, s.contact_pairs);
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (s.contact_pairs.released[c] == 0) {
-            energy += a.contacts[c].point_area * (stored_energy(parameters.law, point_history(s, 2 * c)) +
-                                                  stored_energy(parameters.law, point_history(s, 2 * c + 1)));
-        }
-    }
+double stored_in_contacts(const Assemblage& a, const ContactLaw& law, const State& s) {
+    double energy = stored_in_active_contacts(law, s.contact_pairs);
+    add_stored_in_contacts(a, law, s, energy);
     return energy;
 }
 
@@ -246,10 +242,10 @@ double stored_in_contacts(const Assemblage& a, const StepParameters& parameters,
 void book_change(const RunHeader& old, const Setup& setup, State& s) {
     const auto& laws = all_contact_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
-    StepParameters before = setup.parameters;
-    before.law = make_contact_law(old.contact, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
+    const ContactLaw before =
+        make_contact_law(old.contact, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
     s.grain_sums.front().load_work +=
-        stored_in_contacts(setup.assemblage, setup.parameters, s) - stored_in_contacts(setup.assemblage, before, s);
+        stored_in_contacts(setup.assemblage, setup.parameters.law, s) - stored_in_contacts(setup.assemblage, before, s);
 }
 
 StageControllerState read_loading(const H5Input& file) {
@@ -286,6 +282,14 @@ void write_saved_state(H5Output& file, const State& state, const StageController
     file.attribute(group, "stage_values", loading.progress.values);
     file.attribute(group, "stages_ended_by", loading.stages_end_by);
     file.attribute(group, "energy_balance_error", energy_balance_error);
+}
+
+std::size_t size_of_saved_state(const State& state) {
+    std::size_t numbers = state.failed.size() * width_of<ContactHistory>();
+    visit_arrays(state, [&]<class Item>(const char* /*name*/, const std::vector<Item>& items) {
+        numbers += items.size() * width_of<Item>();
+    });
+    return numbers * sizeof(double);
 }
 
 SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,

@@ -2,6 +2,7 @@
 // values, or with other contact values or another program.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class H5Output;
 
 /// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
 void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error);
+
+/// Bytes of the arrays that /state has for a state.
+std::size_t size_of_saved_state(const State& state);
 
 /// What a run starts with that goes on from another.
 struct SavedState {

@@ -37,7 +37,7 @@ double axial_stress(const Specimen& s, double force_bottom, double force_top) {
     return 0.5 * (force_bottom + force_top) / s.width;
 }
 
-RunHeader make_header(const SimulationRequest& r) {
+RunHeader make_header(const SimulationRequest& r, const Program& program, const Setup& setup) {
     RunHeader h;
     h.test = name_of(r.loading.test);
     h.material = r.material.name;
@@ -57,6 +57,12 @@ RunHeader make_header(const SimulationRequest& r) {
     h.damping_form = name_of(r.damping_form);
     h.mass_scaling = r.mass_scaling ? "selective" : "none";
     h.peak_drop = r.peak_drop;
+    h.vector_target = name_of(setup.assemblage.vector_target);
+    h.mass_scaling_factor = setup.mass_scaling_factor;
+    h.added_mass = setup.added_mass;
+    h.stable_time_step = setup.stable_time_step;
+    h.time_step = setup.parameters.time_step;
+    h.max_strain = program.platens ? program.platens->max_strain : 0;
     return h;
 }
 
@@ -74,22 +80,16 @@ public:
           driver_(program_, request.loading.test, assemblage_, specimen, request.material.rock),
           state_(make_state(assemblage_, boundary_, specimen)),
           crack_log_(state_.failed.size()),
-          header_(make_header(request)),
+          header_(make_header(request, program_, setup_)),
           progress_(label, verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
-        header_.vector_target = name_of(assemblage_.vector_target);
-        header_.mass_scaling_factor = setup_.mass_scaling_factor;
-        header_.added_mass = setup_.added_mass;
-        header_.stable_time_step = setup_.stable_time_step;
-        header_.time_step = parameters_.time_step;
-        header_.max_strain = program_.platens ? program_.platens->max_strain : 0;
         if (request.checkpoint_interval) {
             checkpoint_clock_.emplace(*request.checkpoint_interval);
         }
         set_initial_velocities(program_, assemblage_, specimen, state_);
         if (!request.restart.empty()) {
             const SavedState saved = read_saved_state(request.restart, specimen, request, setup_);
-            release_contacts(saved);
+            restore(saved);
             if (request.loading.test == TestKind::program && !is_checkpoint(request.restart)) {
                 driver_.resume(saved.loading);
             } else {
@@ -178,7 +178,7 @@ private:
         peak_ = run.header().peak_axial_stress;
     }
 
-    void release_contacts(const SavedState& saved) {
+    void restore(const SavedState& saved) {
         state_ = saved.state;
         crack_log_.restore(saved.cracks);
         header_.energy_scale = saved.energy_scale;
@@ -296,62 +296,15 @@ private:
                                      crack_log_.tensile_points() / 2, crack_log_.shear_points() / 2));
     }
 
-    /// Largest difference of the platen forces over their mean, on the way up from half the peak to the peak.
-    [[nodiscard]] double platen_force_difference(std::size_t peak_row, double sign) const {
-        double worst = 0;
-        for (std::size_t i = 0; i < peak_row; ++i) {
-            const double top = history_[HistoryColumn::force_top][i];
-            const double bottom = history_[HistoryColumn::force_bottom][i];
-            const double mean = 0.5 * sign * (top + bottom);
-            if (mean / specimen_.width > 0.5 * header_.peak_axial_stress) {
-                worst = std::max(worst, std::abs(top - bottom) / mean);
-            }
-        }
-        return worst;
-    }
-
-    /// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
-    [[nodiscard]] double damping_load_at(std::size_t peak_row) const {
-        const std::vector<double>& strain = history_[HistoryColumn::axial_strain];
-        double sum = 0;
-        double travel = 0;
-        for (std::size_t i = peak_row; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak_row]); --i) {
-            const double increment = std::abs(strain[i] - strain[i - 1]);
-            sum += increment * history_[HistoryColumn::damping_load][i];
-            travel += increment;
-        }
-        return travel > 0 ? sum / travel : 0;
-    }
-
     void finish_header() {
         header_.steps = state_.step;
         header_.integrations = state_.integrations;
         driver_.complete(header_, state_.time);
-        const double sign = sign_of_strength(header_, history_);
-        const std::size_t peak = peak_row(header_, history_);
-        header_.peak_axial_stress = sign * history_[HistoryColumn::axial_stress][peak];
-        header_.platen_force_difference = platen_force_difference(peak, sign);
-        header_.damping_load = damping_load_at(peak);
+        complete_header(history_, specimen_.width, header_);
         header_.energy_balance_error = header_.energy_scale > 0 ? largest_balance_error_ / header_.energy_scale : 0;
         if (header_.energy_balance_error > unstable_residual) {
             throw_unstable(header_.energy_balance_error);
         }
-        const double external = history_[HistoryColumn::energy_external].back();
-        header_.damping_share = external > 0 ? history_[HistoryColumn::energy_damping].back() / external : 0;
-        double sum = 0;
-        double squares = 0;
-        double n = 0;
-        for (std::size_t i = 0; i < history_.size(); ++i) {
-            if (history_[HistoryColumn::time][i] >= header_.isotropic_end_time) {
-                const double p = history_[HistoryColumn::confining_pressure][i];
-                sum += p;
-                squares += p * p;
-                n += 1;
-            }
-        }
-        header_.confinement_mean = sum / n;
-        header_.confinement_deviation =
-            std::sqrt(std::max(0.0, squares / n - header_.confinement_mean * header_.confinement_mean));
     }
 
     const Specimen& specimen_;
@@ -383,22 +336,6 @@ private:
 };
 
 }  // namespace
-
-double sign_of_strength(const RunHeader& header, const History& history) {
-    if (header.test != name_of(TestKind::program)) {
-        return header.test == name_of(TestKind::tension) ? 1 : -1;
-    }
-    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
-    const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
-    return *highest > -*lowest ? 1 : -1;
-}
-
-std::size_t peak_row(const RunHeader& header, const History& history) {
-    const double sign = sign_of_strength(header, history);
-    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
-    const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
-    return static_cast<std::size_t>(peak - stress.begin());
-}
 
 TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity) {
     Simulation simulation(specimen, request, label, verbosity);

@@ -8,6 +8,7 @@
 #include "share/progress.hpp"
 #include "share/provenance.hpp"
 #include "share/run_file.hpp"
+#include "solver/run/outcome.hpp"
 #include "solver/setup/request.hpp"
 
 namespace graincrack {
@@ -21,16 +22,6 @@ struct SimulationSummary {
     double ns_per_grain_step = 0;
     std::vector<SensitivityRow> sensitivity;  ///< if asked for
 };
-
-/// A test that was run and not written.
-struct TestOutcome {
-    RunHeader header;
-    History history;
-};
-/// 1 where a test pulls, −1 where it presses; a program does what it does more.
-double sign_of_strength(const RunHeader& header, const History& history);
-/// Row of the largest axial stress in the sense of the test. \pre the history has rows
-std::size_t peak_row(const RunHeader& header, const History& history);
 
 /// Runs the test and writes nothing. \param label what the progress says
 /// \throws NumericalError, Interrupted

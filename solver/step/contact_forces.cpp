@@ -9,8 +9,7 @@ namespace graincrack {
 namespace {
 
 constexpr std::int32_t n = contacts_per_chunk;
-constexpr std::int32_t lanes = 8;  // of the widest vector unit; any fixed number gives the same bytes everywhere
-static_assert(n % lanes == 0);
+static_assert(n % sum_lanes == 0);
 
 /// A chunk's contacts side by side, and their points: 2 i + p.
 struct Lanes {
@@ -229,27 +228,13 @@ GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, cons
     }
 }
 
-/// Sum of values of the points of a chunk, by lanes.
-GRAINCRACK_INLINE double sum_of_points(std::int32_t count, double* values) {
-    double sum[lanes] = {};
-    for (std::int32_t k = 2 * count; k % lanes != 0; ++k) {
-        values[k] = 0;
-    }
-    for (std::int32_t k = 0; k < 2 * count; k += lanes) {
-        for (std::int32_t l = 0; l < lanes; ++l) {
-            sum[l] += values[k + l];
-        }
-    }
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-}
-
 /// What friction dissipates at the points of a chunk, J.
 GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.area[i] * b.friction[2 * i];
         b.friction[2 * i + 1] = b.area[i] * b.friction[2 * i + 1];
     }
-    return sum_of_points(count, b.friction);
+    return sum_values_by_lanes(2 * count, b.friction);
 }
 
 /// \return number of points that need the full law
@@ -279,8 +264,8 @@ GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, L
         b.shear_fracture[k] = tensile ? 0.0 : b.fracture[k];
         b.fracture[k] = tensile ? b.fracture[k] : 0.0;
     }
-    sums.fracture_tension += sum_of_points(count, b.fracture);
-    sums.fracture_shear += sum_of_points(count, b.shear_fracture);
+    sums.fracture_tension += sum_values_by_lanes(2 * count, b.fracture);
+    sums.fracture_shear += sum_values_by_lanes(2 * count, b.shear_fracture);
 }
 
 /// A contact point in its chunk.

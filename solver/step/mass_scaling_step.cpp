@@ -9,8 +9,7 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t lanes = 8;  // of the widest vector unit
-static_assert(2 * nodes_per_chunk % lanes == 0);
+static_assert(2 * nodes_per_chunk % sum_lanes == 0);
 
 /// Forces and motions of the nodes of a chunk, x and y in turn.
 struct Lanes {
@@ -165,7 +164,7 @@ void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVel
 
 /// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
 GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Lanes& b) {
-    for (std::int32_t k = count; k % lanes != 0; ++k) {
+    for (std::int32_t k = count; k < in_whole_lanes(count); ++k) {
         b.damping_force[k] = b.velocity[k] = b.mean_velocity[k] = 0;
     }
     // The new velocities go into `mean_velocity`, which is not needed any more.
@@ -173,14 +172,8 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
         const double mean = (1 - own) * b.mean_acceleration[k];
         b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force[k]));
     }
-    double absorbed[lanes] = {};
-    for (std::int32_t k = 0; k < count; k += lanes) {
-        for (std::int32_t l = 0; l < lanes; ++l) {
-            absorbed[l] -= b.damping_force[k + l] * (b.velocity[k + l] + b.mean_velocity[k + l]);
-        }
-    }
-    return ((absorbed[0] + absorbed[1]) + (absorbed[2] + absorbed[3])) +
-           ((absorbed[4] + absorbed[5]) + (absorbed[6] + absorbed[7]));
+    return -sum_by_lanes(
+        count, [&](std::int32_t k) GRAINCRACK_KERNEL { return b.damping_force[k] * (b.velocity[k] + b.mean_velocity[k]); });
 }
 
 /// Acceleration of the platen that constrains a component, m/s².

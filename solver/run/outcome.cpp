@@ -1,0 +1,87 @@
+#include "solver/run/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/setup/request.hpp"
+
+namespace graincrack {
+
+double sign_of_strength(const RunHeader& header, const History& history) {
+    if (header.test != name_of(TestKind::program)) {
+        return header.test == name_of(TestKind::tension) ? 1 : -1;
+    }
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
+    return *highest > -*lowest ? 1 : -1;
+}
+
+std::size_t peak_row(const RunHeader& header, const History& history) {
+    const double sign = sign_of_strength(header, history);
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
+    return static_cast<std::size_t>(peak - stress.begin());
+}
+
+double platen_force_difference(const RunHeader& header, const History& history, double width) {
+    const double sign = sign_of_strength(header, history);
+    const std::size_t peak = peak_row(header, history);
+    const double peak_stress = sign * history[HistoryColumn::axial_stress][peak];
+    double worst = 0;
+    for (std::size_t i = 0; i < peak; ++i) {
+        const double top = history[HistoryColumn::force_top][i];
+        const double bottom = history[HistoryColumn::force_bottom][i];
+        const double mean = 0.5 * sign * (top + bottom);
+        if (mean / width > 0.5 * peak_stress) {
+            worst = std::max(worst, std::abs(top - bottom) / mean);
+        }
+    }
+    return worst;
+}
+
+double damping_load_at_peak(const RunHeader& header, const History& history) {
+    const std::vector<double>& strain = history[HistoryColumn::axial_strain];
+    const std::size_t peak = peak_row(header, history);
+    double sum = 0;
+    double travel = 0;
+    for (std::size_t i = peak; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak]); --i) {
+        const double increment = std::abs(strain[i] - strain[i - 1]);
+        sum += increment * history[HistoryColumn::damping_load][i];
+        travel += increment;
+    }
+    return travel > 0 ? sum / travel : 0;
+}
+
+double damping_share(const History& history) {
+    const double external = history[HistoryColumn::energy_external].back();
+    return external > 0 ? history[HistoryColumn::energy_damping].back() / external : 0;
+}
+
+Confinement achieved_confinement(const History& history, double begin) {
+    double sum = 0;
+    double squares = 0;
+    double n = 0;
+    for (std::size_t i = 0; i < history.size(); ++i) {
+        if (history[HistoryColumn::time][i] >= begin) {
+            const double p = history[HistoryColumn::confining_pressure][i];
+            sum += p;
+            squares += p * p;
+            n += 1;
+        }
+    }
+    const double mean = sum / n;
+    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean))};
+}
+
+void complete_header(const History& history, double width, RunHeader& header) {
+    header.peak_axial_stress =
+        sign_of_strength(header, history) * history[HistoryColumn::axial_stress][peak_row(header, history)];
+    header.platen_force_difference = platen_force_difference(header, history, width);
+    header.damping_load = damping_load_at_peak(header, history);
+    header.damping_share = damping_share(history);
+    const Confinement confinement = achieved_confinement(history, header.isotropic_end_time);
+    header.confinement_mean = confinement.mean;
+    header.confinement_deviation = confinement.deviation;
+}
+
+}  // namespace graincrack
