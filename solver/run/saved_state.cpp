@@ -206,6 +206,10 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
         old.rock.poisson_ratio != rock.poisson_ratio || old.rock.density != rock.density) {
         refuse("has another rock or plane condition; they must stay what they are");
     }
+    if (old.contact_law != name_of(request.law)) {
+        refuse(fmt::format("has the contact law {}, not {}, whose histories are others; --contact-law {} fits", old.contact_law,
+                           name_of(request.law), old.contact_law));
+    }
     if (old.mass_scaling_factor != setup.mass_scaling_factor) {
         refuse(fmt::format("has the mass-scaling factor {}, not {}; it must stay what it is", old.mass_scaling_factor,
                            setup.mass_scaling_factor));
