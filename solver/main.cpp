@@ -83,6 +83,17 @@ void print_summary(const SimulationSummary& s) {
     }
 }
 
+/// Says so where the fracture energy in sliding leaves no softening.
+void note_sudden_loss(const SimulationRequest& request) {
+    const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
+    if (description_of(law.variant).mode_ii_fracture_energy && !law.softens_in_shear) {
+        fmt::print(stderr,
+                   "{}: note: G_II, {:.4g} J/m2, is no more than the {:.4g} J/m2 that a closed contact takes to its peak: its "
+                   "cohesion is lost at once\n",
+                   name_of(request.loading.test), law.g2, contact_law::energy_to_sliding_peak(law));
+    }
+}
+
 /// The table of a run with --sensitivity: values of the test as it is, then changes.
 void print_sensitivity(std::FILE* out, const std::vector<SensitivityRow>& rows) {
     fmt::print(out,
@@ -126,6 +137,7 @@ int solve(int argc, char** argv) {
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary);
+        note_sudden_loss(options->request);
     }
     if (options->request.sensitivity) {
         print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);

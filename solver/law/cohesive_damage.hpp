@@ -66,6 +66,8 @@ inline double damaged_energy(const ContactLaw& law, const ContactHistory& h) {
 }
 /// In pure opening, the energy to the peak. A direction whose way to the peak takes more than Gf has no softening and takes that.
 inline double min_opening_energy(const ContactLaw& law) { return law.tc * law.dct * (std::numbers::e - 2); }
+/// Under compression, the energy to the peak of sliding, J/m².
+inline double energy_to_sliding_peak(const ContactLaw& law) { return law.cc * law.dcs * (std::numbers::e - 2); }
 /// 1/δso.
 inline double inverse_open_sliding(const ContactLaw& law) { return law.ks / (std::numbers::e * law.open_shear_strength); }
 

@@ -215,10 +215,10 @@ TEST(NodeEdgeContact, ACornerThatSlipsInBesideABondIsCaught) {
 }
 
 /// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it.
-SmallRun sliding_blocks(double slide) {
+SmallRun sliding_blocks(double slide, const ContactLaw& law) {
     Specimen s = test::one_diagonal_grid(1, 1, 4e-3, 4e-3);
     s.contact_kind.assign(s.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
-    SmallRun run(std::move(s), test::augig_law(), PlaneCondition::strain, 0.2);
+    SmallRun run(std::move(s), law, PlaneCondition::strain, 0.2);
     const double r = std::sqrt(0.5);
     run.set_velocity([&](const Vector2&) { return Vector2{}; });
     for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
@@ -230,8 +230,16 @@ SmallRun sliding_blocks(double slide) {
     return run;
 }
 
-TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
-    SmallRun run = sliding_blocks(120.0);  // so fast that the blocks are still pressed together when they have slid far
+/// A law with residual values of its own: cohesion 10 MPa, 30°.
+ContactLaw residual_law() {
+    ContactParameters c = test::augig_contact();
+    c.residual_cohesion = 10 * test::MPa;
+    c.residual_friction_angle = 30 * test::degree;
+    return make_contact_law(c, LawVariant::coulomb_slip, Coupling::full);
+}
+
+void expect_release_without_a_jump(const ContactLaw& law) {
+    SmallRun run = sliding_blocks(120.0, law);  // so fast that the blocks are still pressed together when they have slid far
     const double energy = run.measured().energies.kinetic;
     const auto force_on_grain = [&run] {
         (void)run.measured();  // sums the forces
@@ -261,6 +269,30 @@ TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
     const Energies last = run.measured().energies;
     EXPECT_GT(last.friction, 0.0);
     EXPECT_LT(std::abs(last.balance_error() + energy), 5e-3 * energy);
+}
+
+TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
+    expect_release_without_a_jump(test::augig_law());
+    expect_release_without_a_jump(residual_law());
+}
+
+// Sliding farther than friction allows, a node bears the residual cohesion and friction; at the end friction has taken all that
+// the spring stored.
+TEST(NodeEdgeContact, ResidualCohesionAndFrictionHold) {
+    const ContactLaw law = residual_law();
+    const double area = 1e-3;
+    const double overlap = 20 * test::MPa / law.kt;
+    PairGeometry g = pair_geometry(Vector2{2e-3, 0}, Vector2{1e-3, overlap});
+    const NodeEdgeResponse pressed = move_node_edge_contact(law, {true, true, area, 0, overlap, 0, 0}, g, 1e-5);
+    const double shear = 10 * test::MPa + 20 * test::MPa * std::tan(30 * test::degree);
+    expect_close(law.ks * pressed.contact.elastic_slip, shear, 1e-12, shear);
+    expect_close(std::abs(pressed.forces.on_node.x), area * shear, 1e-12, area * shear);
+    EXPECT_GT(pressed.friction, 0);
+    g = pair_geometry(Vector2{2e-3, 0}, Vector2{1e-3, -0.1 * overlap});
+    const NodeEdgeResponse parted = move_node_edge_contact(law, pressed.contact, g, 0);
+    EXPECT_EQ(parted.contact.elastic_slip, 0);
+    const double stored = 0.5 * area * shear * shear / law.ks;
+    expect_close(parted.friction, stored, 1e-12, stored);
 }
 
 TEST(NodeEdgeContact, BondedNeighboursAreNotSearched) {
