@@ -44,27 +44,22 @@ struct CohesiveFrictional {
 
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
-        if (!h.failed() && cohesive_load(law, to.opening, to.sliding) <= 1) {
-            const IntactResponse cohesion = intact(law, intact_point(h, to));
-            r.traction = {cohesion.normal, cohesion.shear};
-            r.dissipation.fracture += cohesion.fracture;
-            h.integrity = cohesion.integrity;
-            h.motion = to;
-            return;
-        }
         if (!h.failed()) {
+            if (advance_intact<CohesiveFrictional>(law, to, r)) {
+                return;
+            }
             fail(law, to, r);
         }
         if (h.integrity == 0) {
             advance_residual(law, to, r);
             return;
         }
-        const SofteningResponse softening_now = softening(law, softening_point(h, to));
-        r.traction = {softening_now.normal, softening_now.shear};
-        r.dissipation.fracture += softening_now.fracture;
-        r.dissipation.friction += softening_now.friction;
-        h.integrity = softening_now.integrity;
-        h.slip = softening_now.slip;
+        const SofteningResponse now = softening(law, softening_point(h, to));
+        r.traction = {now.normal, now.shear};
+        r.dissipation.fracture += now.fracture;
+        r.dissipation.friction += now.friction;
+        h.integrity = now.integrity;
+        h.slip = now.slip;
         h.separated = h.separated || (to.opening >= 0 && h.integrity == 0);
         h.motion = to;
     }

@@ -86,6 +86,8 @@ bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactRespo
         return false;
     }
     r.traction = {intact.normal, intact.shear};
+    r.dissipation.fracture += intact.fracture;
+    r.history.integrity = intact.integrity;
     r.history.motion = to;
     return true;
 }

@@ -73,6 +73,8 @@ public:
     [[nodiscard]] std::int64_t interval_steps(double time_step) const;
     [[nodiscard]] LoadingLength longest(double time_step) const;
 
+    /// Whether the stage that is on has an end that it must reach.
+    [[nodiscard]] bool has_required_end() const { return !finished() && !now().must_end_by.empty(); }
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
     [[nodiscard]] const PlatenControl& platens() const { return platens_; }

@@ -82,7 +82,8 @@ std::string ProgramDriver::stop_reason(double axial_strain) const {
     if (stages_.finished()) {
         return is_standard() && stages_.records().back().ended_by == "peak_drop" ? "peak drop" : "end of the program";
     }
-    return program_.platens && std::abs(axial_strain) >= program_.platens->max_strain ? "strain limit" : "";
+    const bool is_limited = program_.platens && !stages_.has_required_end();
+    return is_limited && std::abs(axial_strain) >= program_.platens->max_strain ? "strain limit" : "";
 }
 
 void ProgramDriver::complete(RunHeader& header, double time) {

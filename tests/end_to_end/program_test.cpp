@@ -79,6 +79,17 @@ TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
             " --plane stress --frames 4 ");
 }
 
+// The pressure is reached first, also where the strain limit is below the strain of the isotropic stage.
+TEST(Programs, TheStrainLimitDoesNotCutTheIsotropicStage) {
+    const Shell shell;
+    shell.must(
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n"
+        "graincrack-solve triaxial rectangle.h5 --material augig-granite --confining-pressure 40MPa --max-strain 1e-4 "
+        "--quiet -o run.h5");
+    const double stress = std::atof(shell.must("graincrack-post history run.h5 | tail -1 | cut -f7").c_str());
+    EXPECT_LE(stress, -40e6 * (1 - 2e-3));  // to what counts as rest
+}
+
 TEST(Programs, CanDoWhatTestsCan) {
     const Shell shell;
     shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o bar.h5");
