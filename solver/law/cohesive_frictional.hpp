@@ -34,6 +34,7 @@ struct CohesiveFrictional {
                                                 .open_shear_strength = true,
                                                 .residual_friction = true};
     static constexpr bool damages_intact = true;
+    static constexpr bool remembers_largest = false;
     static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }
     static void complete(ContactLaw& law) {
         law.stiffest_shear = 2 * law.ks;  // cohesion and friction side by side

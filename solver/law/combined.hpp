@@ -50,6 +50,7 @@ struct Combined {
                                                 .mode_ii_fracture_energy = true,
                                                 .residual_friction = true};
     static constexpr bool damages_intact = false;
+    static constexpr bool remembers_largest = true;
     /// The areas to the peaks.
     static FractureEnergies min_energies(const ContactLaw& law) { return {2.0 / 3 * law.tc * law.op, 2.0 / 3 * law.cc * law.sp}; }
     static void complete(ContactLaw& law) {
@@ -70,19 +71,20 @@ struct Combined {
     static Stretch stretch_of(const ContactLaw& law, const ContactMotion& m) {
         return {std::max(0.0, m.opening) * law.inv_op, std::abs(m.sliding) * law.inv_sp};
     }
-    /// The cohesion of a point: the largest stretches, each 0 up to its peak and at least 1 past it, and z.
+    /// The cohesion of a point: the largest stretches, each 0 up to its peak and at least 1 past it, D and z.
     struct Cohesion {
         Stretch largest;
-        double left;
+        double damage;  ///< D, above 1 when nothing is left
+        double left;    ///< z
     };
-    static double damage_at(const ContactLaw& law, const Stretch& largest) {
+    static Cohesion cohesion_at(const ContactLaw& law, const Stretch& largest) {
         const double x = std::max(0.0, largest.open - 1) / law.o_range;
         const double y = std::max(0.0, largest.slid - 1) / law.s_range;
-        return std::sqrt(x * x + y * y);
+        const double damage = std::sqrt(x * x + y * y);
+        return {largest, damage, munjiza_softening(damage)};
     }
     static Cohesion cohesion_of(const ContactLaw& law, const ContactHistory& h) {
-        const Stretch largest{h.largest_open, h.largest_slid};
-        return {largest, munjiza_softening(damage_at(law, largest))};
+        return cohesion_at(law, {h.largest_open, h.largest_slid});
     }
     /// P(x) for x ≥ 0, on the secant once the peak has been passed.
     static double rise(double x, double largest) { return largest >= 1 ? x / largest : x * (2 - x); }
@@ -92,61 +94,75 @@ struct Combined {
         return c.left *
                (law.tc * law.op * rise_energy(at.open, c.largest.open) + law.cc * law.sp * rise_energy(at.slid, c.largest.slid));
     }
-
     /// Of the friction angle: φc while all cohesion is there, φ_r when it is gone, between them in proportion to 1 − D.
-    static double tan_friction(const ContactLaw& law, const ContactHistory& h) {
-        return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * (1 - damage(law, h));
+    static double tan_friction(const ContactLaw& law, double damage) {
+        return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * (1 - std::min(1.0, damage));
     }
-    /// Friction beside the cohesion of a closed point. It starts from zero in the step in which the point fails.
-    static void advance_friction(const ContactLaw& law, const ContactMotion& to, bool rubs, ContactResponse& r) {
-        if (rubs) {
-            slide(law, to, -law.kt * to.opening * tan_friction(law, r.history), r);
-        } else {
-            r.history.slip = to.sliding;
-            r.traction.shear = 0;
-        }
+    /// 1 if a stretch passes its peak, else 0.
+    static double passes_peak(double stretch, double largest) { return stretch > 1 && largest < 1 ? 1.0 : 0.0; }
+
+    /// Cohesion past a peak, and friction beside it while closed.
+    static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
+        const bool closed = p.opening < 0;
+        const Stretch from = stretch_of(law, {p.old_opening, p.old_sliding});
+        const Stretch at = stretch_of(law, {p.opening, p.sliding});
+        const Cohesion old = cohesion_at(law, {p.largest_open, p.largest_slid});
+        const Cohesion now = cohesion_at(law, {p.largest_open < 1 ? 0 : std::max(p.largest_open, at.open),
+                                               p.largest_slid < 1 ? 0 : std::max(p.largest_slid, at.slid)});
+        const double limit = -law.kt * std::min(p.opening, 0.0) * tan_friction(law, now.damage);
+        const FrictionReturn friction = friction_return(law.ks, p.old_sliding, p.sliding, p.slip, limit);
+        const double open = now.left * law.tc * rise(at.open, now.largest.open);
+        const double shear = std::copysign(now.left * law.cc * rise(at.slid, now.largest.slid), p.sliding);
+        const double passes = passes_peak(at.open, p.largest_open) + passes_peak(at.slid, p.largest_slid);
+        return {.normal = closed ? law.kt * p.opening : open,
+                .shear = shear + (closed ? friction.shear : 0.0),
+                .integrity = 1,
+                .slip = closed ? friction.slip : p.slip,
+                // The fall of the energy with history, at the mean of both motions: each part is at least zero.
+                .fracture = 0.5 * (cohesive_energy(law, from, old) - cohesive_energy(law, from, now) +
+                                   cohesive_energy(law, at, old) - cohesive_energy(law, at, now)),
+                .friction = closed ? friction.dissipated : 0.0,
+                .holds = passes == 0 && now.left > 0 ? stays_on_its_side({p.old_opening, p.old_sliding, p.opening, p.sliding, 1})
+                                                     : 0.0,
+                .largest_open = now.largest.open,
+                .largest_slid = now.largest.slid};
     }
-    /// Moves the cohesion of a point to a motion on the same side of δn = 0. \return its traction, without compression
-    static ContactTraction soften(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    /// Notes the peaks that a point passes. Friction starts from zero in the step in which a closed point fails.
+    static void pass_peaks(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         constexpr double lost_at_peak = 2.0 / 3 - 0.5;  // from the parabola's energy to the secant's
         ContactHistory& h = r.history;
-        const Stretch from = stretch_of(law, h.motion);
         const Stretch at = stretch_of(law, to);
+        const double left = cohesion_of(law, h).left;
         const CrackMode mode = to.opening >= 0 ? CrackMode::tensile : CrackMode::shear;
-        Cohesion old = cohesion_of(law, h);
-        if (at.open > 1 && old.largest.open < 1) {
-            mark_failed(h, mode);
-            r.dissipation.fracture += lost_at_peak * old.left * law.tc * law.op;
-            old.largest.open = 1;
+        if (!h.failed() && to.opening < 0) {
+            h.slip = to.sliding;
         }
-        if (at.slid > 1 && old.largest.slid < 1) {
+        if (passes_peak(at.open, h.largest_open) != 0) {
             mark_failed(h, mode);
-            r.dissipation.fracture += lost_at_peak * old.left * law.cc * law.sp;
-            old.largest.slid = 1;
+            r.dissipation.fracture += lost_at_peak * left * law.tc * law.op;
+            h.largest_open = 1;
         }
-        h.largest_open = old.largest.open < 1 ? 0 : std::max(old.largest.open, at.open);
-        h.largest_slid = old.largest.slid < 1 ? 0 : std::max(old.largest.slid, at.slid);
-        const Cohesion now = cohesion_of(law, h);
-        h.separated = h.separated || now.left == 0;
-        // The fall of the energy with history, at the mean of both motions: each part is at least zero.
-        r.dissipation.fracture += 0.5 * (cohesive_energy(law, from, old) - cohesive_energy(law, from, now) +
-                                         cohesive_energy(law, at, old) - cohesive_energy(law, at, now));
-        return {now.left * law.tc * rise(at.open, now.largest.open),
-                std::copysign(now.left * law.cc * rise(at.slid, now.largest.slid), to.sliding)};
+        if (passes_peak(at.slid, h.largest_slid) != 0) {
+            mark_failed(h, mode);
+            r.dissipation.fracture += lost_at_peak * left * law.cc * law.sp;
+            h.largest_slid = 1;
+        }
     }
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-        const bool rubs = r.history.failed();
-        if (!rubs && advance_intact<Combined>(law, to, r)) {
+        ContactHistory& h = r.history;
+        if (!h.failed() && advance_intact<Combined>(law, to, r)) {
             return;
         }
-        const ContactTraction cohesive = soften(law, to, r);
-        if (to.opening >= 0) {
-            r.traction = cohesive;
-        } else {
-            advance_friction(law, to, rubs, r);
-            r.traction = {law.kt * to.opening, r.traction.shear + cohesive.shear};
-        }
-        r.history.motion = to;
+        pass_peaks(law, to, r);
+        const SofteningResponse now = softening(law, softening_point(h, to));
+        r.traction = {now.normal, now.shear};
+        r.dissipation.fracture += now.fracture;
+        r.dissipation.friction += now.friction;
+        h.largest_open = now.largest_open;
+        h.largest_slid = now.largest_slid;
+        h.slip = now.slip;
+        h.separated = h.separated || cohesion_of(law, h).left == 0;
+        h.motion = to;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
@@ -159,9 +175,7 @@ struct Combined {
         const double elastic = h.failed() ? h.motion.sliding - h.slip : 0;
         return cohesive + 0.5 * (law.kt * h.motion.opening * h.motion.opening + law.ks * elastic * elastic);
     }
-    static double damage(const ContactLaw& law, const ContactHistory& h) {
-        return std::min(1.0, damage_at(law, cohesion_of(law, h).largest));
-    }
+    static double damage(const ContactLaw& law, const ContactHistory& h) { return std::min(1.0, cohesion_of(law, h).damage); }
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.failed() && damage(law, h) >= 1; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double x = std::max(0.0, p.opening) * law.inv_op;

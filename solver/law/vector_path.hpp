@@ -29,6 +29,8 @@ struct SofteningPoint {
     double opening, sliding;          ///< m
     double integrity;                 ///< β before
     double slip;                      ///< before, m
+    double largest_open = 0;          ///< before, as in `ContactHistory`
+    double largest_slid = 0;
 };
 /// What `update_contact` gives for it, where `holds`.
 struct SofteningResponse {
@@ -37,7 +39,9 @@ struct SofteningResponse {
     double slip;      ///< m
     double fracture;  ///< dissipated, J/m²
     double friction;  ///< dissipated, J/m²
-    double holds;     ///< 1 if the point stays open or stays closed and cohesion is left, else 0
+    double holds;     ///< 1 if the point stays open or stays closed, passes no further peak and cohesion is left, else 0
+    double largest_open = 0;
+    double largest_slid = 0;
 };
 
 /// A residual point, one of which `is_residual` of its law says that no cohesion is left, before and after a motion.
@@ -72,7 +76,7 @@ inline IntactPoint intact_point(const ContactHistory& h, const ContactMotion& to
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity};
 }
 inline SofteningPoint softening_point(const ContactHistory& h, const ContactMotion& to) {
-    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity, h.slip};
+    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity, h.slip, h.largest_open, h.largest_slid};
 }
 inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion& to) {
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip};

@@ -18,16 +18,17 @@ struct Lanes {
     alignas(64) double jump_x[2 * n], jump_y[2 * n];
     alignas(64) double opening[2 * n], sliding[2 * n];
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
-    alignas(64) double intact[2 * n];     ///< 1 while the point has not failed, else 0
-    alignas(64) double softening[2 * n];  ///< 1 if it has failed and cohesion is left, else 0
-    alignas(64) double tensile[2 * n];    ///< 1 if a softening point failed in tension, else 0
-    alignas(64) double residual[2 * n];   ///< 1 if it carries nothing but friction, else 0
-    alignas(64) double released[2 * n];   ///< 1 if the contact has been released to node–edge contacts, else 0
-    alignas(64) double done[2 * n];       ///< 1 where one of these responses holds or the contact has been released; else 0: the
-                                          ///< point needs the full law
+    alignas(64) double intact[2 * n];                             ///< 1 while the point has not failed, else 0
+    alignas(64) double softening[2 * n];                          ///< 1 if it has failed and cohesion is left, else 0
+    alignas(64) double tensile[2 * n];                            ///< 1 if a softening point failed in tension, else 0
+    alignas(64) double largest_open[2 * n], largest_slid[2 * n];  ///< of softening points, as in `ContactHistory`
+    alignas(64) double residual[2 * n];                           ///< 1 if it carries nothing but friction, else 0
+    alignas(64) double released[2 * n];  ///< 1 if the contact has been released to node–edge contacts, else 0
+    alignas(64) double done[2 * n];      ///< 1 where one of these responses holds or the contact has been released; else 0: the
+                                         ///< point needs the full law
     alignas(64) double fracture[2 * n], shear_fracture[2 * n];  ///< dissipated, J
     alignas(64) double friction[2 * n];                         ///< dissipated, J
-    bool any_softening;  ///< whether a point is softening; else `softening` and `tensile` are not set
+    bool any_softening;  ///< whether a point is softening; else `softening`, `tensile` and the largest motions are not set
     bool any_residual;   ///< whether a point is residual or released; else `residual` and `released` are not set
 };
 
@@ -97,8 +98,11 @@ void find_softening(const State& s, Range range, Lanes& b) {
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         const std::size_t point = first + static_cast<std::size_t>(k);
         const bool softening = s.failed[point] != 0 && s.residual[point] == 0;
+        const ContactHistory* const history = softening ? &s.points[point] : nullptr;
         b.softening[k] = softening ? 1.0 : 0.0;
-        b.tensile[k] = softening && s.points[point].first_mode == CrackMode::tensile ? 1.0 : 0.0;
+        b.tensile[k] = softening && history->first_mode == CrackMode::tensile ? 1.0 : 0.0;
+        b.largest_open[k] = softening ? history->largest_open : 0.0;
+        b.largest_slid[k] = softening ? history->largest_slid : 0.0;
         found += b.softening[k];
     }
     b.any_softening = found > 0;
@@ -196,9 +200,11 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
     double* __restrict const integrity = points.integrity;
     double* __restrict const slip = points.slip;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const SofteningResponse r =
-            Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k], slip[k]});
+        const SofteningResponse r = Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k],
+                                                         slip[k], b.largest_open[k], b.largest_slid[k]});
         const double softening = r.holds * b.softening[k];
+        b.largest_open[k] = softening != 0 ? r.largest_open : b.largest_open[k];
+        b.largest_slid[k] = softening != 0 ? r.largest_slid : b.largest_slid[k];
         b.normal_traction[k] = softening != 0 ? r.normal : b.normal_traction[k];
         b.shear_traction[k] = softening != 0 ? r.shear : b.shear_traction[k];
         integrity[k] = softening != 0 ? r.integrity : integrity[k];
@@ -206,6 +212,18 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
         b.fracture[k] = softening != 0 ? r.fracture : 0.0;
         b.friction[k] = softening != 0 ? r.friction : 0.0;
         b.done[k] = b.done[k] + softening;
+    }
+}
+
+/// Keeps the largest motions of softening points.
+void store_largest(Range range, const Lanes& b, State& s) {
+    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
+    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+        if (b.softening[k] != 0) {
+            ContactHistory& history = s.points.of(first + static_cast<std::size_t>(k));
+            history.largest_open = b.largest_open[k];
+            history.largest_slid = b.largest_slid[k];
+        }
     }
 }
 
@@ -366,6 +384,9 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
                 book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.tensile[k] != 0; });
                 sums.friction += sum_friction(count, b);
             });
+            if constexpr (Law::remembers_largest) {
+                store_largest(a.contact_chunks[chunk], b, s);
+            }
         }
     }
     std::int32_t undone = 0;

@@ -144,41 +144,5 @@ TEST(CohesiveFrictional, SuddenLossIsTheLimitOfSmallEnergies) {
     }
 }
 
-// The response of softening points without a branch is that of the full law wherever it says that it holds.
-TEST(CohesiveFrictional, TheSofteningResponseAgreesWithTheFullLaw) {
-    ContactParameters c = weak();
-    c.residual_friction_angle = 20 * test::degree;
-    const ContactLaw law = law_of(c);
-    int held = 0;
-    int slid = 0;
-    for (int seed = 0; seed < 20; ++seed) {
-        ContactWalk walk(law, pressed(law, 5 * MPa));
-        const double opening = walk.history().motion.opening;
-        walk.go({opening, 1.01 * c.critical_sliding}, 10);
-        for (int k = 1; k < 500; ++k) {
-            const ContactHistory h = walk.history();
-            const ContactMotion to{opening * (1 + 1.2 * std::sin(0.013 * k * (1 + seed))),
-                                   c.critical_sliding * (1 + 0.2 * k * std::sin(0.05 * k + seed))};
-            const SofteningResponse r = contact_law::CohesiveFrictional::softening(law, contact_law::softening_point(h, to));
-            const ContactResponse full = update_contact(law, to, h);
-            walk.to(to);
-            if (r.holds == 0 || contact_law::CohesiveFrictional::is_residual(law, h)) {
-                continue;
-            }
-            ++held;
-            slid += r.friction > 0 ? 1 : 0;
-            EXPECT_EQ(r.normal, full.traction.normal);
-            EXPECT_EQ(r.shear, full.traction.shear);
-            EXPECT_EQ(r.integrity, full.history.integrity);
-            EXPECT_EQ(r.slip, full.history.slip);
-            EXPECT_EQ(r.fracture, full.dissipation.fracture);
-            EXPECT_EQ(r.friction, full.dissipation.friction);
-            EXPECT_EQ(full.dissipation.non_conservative_work, 0);
-        }
-    }
-    EXPECT_GT(held, 500);
-    EXPECT_GT(slid, 100);
-}
-
 }  // namespace
 }  // namespace graincrack
