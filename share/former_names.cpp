@@ -41,12 +41,7 @@ constexpr std::array names_of_schema_1{
     FormerName{schema::state_group, "wants_rebuild", "touch_wants_search"},
     FormerName{schema::state_group, "travel_since_rebuild", "touch_way_unsearched"},
     FormerName{schema::state_group, "detection_interval", "touch_review_interval"},
-    FormerName{schema::state_group, "cluster_linked", "group_tied"},
-    FormerName{schema::state_group, "cluster_supported", "group_supported"},
-    FormerName{schema::state_group, "cluster_component", "group_component"},
-    FormerName{schema::state_group, "cluster_inverse_mass", "group_inverse_mass"},
     FormerName{schema::state_group, "cluster_energies", "group_energies"},
-    FormerName{schema::state_group, "subcycled", "in_parts"},
 };
 
 /// An attribute with another text since schema 2.

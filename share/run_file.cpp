@@ -43,6 +43,7 @@ const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)>
     {"shear_cracks", Dimension::one, "contacts that failed in shear (points / 2)"},
     {"platen_speed", Dimension::speed, "speed of each platen, approach positive"},
     {"damping_load", Dimension::one, "load that damping carries by holding the mean motion back, over that of the platens"},
+    {"energy_numerical", Dimension::energy, "lost by mass scaling where clusters of nodes meet or leave platens"},
 }};
 // clang-format on
 
@@ -362,7 +363,7 @@ const H5Input& RunReader::file() const { return state_->file; }
 History read_history(const H5Input& file) {
     History history;
     for (std::size_t i = 0; i < n_history_columns; ++i) {
-        const bool is_newer = i == static_cast<std::size_t>(HistoryColumn::damping_load);  // may be missing from older files
+        const bool is_newer = i >= static_cast<std::size_t>(HistoryColumn::damping_load);  // may be missing from older files
         history.columns[i] = is_newer && !file.has(history_path(i)) ? std::vector<double>(history.columns[0].size())
                                                                     : file.read<double>(history_path(i));
         if (history.columns[i].size() != history.columns[0].size()) {

@@ -91,6 +91,7 @@ enum class HistoryColumn : std::size_t {
     shear_cracks,
     platen_speed,
     damping_load,
+    energy_numerical,
     count
 };
 struct HistoryDataset {

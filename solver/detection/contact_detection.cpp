@@ -7,6 +7,7 @@
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/pair_geometry.hpp"
+#include "solver/detection/stable_area.hpp"
 
 namespace graincrack {
 namespace {
@@ -179,7 +180,10 @@ double area_of(const Group& group, std::int32_t i) {
     };
     const double tributary = a.surface.tributary[group.node()];
     const std::int32_t end = group.edge(i).nodes[group.geometry(i).place < 0.5 ? 0 : 1];
-    return std::clamp(std::min(available(group.node()), available(end)), min_area * tributary, tributary);
+    const double of_bonds = std::clamp(std::min(available(group.node()), available(end)), min_area * tributary, tributary);
+    const Chunk& chunk = group.chunk;
+    const ContactPairList& list = chunk.state.contact_pairs;
+    return std::min(of_bonds, stable_area(a, chunk.parameters, list, list.pairs[group.pair(i)], group.geometry(i).place));
 }
 
 /// Whether a contact may begin: the node is inside the grain, came in through this edge, and has no other contact with this grain

@@ -10,6 +10,7 @@
 #include "solver/detection/contact_detection.hpp"
 #include "solver/detection/pair_geometry.hpp"
 #include "solver/detection/pair_search.hpp"
+#include "solver/detection/stable_area.hpp"
 
 namespace graincrack {
 namespace {
@@ -406,24 +407,20 @@ void rebuild(const Assemblage& a, const ContactLaw& law, const std::vector<std::
 
 }  // namespace
 
-bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
+void update_pair_list(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
     const ContactLaw& law = parameters.law;
-    const bool scaled = parameters.mass_scaling.is_on();
     bool debonded_now = false;
     std::vector<std::int32_t> released_now;
     contact_law::with_law(law.variant, [&](auto kind) {
         debonded_now = find_debonded<decltype(kind)>(a, law, s);
         released_now = find_released<decltype(kind)>(a, law, s);
     });
-    if (scaled && !released_now.empty()) {
-        return true;
-    }
     const bool is_first = list.displacement_at_search.empty();
     const Speeds speeds = find_speeds(s.velocity);
     const double travel_fastest = speeds.fastest * parameters.time_step;
     const double travel_p95 = speeds.p95 * parameters.time_step;
-    const std::int64_t longest = std::max(max_interval(a.surface.mean_length, travel_p95, travel_fastest), shortest);
+    const std::int64_t longest = max_interval(a.surface.mean_length, travel_p95, travel_fastest);
     const double allowed = 0.5 * buffer * a.surface.mean_length;  // two nodes may move towards each other
     double travel = travel_since_search(s);
     // After debonding a search may wait as long as nothing has moved far since.
@@ -434,19 +431,12 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
         rebuild(a, law, released_now, s);
         travel = 0;
     }
+    limit_contact_areas(a, parameters, s);
     list.detection_interval = std::max<std::int64_t>(longest / detections_between_updates, 1);
     watch_pairs(a, static_cast<double>(longest) * parameters.time_step, speeds.p95, s);
     find_occupied_area(a, list);
-    if (scaled) {
-        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
-            detect_contacts(a, parameters, chunk, s);
-        }
-        list.chunks.clear();
-    }
     const double steps = travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_steps);
-    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(min_steps, longest), longest);
-    return scaled &&
-           std::any_of(list.contacts.begin(), list.contacts.end(), [](const NodeEdgeContact& contact) { return contact.active; });
+    list.next_update = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, longest);
 }
 
 }  // namespace graincrack

@@ -11,13 +11,8 @@
 namespace graincrack {
 
 /// Updates the list between two steps: finds points that have debonded, releases contacts that have moved far, searches anew
-/// where that or the travel of the nodes since the last search makes it necessary, chooses the watched pairs, and sets the step
-/// of the next update (`next_check`). Serial; the result depends on the state only.
-///
-/// With mass scaling there are no node–edge contacts: it changes nothing but the list.
-/// \param shortest least number of steps to the next update
-/// \return with mass scaling, whether a node–edge contact begins or a contact is to be released: mass scaling has to end, and the
-/// list is to be updated again without it
-bool update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
+/// where that or the travel of the nodes since the last search makes it necessary, limits areas to what the step allows, chooses
+/// the watched pairs, and sets the step of the next update (`next_update`). Serial; the result depends on the state only.
+void update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
 }  // namespace graincrack

@@ -67,7 +67,7 @@ struct ContactPairList {
     std::vector<std::int32_t> watched;      ///< pairs that may be in contact before the next update, ascending
     std::vector<Range> watched_groups;      ///< of them, of one node each
     std::vector<Range> chunks;              ///< of `watched_groups`, that one thread works on at a time
-    std::int64_t detection_interval = 1;    ///< steps, or substeps, from one detection to the next
+    std::int64_t detection_interval = 1;    ///< steps from one detection to the next
     ActiveContacts active;
     std::vector<double> friction;                  ///< [chunks] dissipated since the last update, J
     double friction_before = 0;                    ///< and before it, J
@@ -79,7 +79,8 @@ struct ContactPairList {
     bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search
     double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
     std::vector<double> occupied_area;             ///< [n] area of a node that contacts occupy, at the last update, m²
-    std::int64_t next_check = 0;                   ///< step
+    std::vector<double> cluster_load;  ///< [clusters] L_C at the last update (stable_area.hpp), m²; with mass scaling
+    std::int64_t next_update = 0;      ///< step
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
     /// Calls `visit` with the place of each active contact.

@@ -39,10 +39,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
 }
 
 std::size_t memory_of(const State& state) {
-    const auto& [step, time, integrations, origin_step, origin_time, displacement, velocity, force, last_force, damping_force,
-                 near_platen, contact_force, opening, sliding, integrity, slip, failed, residual, points, fracture_energy,
-                 contact_pairs, platen_points, grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load,
-                 subcycled] = state;
+    const auto& [step, time, origin_step, origin_time, displacement, velocity, force, last_force, damping_force, near_platen,
+                 contact_force, opening, sliding, integrity, slip, failed, residual, points, fracture_energy, contact_pairs,
+                 platen_points, grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load] = state;
     return memory_of_all(displacement, velocity, force, last_force, damping_force, near_platen, contact_force, opening, sliding,
                          integrity, slip, failed, residual, points, fracture_energy, contact_pairs, platen_points, grain_sums,
                          contact_sums, events, loading, clusters, prescribed, damping_load);

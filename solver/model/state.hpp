@@ -75,25 +75,23 @@ inline std::size_t memory_of(const PointHistories& histories) { return histories
 struct State {
     std::int64_t step = 0;
     double time = 0;
-    std::int64_t integrations = 0;       ///< steps and, once steps are made of substeps, substeps
-    std::int64_t origin_step = 0;        ///< the first step with the present time step
-    double origin_time = 0;              ///< of that step, s
-    std::vector<Vector2> displacement;   ///< [n] m, at `time`
-    std::vector<Vector2> velocity;       ///< [n] m/s, half a step before `time`
-    std::vector<Vector2> force;          ///< [n] N, scratch of the node stage
-    std::vector<Vector2> last_force;     ///< [n] N, of the step before, for the rate of `force`
-    std::vector<Vector2> damping_force;  ///< [n] N, scratch of integration with mass scaling and of measurements
-    std::vector<std::uint8_t>
-        near_platen;                      ///< [n] 1 + the platen within `cluster_reach` of it, else 0; scratch of the node stage
-    std::vector<double> contact_force;    ///< slots (`slot_of`), N, at `time`
-    std::vector<double> opening;          ///< [2 c] m, at `time`
-    std::vector<double> sliding;          ///< [2 c] m, at `time`
-    std::vector<double> integrity;        ///< [2 c] β of each point; stays 1 if the law has none
-    std::vector<double> slip;             ///< [2 c] frictional slip of each point, m
-    std::vector<std::uint8_t> failed;     ///< [2 c] 1 once the point has passed its peak
-    std::vector<std::uint8_t> residual;   ///< [2 c] 1 once nothing but friction is left (`is_residual`)
-    PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
-    std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
+    std::int64_t origin_step = 0;           ///< the first step with the present time step
+    double origin_time = 0;                 ///< of that step, s
+    std::vector<Vector2> displacement;      ///< [n] m, at `time`
+    std::vector<Vector2> velocity;          ///< [n] m/s, half a step before `time`
+    std::vector<Vector2> force;             ///< [n] N, scratch of the node stage
+    std::vector<Vector2> last_force;        ///< [n] N, of the step before, for the rate of `force`
+    std::vector<Vector2> damping_force;     ///< [n] N, scratch of integration with mass scaling and of measurements
+    std::vector<std::uint8_t> near_platen;  ///< [n] 1 + the platen within `platen_reach` of it, else 0; scratch of the node stage
+    std::vector<double> contact_force;      ///< slots (`slot_of`), N, at `time`
+    std::vector<double> opening;            ///< [2 c] m, at `time`
+    std::vector<double> sliding;            ///< [2 c] m, at `time`
+    std::vector<double> integrity;          ///< [2 c] β of each point; stays 1 if the law has none
+    std::vector<double> slip;               ///< [2 c] frictional slip of each point, m
+    std::vector<std::uint8_t> failed;       ///< [2 c] 1 once the point has passed its peak
+    std::vector<std::uint8_t> residual;     ///< [2 c] 1 once nothing but friction is left (`is_residual`)
+    PointHistories points;                  ///< [2 c] the rest of their histories; see `point_history`
+    std::vector<double> fracture_energy;    ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
     std::vector<GrainSums> grain_sums;              ///< by chunk of grains
@@ -103,7 +101,6 @@ struct State {
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
-    bool subcycled = false;  ///< mass scaling has ended, see `StepParameters::substeps`
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const State& state);

@@ -10,6 +10,11 @@
 
 namespace graincrack {
 
+namespace {
+
+constexpr std::int32_t clusters_per_chunk = 32;
+
+/// Representative of `i` in a forest of parents, with the path to it shortened.
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
     while (parent[i] != i) {
         parent[i] = parent[parent[i]];
@@ -17,10 +22,6 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
     }
     return i;
 }
-
-namespace {
-
-constexpr std::int32_t clusters_per_chunk = 32;
 
 /// The lowest of the nodes that share a vertex with each node.
 std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
@@ -37,21 +38,6 @@ std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
         parent[i] = root_of(parent, i);
     }
     return parent;
-}
-
-/// Cuts a sequence sorted by cluster into one range a cluster.
-template <class ClusterOf>
-std::vector<Range> ranges_of_clusters(std::int32_t count, std::int32_t n_clusters, ClusterOf&& cluster_of) {
-    std::vector<Range> ranges(n_clusters);
-    std::int32_t i = 0;
-    for (std::int32_t g = 0; g < n_clusters; ++g) {
-        ranges[g].begin = i;
-        while (i < count && cluster_of(i) == g) {
-            ++i;
-        }
-        ranges[g].end = i;
-    }
-    return ranges;
 }
 
 /// Cuts clusters into chunks.
@@ -83,27 +69,17 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
     m.nodes.resize(a.position.size());
     std::iota(m.nodes.begin(), m.nodes.end(), 0);
     std::stable_sort(m.nodes.begin(), m.nodes.end(), [&](std::int32_t i, std::int32_t j) { return vertex[i] < vertex[j]; });
-    std::vector<std::int32_t> place_of_node(a.position.size());
-    std::vector<std::int32_t> cluster_of_node(a.position.size());
-    std::int32_t n_clusters = 0;
+    m.cluster_of_node.resize(a.position.size());
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         const std::int32_t node = m.nodes[i];
-        n_clusters += vertex[node] == node ? 1 : 0;  // the lowest node comes first
-        place_of_node[node] = i;
-        cluster_of_node[node] = n_clusters - 1;
+        if (vertex[node] == node) {  // the lowest node comes first
+            m.clusters.push_back({i, i});
+            m.cluster_mass.push_back(0);
+        }
+        ++m.clusters.back().end;
+        m.cluster_mass.back() += a.mass[node];
+        m.cluster_of_node[node] = static_cast<std::int32_t>(m.clusters.size()) - 1;
     }
-    for (std::int32_t point = 0; point < 2 * a.n_contacts(); ++point) {
-        const auto& nodes = a.contacts[point / 2].nodes;
-        m.links.push_back({place_of_node[nodes[point % 2]], place_of_node[nodes[2 + point % 2]], point,
-                           cluster_reach * 2 * a.contacts[point / 2].point_area});
-    }
-    const auto cluster_of_link = [&](const MassScaling::Link& link) { return cluster_of_node[m.nodes[link.first]]; };
-    std::stable_sort(m.links.begin(), m.links.end(), [&](const MassScaling::Link& l, const MassScaling::Link& r) {
-        return cluster_of_link(l) < cluster_of_link(r);
-    });
-    m.clusters = ranges_of_clusters(a.n_nodes(), n_clusters, [&](std::int32_t i) { return cluster_of_node[m.nodes[i]]; });
-    m.links_of_cluster = ranges_of_clusters(static_cast<std::int32_t>(m.links.size()), n_clusters,
-                                            [&](std::int32_t t) { return cluster_of_link(m.links[t]); });
     cut_chunks(m);
     for (const std::int32_t node : m.nodes) {
         m.mass.insert(m.mass.end(), 2, a.mass[node]);
@@ -113,15 +89,13 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
 }
 
 std::size_t memory_of(const MassScaling& scaling) {
-    const auto& [factor, nodes, links, clusters, links_of_cluster, chunks, mass, inverse_mass] = scaling;
-    return memory_of_all(nodes, links, clusters, links_of_cluster, chunks, mass, inverse_mass);
+    const auto& [factor, nodes, clusters, chunks, mass, inverse_mass, cluster_of_node, cluster_mass] = scaling;
+    return memory_of_all(nodes, clusters, chunks, mass, inverse_mass, cluster_of_node, cluster_mass);
 }
 
 std::size_t memory_of(const ClusterState& state) {
-    const auto& [linked, supported, constraining_platen, component, inverse_mass, whole, sums, constrained, chunk_of_point,
-                 cracked, platen_nodes] = state;
-    return memory_of_all(linked, supported, constraining_platen, component, inverse_mass, whole, sums, constrained,
-                         chunk_of_point, cracked, platen_nodes);
+    const auto& [near_platen, sums, constraining_platen, inverse_mass, constrained, platen_nodes] = state;
+    return memory_of_all(near_platen, sums, constraining_platen, inverse_mass, constrained, platen_nodes);
 }
 
 }  // namespace graincrack

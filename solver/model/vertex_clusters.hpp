@@ -10,18 +10,18 @@
 // of contacts, which does not matter in a quasi-static test. Equilibrium and momentum are unchanged; angular momentum of the
 // relative motion is not conserved.
 //
-// A contact point links its two nodes until it has separated and opened by `cluster_reach`, and again when it comes as close. The
-// nodes of a cluster that links connect form a component, so fragments move freely. When grains come into contact with others
-// than their first neighbours, mass scaling ends (`StepParameters::substeps`). A component with a node on a platen, or as close
-// to one, is constrained by the platen as by an infinite mass: ā is the platen's. The force that accelerates the added mass with
-// the platen does work, which is booked as the platen's.
+// A vertex cluster stays what it is when its contacts have failed: an added mass on relative motions changes no equilibrium, and
+// node–edge contacts, which are as stiff as bonds, need it as bonds do. What it leaves of their stiffness is limited by
+// `detection/stable_area.hpp`. So the long step lasts to the end of a test. Fragments move slowly relative to each other: the
+// energy that a fracture sets free turns into slower motion, and the test must be loaded slowly enough to follow.
 //
-// When components change, nodes that split keep their velocities, and nodes that join keep their momentum M' v, as keeping their
-// velocities would create energy. Both lose kinetic energy and never gain any; the loss is booked.
+// A cluster with a node on a platen, or as close to one as `platen_reach`, is constrained by the platen as by an infinite mass: ā
+// is the platen's. The force that accelerates the added mass with the platen does work, which is booked as the platen's. When a
+// cluster meets a platen or leaves it, its nodes keep their momentum M' v, as keeping their velocities would create energy. That
+// loses kinetic energy and never gains any; the loss is booked.
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,30 +31,24 @@
 
 namespace graincrack {
 
-/// Opening of a separated contact up to which its nodes are linked, over its length. A free node has its own mass and would
-/// overlap too far in one step with mass scaling, so it is slowed before it comes into contact. At the speed to which a grain
-/// rebounds from 100 MPa, σ/√(ρ E) = 12 m/s, it moves by 1.2e-3 of a 5 mm edge in such a step (5e-7 s).
-inline constexpr double cluster_reach = 4e-3;
+/// Distance from a platen within which a node is constrained by it, over the node's tributary length. A free node has its own
+/// mass and would overlap too far in one step with mass scaling, so it is slowed before it comes into contact. At the speed to
+/// which a grain rebounds from 100 MPa, σ/√(ρ E) = 12 m/s, it moves by 1.2e-3 of a 5 mm edge in such a step (5e-7 s).
+inline constexpr double platen_reach = 4e-3;
 
 /// Largest number of nodes in a chunk of clusters.
 inline constexpr std::int32_t nodes_per_chunk = 256;
 
 /// Constant data of the scaling. Default: none.
 struct MassScaling {
-    /// A contact point that links two nodes.
-    struct Link {
-        std::int32_t first, second;  ///< places in `nodes`
-        std::int32_t point;          ///< 2 c + p
-        double reach;                ///< opening up to which it links them once it has separated, m
-    };
     double factor = 0;                ///< β; 0: no mass scaling
     std::vector<std::int32_t> nodes;  ///< [n] all nodes, cluster by cluster; a node is known by its place in this list
-    std::vector<Link> links;          ///< cluster by cluster
     std::vector<Range> clusters;      ///< of places
-    std::vector<Range> links_of_cluster;
-    std::vector<Range> chunks;  ///< of clusters, that one thread works on at a time; at most `nodes_per_chunk` nodes each
+    std::vector<Range> chunks;        ///< of clusters, that one thread works on at a time; at most `nodes_per_chunk` nodes each
     /// Masses of nodes, each twice: of x and of y.
     std::vector<double> mass, inverse_mass;
+    std::vector<std::int32_t> cluster_of_node;  ///< [n]
+    std::vector<double> cluster_mass;           ///< [clusters] kg
     [[nodiscard]] bool is_on() const { return factor > 0; }
     [[nodiscard]] Range nodes_of(std::int32_t chunk) const {
         return {clusters[chunks[chunk].begin].begin, clusters[chunks[chunk].end - 1].end};
@@ -62,8 +56,6 @@ struct MassScaling {
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const MassScaling& scaling);
-/// Representative of `i` in a forest of parents, with the path to it shortened.
-std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i);
 
 /// \throws InputError if more nodes meet at a vertex than a chunk can hold
 MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
@@ -71,8 +63,8 @@ MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 /// Energies summed over a chunk of clusters since the start, J.
 struct ClusterSums {
     double damping = 0;
-    double regrouping_loss = 0;  ///< kinetic energy lost where components changed
-    double platen_work = 0;      ///< done on the added mass that platens constrain
+    double platen_loss = 0;  ///< kinetic energy lost where clusters met or left a platen
+    double platen_work = 0;  ///< done on the added mass that platens constrain
 };
 
 /// A node that a platen constrains.
@@ -81,27 +73,16 @@ struct ConstrainedNode {
     std::uint8_t constraining_platen;  ///< see `ClusterState::constraining_platen`
 };
 
-/// Which nodes are linked now.
+/// Which clusters platens constrain now.
 struct ClusterState {
-    std::vector<std::uint8_t> linked;               ///< [link] 1 while the point links its nodes
-    std::vector<std::uint8_t> supported;            ///< [place] `State::near_platen` of the node
-    std::vector<std::uint8_t> constraining_platen;  ///< [place] of the component it is the first of: 1 + its platen, 0 for none
-    std::vector<std::int32_t> component;            ///< [place] first place of its component
-    std::vector<double> inverse_mass;  ///< [place] of the component it is the first of; 0 if a platen constrains it, 1/kg
-    std::vector<std::uint8_t> whole;   ///< [cluster] 1 while it is one component
-    std::vector<ClusterSums> sums;     ///< by chunk
+    std::vector<std::uint8_t> near_platen;  ///< [place] `State::near_platen` of the node at the last change
+    std::vector<ClusterSums> sums;          ///< by chunk
 
-    // Found by `complete_cluster_state`: constrained nodes, and where components may change.
+    // Found by `complete_cluster_state`:
+    std::vector<std::uint8_t> constraining_platen;          ///< [clusters] 1 + the platen, 0 for none
+    std::vector<double> inverse_mass;                       ///< [clusters] 0 if a platen constrains it, 1/kg
     std::vector<std::vector<ConstrainedNode>> constrained;  ///< by chunk
-    std::vector<std::int32_t> chunk_of_point;               ///< [2 c]
-    std::vector<std::uint8_t> cracked;                      ///< by chunk: 1 once a point of it has failed
     std::vector<std::vector<std::int32_t>> platen_nodes;    ///< by chunk: places of nodes that may meet a platen
-    /// Called by the thread that works on a point when the point fails.
-    void note_failure(std::size_t point) {
-        if (!chunk_of_point.empty()) {
-            std::atomic_ref(cracked[chunk_of_point[point]]).store(1, std::memory_order_relaxed);
-        }
-    }
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const ClusterState& clusters);

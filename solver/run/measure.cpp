@@ -198,9 +198,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
     return gauges;
 }
 
-Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& whole, State& s) {
-    const StepParameters of_substeps = parameters_of_substeps(whole);
-    const StepParameters& parameters = s.subcycled ? of_substeps : whole;
+Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
     Measurement m;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
         sum_nodal_forces(a, boundary, s.loading, block, s);
@@ -216,7 +214,8 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
     for (const ClusterSums& sums : s.clusters.sums) {
-        m.energies.damping += sums.damping + sums.regrouping_loss;
+        m.energies.damping += sums.damping;
+        m.energies.numerical += sums.platen_loss;
         m.energies.external += sums.platen_work;
     }
     m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;

@@ -160,7 +160,7 @@ private:
         RunHeader header = header_;
         header.stop_reason = "checkpoint";
         header.steps = state_.step;
-        header.integrations = state_.integrations;
+        header.integrations = state_.step;
         header.peak_axial_stress = peak_;
         Provenance provenance;
         provenance.tool = "graincrack-solve";
@@ -288,6 +288,7 @@ private:
         push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));
         push(platen_speed, driver_.platen_speed());
         push(damping_load, state_.damping_load.share());
+        push(energy_numerical, e.numerical);
     }
 
     void show_progress() {
@@ -298,7 +299,7 @@ private:
 
     void finish_header() {
         header_.steps = state_.step;
-        header_.integrations = state_.integrations;
+        header_.integrations = state_.step;
         driver_.complete(header_, state_.time);
         complete_header(history_, specimen_.width, header_);
         header_.energy_balance_error = header_.energy_scale > 0 ? largest_balance_error_ / header_.energy_scale : 0;

@@ -20,9 +20,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
         s.mass_scaling_factor =
             r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(s.assemblage, s.boundary, law);
     }
-    const SubcycledStep step = stable_subcycled_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
-    s.stable_time_step = step.time_step;
-    s.parameters.substeps = step.parts;
+    s.stable_time_step = stable_time_step(s.assemblage, s.boundary, law, s.mass_scaling_factor);
     s.parameters.mass_scaling = make_mass_scaling(s.assemblage, s.mass_scaling_factor);
     s.parameters.time_step = r.time_step_fraction * s.stable_time_step;
     return s;

@@ -209,14 +209,6 @@ double stable_time_step(const Assemblage& a, const Boundary& boundary, const Con
     return 2 / std::sqrt((1 + epsilon) * grain);
 }
 
-SubcycledStep stable_subcycled_step(const Assemblage& a, const Boundary& boundary, const ContactLaw& law,
-                                    double mass_scaling_factor) {
-    const double part = stable_time_step(a, boundary, law);
-    const double whole = mass_scaling_factor > 0 ? stable_time_step(a, boundary, law, mass_scaling_factor) : part;
-    const auto parts = std::max<std::int64_t>(1, static_cast<std::int64_t>(whole / part));
-    return {std::min(whole, static_cast<double>(parts) * part), parts};
-}
-
 double sufficient_mass_scaling(const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {
     constexpr double epsilon = 0.1;
     const double ratio = stiffest_contact(a, boundary, law) / stiffest_grain(a);

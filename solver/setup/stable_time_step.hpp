@@ -1,8 +1,6 @@
 // The stable time step of the assembled system.
 #pragma once
 
-#include <cstdint>
-
 #include "solver/law/contact_law.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
@@ -16,9 +14,8 @@ namespace graincrack {
 /// less than 1 %. Local damping α is always against a mode that
 /// turns at every step, and stiffens it by 1 + α: with it a step is stable below 1/√(1 + α) of this one.
 ///
-/// With mass scaling nodes get lighter as their groups fall apart, so the stiffest state is not the first one. The result then
-/// holds for all of them, whichever contacts have separated: it follows from the largest ω of grains alone and that of contacts
-/// and platens alone, both with the masses as they are. It is at most 2/ω of the stiffest grain alone.
+/// With mass scaling the result follows from the largest ω of grains alone and that of contacts and platens alone, both with the
+/// masses as they are. It is at most 2/ω of the stiffest grain alone.
 /// \param mass_scaling_factor β; 0: no mass scaling
 /// \throws NumericalError if the iteration does not settle
 double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
@@ -28,14 +25,6 @@ double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, 
 /// gain nothing. For Augig granite in grains of 5 mm it is 80 to 110; Brazilian and uniaxial strengths with it are within 0.4 %
 /// of those without (contact law `consistent`, three seeds, 3 mm/s).
 double sufficient_mass_scaling(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law);
-
-/// A step with mass scaling, and the whole number of steps without in it (`StepParameters::parts`).
-struct SubcycledStep {
-    double time_step = 0;  ///< stable, s
-    std::int64_t parts = 1;
-};
-SubcycledStep stable_subcycled_step(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law,
-                                    double mass_scaling_factor);
 
 /// y = K x of that stiffest state, linear about the reference (for `stable_time_step` and its tests).
 void apply_stiffness(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,

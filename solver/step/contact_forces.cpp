@@ -335,7 +335,6 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
                        middle_of_point(a, at, s)};
     if (fails) {
         s.events[at.chunk].push_back(event);
-        s.clusters.note_failure(at.point());
     }
     if (separates) {
         event.is_separation = true;

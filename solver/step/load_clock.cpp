@@ -15,14 +15,6 @@ LoadingClock::LoadingClock(const IntervalLoading& interval, std::int64_t n_steps
     prepare();
 }
 
-void LoadingClock::subcycle(std::int64_t substeps) {
-    n_steps_ *= substeps;
-    k_ *= substeps;
-    steps_since_origin_ *= substeps;
-    time_step_ /= static_cast<double>(substeps);
-    prepare();
-}
-
 void LoadingClock::tick() {
     ++k_;
     for (std::size_t p = 0; p < 2; ++p) {

@@ -13,8 +13,6 @@ class LoadingClock {
 public:
     LoadingClock(const IntervalLoading& interval, std::int64_t n_steps, double time_step, const State& state);
     [[nodiscard]] const StepLoading& now() const { return now_; }
-    /// From here on every step is made of so many substeps.
-    void subcycle(std::int64_t substeps);
     void tick();
 
 private:

@@ -1,288 +1,168 @@
 #include "solver/step/mass_scaling.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace graincrack {
 namespace {
 
-/// Whether a contact point links its nodes.
-bool is_linking(const MassScaling::Link& link, const State& s) {
-    return !s.points[link.point].separated || s.opening[link.point] < link.reach;
+/// The mean velocity of the nodes of a cluster.
+Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, const State& s) {
+    const Range nodes = scaling.clusters[cluster];
+    Vector2 momentum;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        const std::int32_t node = scaling.nodes[i];
+        momentum += a.mass[node] * s.velocity[node];
+    }
+    return (1 / scaling.cluster_mass[cluster]) * momentum;
+}
+
+/// The velocity that the added mass moves with: the mean of the nodes, or that of the platen that constrains them.
+Vector2 velocity_of_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens,
+                            std::int32_t cluster, const State& s) {
+    const std::uint8_t platen = s.clusters.constraining_platen[cluster];
+    return platen != 0 ? platens[platen] : mean_velocity(a, scaling, cluster, s);
+}
+
+/// Kinetic energy ½ vᵀ(M' − M) v of a cluster, J.
+double added_kinetic_energy_of(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens,
+                               std::int32_t cluster, const State& s) {
+    const Range nodes = scaling.clusters[cluster];
+    const Vector2 mean = velocity_of_cluster(a, scaling, platens, cluster, s);
+    double sum = 0;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        const std::int32_t node = scaling.nodes[i];
+        const Vector2 relative = s.velocity[node] - mean;
+        sum += a.mass[node] * dot(relative, relative);
+    }
+    return 0.5 * scaling.factor * sum;
+}
+
+/// Kinetic energy of a cluster as the energy balance has it, up to what does not depend on velocities, J: ½ v(n−½)ᵀM' v(n+½) with
+/// v(n+½) = v(n−½) + Δt M'⁻¹F.
+double kinetic_energy_of(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens,
+                         std::int32_t cluster, const State& s) {
+    const MassScaling& scaling = parameters.mass_scaling;
+    double sum = 0;
+    for (std::int32_t i = scaling.clusters[cluster].begin; i < scaling.clusters[cluster].end; ++i) {
+        const std::int32_t node = scaling.nodes[i];
+        const Vector2& v = s.velocity[node];
+        sum += a.mass[node] * dot(v, v) + parameters.time_step * dot(s.force[node], v);
+    }
+    return 0.5 * sum + added_kinetic_energy_of(a, scaling, platens, cluster, s);
+}
+
+/// The platen that a node of a cluster is near, 1 + its index; 0 for none.
+std::uint8_t nearest_platen(const MassScaling& scaling, std::int32_t cluster, const ClusterState& g) {
+    const Range nodes = scaling.clusters[cluster];
+    return *std::max_element(g.near_platen.begin() + nodes.begin, g.near_platen.begin() + nodes.end);
+}
+
+void set_constraint(const MassScaling& scaling, std::int32_t cluster, ClusterState& g) {
+    g.constraining_platen[cluster] = nearest_platen(scaling, cluster, g);
+    g.inverse_mass[cluster] = g.constraining_platen[cluster] != 0 ? 0.0 : 1 / scaling.cluster_mass[cluster];
 }
 
 /// Lists the nodes of a chunk that platens constrain.
 void find_constrained(const MassScaling& scaling, std::int32_t chunk, ClusterState& g) {
-    const Range nodes = scaling.nodes_of(chunk);
+    const std::int32_t origin = scaling.nodes_of(chunk).begin;
     g.constrained[chunk].clear();
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        if (const std::uint8_t constraining_platen = g.constraining_platen[g.component[i]]; constraining_platen != 0) {
-            g.constrained[chunk].push_back({i - nodes.begin, constraining_platen});
+    for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
+        const Range nodes = scaling.clusters[cluster];
+        for (std::int32_t i = nodes.begin; i < nodes.end && g.constraining_platen[cluster] != 0; ++i) {
+            g.constrained[chunk].push_back({i - origin, g.constraining_platen[cluster]});
         }
     }
 }
 
-/// Finds the components of a cluster by its links, and whether a platen constrains them.
-void find_components(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, ClusterState& g) {
-    const Range nodes = scaling.clusters[cluster];
-    const Range links = scaling.links_of_cluster[cluster];
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        g.component[i] = i;
-        g.inverse_mass[i] = 0;
-        g.constraining_platen[i] = 0;
-    }
-    for (std::int32_t t = links.begin; t < links.end; ++t) {
-        if (g.linked[t] != 0) {
-            const std::int32_t i = root_of(g.component, scaling.links[t].first);
-            const std::int32_t j = root_of(g.component, scaling.links[t].second);
-            g.component[std::max(i, j)] = std::min(i, j);
-        }
-    }
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        g.component[i] = root_of(g.component, i);
-        g.inverse_mass[g.component[i]] += a.mass[scaling.nodes[i]];
-    }
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        g.inverse_mass[i] = g.inverse_mass[i] > 0 ? 1 / g.inverse_mass[i] : 0.0;
-    }
-    g.whole[cluster] = 1;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        if (g.supported[i] != 0) {
-            g.inverse_mass[g.component[i]] = 0;
-            g.constraining_platen[g.component[i]] = g.supported[i];
-        }
-        if (g.component[i] != nodes.begin) {
-            g.whole[cluster] = 0;
-        }
-    }
-}
-
-/// The mean velocity of the nodes with which node i is.
-/// \param is_with (i, j): whether node j is one of them
-/// \param platen the result if there are none: the velocity of the platen that constrains node i
-template <class IsWith>
-Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, Range nodes, std::int32_t i, const State& s,
-                      const Vector2& platen, IsWith&& is_with) {
-    Vector2 momentum;
-    double mass = 0;
-    for (std::int32_t j = nodes.begin; j < nodes.end; ++j) {
-        if (is_with(i, j)) {
-            const std::int32_t node = scaling.nodes[j];
-            momentum += a.mass[node] * s.velocity[node];
-            mass += a.mass[node];
-        }
-    }
-    return mass > 0 ? (1 / mass) * momentum : platen;
-}
-
-/// Kinetic energy ½ vᵀM' v of a cluster, J, with the part ½ vᵀM v of the unscaled masses multiplied by `own`.
-double kinetic_energy(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
-                      const State& s, double own) {
-    const Range nodes = scaling.clusters[cluster];
-    const ClusterState& g = s.clusters;
-    double sum = 0;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        const std::int32_t node = scaling.nodes[i];
-        const std::uint8_t constraining_platen = g.constraining_platen[g.component[i]];
-        const Vector2 mean = mean_velocity(
-            a, scaling, nodes, i, s, platens[constraining_platen],
-            [&](std::int32_t k, std::int32_t j) { return g.component[j] == g.component[k] && constraining_platen == 0; });
-        const Vector2 relative = s.velocity[node] - mean;
-        sum += a.mass[node] * (own * dot(s.velocity[node], s.velocity[node]) + scaling.factor * dot(relative, relative));
-    }
-    return 0.5 * sum;
-}
-
-/// ½ Δt F·v of some nodes, J: the difference between ½ v(n−½)ᵀM' v(n−½) and the kinetic energy ½ v(n−½)ᵀM' v(n+½) of the energy
-/// balance.
-double half_impulse_work(const StepParameters& parameters, Range nodes, const State& s) {
-    double sum = 0;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        const std::int32_t node = parameters.mass_scaling.nodes[i];
-        sum += dot(s.force[node], s.velocity[node]);
-    }
-    return 0.5 * parameters.time_step * sum;
-}
-
-/// Components of a cluster before it changes, by place.
-struct OldComponents {
-    Range places;
-    std::vector<std::int32_t> component;
-    std::vector<std::uint8_t> constraining_platen;
-
-    OldComponents(const ClusterState& g, Range p)
-        : places(p),
-          component(g.component.begin() + p.begin, g.component.begin() + p.end),
-          constraining_platen(g.constraining_platen.begin() + p.begin, g.constraining_platen.begin() + p.end) {}
-    [[nodiscard]] std::int32_t component_of(std::int32_t i) const { return component[i - places.begin]; }
-    [[nodiscard]] std::uint8_t platen_of(std::int32_t i) const { return constraining_platen[component_of(i) - places.begin]; }
-};
-
-/// Finds which links of a cluster hold now, and the components they make.
-void relink(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, State& s) {
+/// A cluster meets or leaves a platen. If it leaves, its nodes keep their velocities; if it meets one, their momentum p = M' v:
+/// with the mean u before and the platen's velocity V after, p/m = (1 + β) v − β u and v' = V + (p/m − V)/(1 + β). Neither
+/// creates energy, relative to the platen.
+void change_constraint(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
+                       State& s) {
     ClusterState& g = s.clusters;
     const Range nodes = scaling.clusters[cluster];
-    const Range links = scaling.links_of_cluster[cluster];
-    for (std::int32_t t = links.begin; t < links.end; ++t) {
-        g.linked[t] = is_linking(scaling.links[t], s) ? 1 : 0;
+    const std::uint8_t old = g.constraining_platen[cluster];
+    const Vector2 before = velocity_of_cluster(a, scaling, platens, cluster, s);
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        g.near_platen[i] = s.near_platen[scaling.nodes[i]];
+    }
+    set_constraint(scaling, cluster, g);
+    const std::uint8_t now = g.constraining_platen[cluster];
+    if (now == 0 || now == old) {
+        return;
     }
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        g.supported[i] = s.near_platen[scaling.nodes[i]];
-    }
-    find_components(a, scaling, cluster, g);
-}
-
-/// Sets the velocity of each node of a cluster to `velocity_of(i)`, which finds all of them before any is set.
-template <class VelocityOf>
-void set_velocities(const MassScaling& scaling, Range nodes, State& s, const VelocityOf& velocity_of) {
-    std::vector<Vector2> velocities;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        velocities.push_back(velocity_of(i));
-    }
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        s.velocity[scaling.nodes[i]] = velocities[i - nodes.begin];
+        Vector2& v = s.velocity[scaling.nodes[i]];
+        const Vector2 momentum = (1 + scaling.factor) * v - scaling.factor * before;
+        v = platens[now] + (1 / (1 + scaling.factor)) * (momentum - platens[now]);
     }
 }
 
-/// Changes the components of a cluster: nodes that split keep their velocities, nodes that join their momentum. Neither creates
-/// energy, relative to the platen where one constrains them.
-void change_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
-                    State& s) {
-    const ClusterState& g = s.clusters;
-    const Range nodes = scaling.clusters[cluster];
-    const OldComponents old(g, nodes);
-    relink(a, scaling, cluster, s);
-    const auto platen_now = [&](std::int32_t i) { return g.constraining_platen[g.component[i]]; };
-    // First all nodes split that will: momentum over mass, p = M' v of what remains linked. Then those that are linked share it,
-    // v = M'⁻¹ p.
-    set_velocities(scaling, nodes, s, [&](std::int32_t i) {
-        const Vector2 mean =
-            mean_velocity(a, scaling, nodes, i, s, platens[old.platen_of(i)], [&](std::int32_t k, std::int32_t j) {
-                return old.component_of(j) == old.component_of(k) && g.component[j] == g.component[k] &&
-                       !(old.platen_of(k) != 0 && platen_now(k) != 0);
-            });
-        return (1 + scaling.factor) * s.velocity[scaling.nodes[i]] - scaling.factor * mean;
-    });
-    set_velocities(scaling, nodes, s, [&](std::int32_t i) {
-        const Vector2 mean = mean_velocity(a, scaling, nodes, i, s, platens[platen_now(i)], [&](std::int32_t k, std::int32_t j) {
-            return g.component[j] == g.component[k] && platen_now(k) == 0;
-        });
-        const Vector2 own = s.velocity[scaling.nodes[i]];
-        return mean + (1 / (1 + scaling.factor)) * (own - mean);
-    });
+/// Whether a node of a cluster has met or left a platen.
+bool changes(const MassScaling& scaling, Range places, const State& s) {
+    for (std::int32_t i = places.begin; i < places.end; ++i) {
+        if (s.clusters.near_platen[i] != s.near_platen[scaling.nodes[i]]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether a cluster of a chunk may have changed.
+bool may_change(const MassScaling& scaling, std::int32_t chunk, const State& s) {
+    const std::vector<std::int32_t>& places = s.clusters.platen_nodes[chunk];
+    return std::any_of(places.begin(), places.end(), [&](std::int32_t i) { return changes(scaling, {i, i + 1}, s); });
 }
 
 }  // namespace
 
-ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling, const State& s) {
+ClusterState make_cluster_state(const MassScaling& scaling) {
     ClusterState g;
-    g.component.resize(scaling.nodes.size());
-    g.inverse_mass.resize(scaling.nodes.size());
-    g.constraining_platen.resize(scaling.nodes.size());
-    g.whole.resize(scaling.clusters.size());
+    g.near_platen.resize(scaling.nodes.size());
     g.sums.resize(scaling.chunks.size());
-    for (const MassScaling::Link& link : scaling.links) {
-        g.linked.push_back(is_linking(link, s) ? 1 : 0);
-    }
-    g.supported.resize(scaling.nodes.size());
-    for (std::int32_t cluster = 0; cluster < static_cast<std::int32_t>(scaling.clusters.size()); ++cluster) {
-        find_components(a, scaling, cluster, g);
-    }
     return g;
 }
 
 void complete_cluster_state(const MassScaling& scaling, State& s) {
     ClusterState& g = s.clusters;
+    g.constraining_platen.resize(scaling.clusters.size());
+    g.inverse_mass.resize(scaling.clusters.size());
+    for (std::int32_t cluster = 0; cluster < static_cast<std::int32_t>(scaling.clusters.size()); ++cluster) {
+        set_constraint(scaling, cluster, g);
+    }
     std::vector<bool> may_be_near(s.near_platen.size(), false);
     for (const PlatenPoint& point : s.platen_points) {
         may_be_near[point.node] = true;
     }
-    g.constraining_platen.assign(scaling.nodes.size(), 0);
-    for (std::size_t i = 0; i < scaling.nodes.size(); ++i) {
-        std::uint8_t& constraining_platen = g.constraining_platen[g.component[i]];
-        constraining_platen = std::max(constraining_platen, g.supported[i]);
-    }
-    g.whole.assign(scaling.clusters.size(), 1);
-    g.cracked.assign(scaling.chunks.size(), 0);
     g.platen_nodes.assign(scaling.chunks.size(), {});
-    g.constrained.resize(scaling.chunks.size());
+    g.constrained.assign(scaling.chunks.size(), {});
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
         find_constrained(scaling, chunk, g);
-        const Range clusters = scaling.chunks[chunk];
-        for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
-            for (std::int32_t i = scaling.clusters[cluster].begin; i < scaling.clusters[cluster].end; ++i) {
-                if (g.component[i] != scaling.clusters[cluster].begin) {
-                    g.whole[cluster] = 0;
-                }
-                if (may_be_near[scaling.nodes[i]]) {
-                    g.platen_nodes[chunk].push_back(i);
-                }
+        const Range nodes = scaling.nodes_of(chunk);
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            if (may_be_near[scaling.nodes[i]]) {
+                g.platen_nodes[chunk].push_back(i);
             }
         }
     }
-    g.chunk_of_point.resize(scaling.links.size());
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
-        const Range clusters = scaling.chunks[chunk];
-        for (std::int32_t t = scaling.links_of_cluster[clusters.begin].begin; t < scaling.links_of_cluster[clusters.end - 1].end;
-             ++t) {
-            g.chunk_of_point[scaling.links[t].point] = chunk;
-            g.cracked[chunk] |= s.failed[scaling.links[t].point];
-        }
-    }
 }
-
-namespace {
-
-/// Whether a cluster of a chunk may have changed: a point of it has failed, or a node has met or left a platen.
-bool may_change(const MassScaling& scaling, std::int32_t chunk, const State& s) {
-    const ClusterState& g = s.clusters;
-    return g.cracked[chunk] != 0 || std::any_of(g.platen_nodes[chunk].begin(), g.platen_nodes[chunk].end(), [&](std::int32_t i) {
-               return g.supported[i] != s.near_platen[scaling.nodes[i]];
-           });
-}
-
-}  // namespace
 
 void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                      State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    ClusterState& g = s.clusters;
     if (!may_change(scaling, chunk, s)) {
         return;
     }
     const PlatenVelocities platens(loading, parameters.time_step);
     for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
-        const Range links = scaling.links_of_cluster[cluster];
-        const Range nodes = scaling.clusters[cluster];
-        bool changes = false;
-        for (std::int32_t t = links.begin; t < links.end; ++t) {
-            changes = changes || (s.failed[scaling.links[t].point] != 0 && is_linking(scaling.links[t], s) != (g.linked[t] != 0));
+        if (changes(scaling, scaling.clusters[cluster], s)) {
+            const double before = kinetic_energy_of(a, parameters, platens, cluster, s);
+            change_constraint(a, scaling, platens, cluster, s);
+            s.clusters.sums[chunk].platen_loss += before - kinetic_energy_of(a, parameters, platens, cluster, s);
         }
-        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            changes = changes || g.supported[i] != s.near_platen[scaling.nodes[i]];
-        }
-        if (!changes) {
-            continue;
-        }
-        const auto energy = [&] {
-            return kinetic_energy(a, scaling, platens, cluster, s, 1) + half_impulse_work(parameters, nodes, s);
-        };
-        const double before = energy();
-        change_cluster(a, scaling, platens, cluster, s);
-        g.sums[chunk].regrouping_loss += before - energy();
-        find_constrained(scaling, chunk, g);
     }
-}
-
-void drop_added_mass(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, double time_step,
-                     State& s) {
-    const MassScaling& scaling = parameters.mass_scaling;
-    const double shorter = 1 - time_step / parameters.time_step;
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
-        s.clusters.sums[chunk].regrouping_loss += added_kinetic_energy(a, parameters, loading, chunk, s) +
-                                                  shorter * half_impulse_work(parameters, scaling.nodes_of(chunk), s);
-    }
+    find_constrained(scaling, chunk, s.clusters);
 }
 
 double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
@@ -291,7 +171,7 @@ double added_kinetic_energy(const Assemblage& a, const StepParameters& parameter
     const PlatenVelocities platens(loading, parameters.time_step);
     double sum = 0;
     for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
-        sum += kinetic_energy(a, scaling, platens, cluster, s, 0);
+        sum += added_kinetic_energy_of(a, scaling, platens, cluster, s);
     }
     return sum;
 }

@@ -1,5 +1,5 @@
-// Components of vertex clusters under mass scaling: how they change, the energy lost thereby, the kinetic energy of the added
-// mass.
+// Vertex clusters under mass scaling: which of them platens constrain, the energy lost when that changes, the kinetic energy of
+// the added mass.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,16 @@
 
 namespace graincrack {
 
-/// The components in the present state, away from platens.
-ClusterState make_cluster_state(const Assemblage& assemblage, const MassScaling& scaling, const State& state);
+/// All clusters away from platens.
+ClusterState make_cluster_state(const MassScaling& scaling);
 
-/// Finds what follows from the rest of the state: `whole`, `constrained` and where components may change.
+/// Finds what follows from the rest of the state.
 void complete_cluster_state(const MassScaling& scaling, State& state);
 
-/// Finds the components of a chunk of clusters after the present contact motions and `state.near_platen`. Where they change it
-/// changes velocities and books the regrouping loss.
+/// Finds which clusters of a chunk platens constrain, from `state.near_platen`. Where that changes it changes velocities and
+/// books the loss.
 void update_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                      std::int32_t chunk, State& state);
-
-/// Removes the added mass for good, at the present velocities and `state.force`, and books its kinetic energy as regrouping loss.
-/// \param time_step of the steps to come, s
-void drop_added_mass(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, double time_step,
-                     State& state);
 
 /// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a chunk of clusters, v relative to the platen where one constrains them, J.
 double added_kinetic_energy(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,

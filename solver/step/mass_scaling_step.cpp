@@ -15,7 +15,7 @@ static_assert(2 * nodes_per_chunk % sum_lanes == 0);
 struct Lanes {
     static constexpr std::int32_t size = 2 * nodes_per_chunk;
     alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
-    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of the component
+    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of the cluster
     alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
     alignas(64) double mean_damping_force[size];  ///< mean of the damping forces of the relative motion, per mass
     alignas(64) double damping_force[size];
@@ -39,62 +39,38 @@ void gather(const MassScaling& scaling, Range nodes, const State& s, Lanes& b) {
     }
 }
 
-/// Calls `whole(places)` for every cluster that is one component, `split(places)` for all others; places count from the chunk's
-/// first.
-template <class Whole, class Split>
-void for_each_cluster(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Whole&& whole, Split&& split) {
+/// Calls `act(cluster, places)` for every cluster of a chunk; places count from the chunk's first.
+template <class Act>
+void for_each_cluster(const MassScaling& scaling, std::int32_t chunk, const Act& act) {
     const Range clusters = scaling.chunks[chunk];
     const std::int32_t origin = scaling.clusters[clusters.begin].begin;
     for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
-        const Range nodes{scaling.clusters[cluster].begin - origin, scaling.clusters[cluster].end - origin};
-        g.whole[cluster] != 0 ? whole(nodes) : split(nodes);
+        act(cluster, Range{scaling.clusters[cluster].begin - origin, scaling.clusters[cluster].end - origin});
     }
 }
 
-/// Mean acceleration, its change and mean velocity of components.
+/// Mean acceleration, its change and mean velocity of clusters.
 void find_means(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
-    const std::int32_t origin = scaling.nodes_of(chunk).begin;
-    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(origin)];
-    for_each_cluster(
-        scaling, chunk, g,
-        [&](Range nodes) {
-            Vector2 force;
-            Vector2 change;
-            Vector2 momentum;
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                force += pair_at(b.force, i);
-                change += pair_at(b.change, i);
-                momentum += mass[2 * i] * pair_at(b.velocity, i);
-            }
-            const double share = g.inverse_mass[origin + nodes.begin];
-            const Vector2 acceleration = share * force;
-            const Vector2 acceleration_change = share * change;
-            const Vector2 velocity = share * momentum;
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                set_pair(b.mean_acceleration, i, acceleration);
-                set_pair(b.mean_change, i, acceleration_change);
-                set_pair(b.mean_velocity, i, velocity);
-            }
-        },
-        [&](Range nodes) {
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                set_pair(b.mean_acceleration, i, {});
-                set_pair(b.mean_change, i, {});
-                set_pair(b.mean_velocity, i, {});
-                const std::int32_t first = g.component[origin + i] - origin;
-                const double share = g.inverse_mass[origin + first];
-                set_pair(b.mean_acceleration, first, pair_at(b.mean_acceleration, first) + share * pair_at(b.force, i));
-                set_pair(b.mean_change, first, pair_at(b.mean_change, first) + share * pair_at(b.change, i));
-                set_pair(b.mean_velocity, first,
-                         pair_at(b.mean_velocity, first) + (share * mass[2 * i]) * pair_at(b.velocity, i));
-            }
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                const std::int32_t first = g.component[origin + i] - origin;
-                set_pair(b.mean_acceleration, i, pair_at(b.mean_acceleration, first));
-                set_pair(b.mean_change, i, pair_at(b.mean_change, first));
-                set_pair(b.mean_velocity, i, pair_at(b.mean_velocity, first));
-            }
-        });
+    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(scaling.nodes_of(chunk).begin)];
+    for_each_cluster(scaling, chunk, [&](std::int32_t cluster, Range nodes) {
+        Vector2 force;
+        Vector2 change;
+        Vector2 momentum;
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            force += pair_at(b.force, i);
+            change += pair_at(b.change, i);
+            momentum += mass[2 * i] * pair_at(b.velocity, i);
+        }
+        const double share = g.inverse_mass[cluster];
+        const Vector2 acceleration = share * force;
+        const Vector2 acceleration_change = share * change;
+        const Vector2 velocity = share * momentum;
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            set_pair(b.mean_acceleration, i, acceleration);
+            set_pair(b.mean_change, i, acceleration_change);
+            set_pair(b.mean_velocity, i, velocity);
+        }
+    });
 }
 
 /// Damping forces of the relative motion of each node.
@@ -106,32 +82,18 @@ GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& s
     }
 }
 
-/// Mean of these damping forces over each component, to be subtracted.
+/// Mean of these damping forces over each cluster, to be subtracted.
 void find_mean_damping_forces(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
-    const std::int32_t origin = scaling.nodes_of(chunk).begin;
-    for_each_cluster(
-        scaling, chunk, g,
-        [&](Range nodes) {
-            Vector2 damping_force;
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                damping_force += pair_at(b.damping_force, i);
-            }
-            const Vector2 mean = g.inverse_mass[origin + nodes.begin] * damping_force;
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                set_pair(b.mean_damping_force, i, mean);
-            }
-        },
-        [&](Range nodes) {
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                set_pair(b.mean_damping_force, i, {});
-                const std::int32_t first = g.component[origin + i] - origin;
-                set_pair(b.mean_damping_force, first,
-                         pair_at(b.mean_damping_force, first) + g.inverse_mass[origin + first] * pair_at(b.damping_force, i));
-            }
-            for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-                set_pair(b.mean_damping_force, i, pair_at(b.mean_damping_force, g.component[origin + i] - origin));
-            }
-        });
+    for_each_cluster(scaling, chunk, [&](std::int32_t cluster, Range nodes) {
+        Vector2 damping_force;
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            damping_force += pair_at(b.damping_force, i);
+        }
+        const Vector2 mean = g.inverse_mass[cluster] * damping_force;
+        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+            set_pair(b.mean_damping_force, i, mean);
+        }
+    });
 }
 
 /// Damping forces of both motions into `damping_force`, and the damped mean acceleration.
@@ -144,7 +106,7 @@ GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& share
     }
 }
 
-/// Damping forces and damped mean accelerations of a chunk. The mean motion of a component that a platen constrains is the
+/// Damping forces and damped mean accelerations of a chunk. The mean motion of a cluster that a platen constrains is the
 /// platen's, and is not damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t chunk,
           const State& s, Lanes& b) {
@@ -176,7 +138,7 @@ GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, doub
         count, [&](std::int32_t k) GRAINCRACK_KERNEL { return b.damping_force[k] * (b.velocity[k] + b.mean_velocity[k]); });
 }
 
-/// Acceleration of the platen that constrains a component, m/s².
+/// Acceleration of the platen that constrains a cluster, m/s².
 Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t constraining_platen) {
     const std::size_t platen = constraining_platen - 1U;
     return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};

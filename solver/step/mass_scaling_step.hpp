@@ -9,9 +9,9 @@
 
 namespace graincrack {
 
-/// Damping of a chunk of clusters, into `state.damping_force`: of the mean motion of each component by the force
-/// on the whole component, and of the relative motion of each node by the rest of its force. (Contact forces are large against
-/// the force on the component; if every node were damped by its own force they would disturb the mean motion.)
+/// Damping of a chunk of clusters, into `state.damping_force`: of the mean motion of each cluster by the force
+/// on the whole cluster, and of the relative motion of each node by the rest of its force. (Contact forces are large against
+/// the force on the cluster; if every node were damped by its own force they would disturb the mean motion.)
 void damp_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                    State& state);
 

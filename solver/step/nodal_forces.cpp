@@ -108,7 +108,7 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
-        if (platen.bonded || penetration > -cluster_reach * point.tributary) {
+        if (platen.bonded || penetration > -platen_reach * point.tributary) {
             s.near_platen[point.node] = static_cast<std::uint8_t>(1 + point.platen);
         }
         visit(point, r);
@@ -167,7 +167,7 @@ void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const S
     });
 }
 
-void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
+void book_half_load_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
     if (!boundary.prescribed.empty()) {
         s.grain_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
     }

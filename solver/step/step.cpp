@@ -49,30 +49,21 @@ public:
           pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
 
     /// A step of nodes that move with their own masses.
-    void advance(std::int64_t step, bool is_detection) {
+    void advance(std::int64_t step, bool detects_contacts) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);  // at the old velocities
             integrate_nodes(a_, boundary_, parameters_, chunk, s_);
-            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);  // at the new ones
         });
         team_.wait();
-        clock_.tick();
-        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
-        if (is_detection) {
-            for_each_chunk(pairs_, [&](std::int32_t chunk) { detect_contacts(a_, parameters_, chunk, s_); });
-            team_.wait();
-            index_changed_contacts();
-        } else {
-            for_each_chunk(pairs_, [&](std::int32_t chunk) { move_active_contacts(a_, parameters_, chunk, s_); });
-            team_.wait();
-        }
+        advance_contact_forces(step, detects_contacts);
     }
-    /// A step with mass scaling, in which vertex clusters are integrated and there are no node–edge contacts.
-    void advance_scaled(std::int64_t step) {
+    /// A step with mass scaling, in which vertex clusters are integrated.
+    void advance_scaled(std::int64_t step, bool detects_contacts) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
         });
         team_.wait();
         for_each_chunk(clusters_, [&](std::int32_t chunk) {
@@ -80,10 +71,9 @@ public:
             integrate_clusters(a_, parameters_, clock_.now(), chunk, s_);
         });
         team_.wait();
-        for_each_chunk(grains_, [&](std::int32_t chunk) { book_half_work(a_, boundary_, chunk, parameters_.time_step, s_); });
-        clock_.tick();
-        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
-        team_.wait();
+        for_each_chunk(grains_,
+                       [&](std::int32_t chunk) { book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_); });
+        advance_contact_forces(step, detects_contacts);
     }
     /// After the last step: writes the active contacts into the pair list.
     void store_contacts() {
@@ -92,6 +82,18 @@ public:
     [[nodiscard]] const LoadingClock& clock() const { return clock_; }
 
 private:
+    /// Contacts and node–edge contacts at the new displacements.
+    void advance_contact_forces(std::int64_t step, bool detects_contacts) {
+        clock_.tick();
+        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
+        for_each_chunk(pairs_, [&](std::int32_t chunk) {
+            (detects_contacts ? detect_contacts : move_active_contacts)(a_, parameters_, chunk, s_);
+        });
+        team_.wait();
+        if (detects_contacts) {
+            index_changed_contacts();
+        }
+    }
     void index_changed_contacts() {
         if (have_changed(s_.contact_pairs)) {
             if (is_first_) {
@@ -111,19 +113,20 @@ private:
     Range grains_, clusters_, contacts_, pairs_;
 };
 
-/// The steps between two updates of the pair list, each of so many substeps, with a team of threads.
+/// The steps between two updates of the pair list, with a team of threads.
 void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   std::int64_t substeps, ThreadTeam& team, LoadingClock& clock, State& s) {
+                   ThreadTeam& team, LoadingClock& clock, State& s) {
     const std::int64_t first_step = s.step + 1;
-    const bool is_scaled = parameters.mass_scaling.is_on();
     LoadingClock clock_at_end = clock;
     team.run([&](int thread) {
         ThreadSteps steps(a, boundary, parameters, clock, thread, team, s);
-        for (std::int64_t k = 0; k < n_steps * substeps; ++k) {
-            if (is_scaled) {
-                steps.advance_scaled(first_step + k / substeps);
+        for (std::int64_t step = first_step; step < first_step + n_steps; ++step) {
+            // Counted from the start of the run, so that a continued run detects in the same steps.
+            const bool detects_contacts = (step - 1) % s.contact_pairs.detection_interval == 0;
+            if (parameters.mass_scaling.is_on()) {
+                steps.advance_scaled(step, detects_contacts);
             } else {
-                steps.advance(first_step + k / substeps, (s.integrations + k) % s.contact_pairs.detection_interval == 0);
+                steps.advance(step, detects_contacts);
             }
         }
         steps.store_contacts();
@@ -133,22 +136,7 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
     });
     clock = clock_at_end;
     s.step += n_steps;
-    s.integrations += n_steps * substeps;
-    s.time = time_of(s, s.step, static_cast<double>(substeps) * parameters.time_step);
-}
-
-/// Ends mass scaling. Velocities stay, the added mass and its kinetic energy are removed, and from the next step on every step is
-/// made of substeps. The energy balance at a step includes half a step of work at the present velocities; this half is booked at
-/// its new, shorter length.
-void end_mass_scaling(const Assemblage& a, const Boundary& boundary, const StepParameters& whole,
-                      const StepParameters& of_substeps, const StepLoading& loading, State& s) {
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.grain_chunks.size()); ++chunk) {
-        sum_nodal_forces(a, boundary, loading, chunk, s);
-        book_half_work(a, boundary, chunk, whole.time_step - of_substeps.time_step, s);
-    }
-    drop_added_mass(a, whole, loading, of_substeps.time_step, s);
-    s.subcycled = true;
-    s.contact_pairs.next_check = s.step;
+    s.time = time_of(s, s.step, parameters.time_step);
 }
 
 }  // namespace
@@ -156,23 +144,12 @@ void end_mass_scaling(const Assemblage& a, const Boundary& boundary, const StepP
 void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const IntervalLoading& loading,
              std::int64_t n_steps, ThreadTeam& team, State& s) {
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
-    const StepParameters of_substeps = parameters_of_substeps(parameters);
-    if (s.subcycled) {
-        clock.subcycle(parameters.substeps);
-    }
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
-        const StepParameters& now = s.subcycled ? of_substeps : parameters;
-        const std::int64_t substeps = s.subcycled ? parameters.substeps : 1;
-        if (s.step >= s.contact_pairs.next_check) {
-            if (update_pair_list(a, now, substeps, s)) {
-                end_mass_scaling(a, boundary, parameters, of_substeps, clock.now(), s);
-                clock.subcycle(parameters.substeps);
-                continue;
-            }
-            s.contact_pairs.next_check = s.step + std::max<std::int64_t>(1, (s.contact_pairs.next_check - s.step) / substeps);
+        if (s.step >= s.contact_pairs.next_update) {
+            update_pair_list(a, parameters, s);
         }
-        advance_steps(a, boundary, now, std::min(end, s.contact_pairs.next_check) - s.step, substeps, team, clock, s);
+        advance_steps(a, boundary, parameters, std::min(end, s.contact_pairs.next_update) - s.step, team, clock, s);
     }
     s.loading = clock.now();
 }
@@ -181,7 +158,7 @@ void start(const Assemblage& a, const StepParameters& parameters, State& s) {
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.contact_chunks.size()); ++chunk) {
         advance_contacts(a, parameters.law, chunk, s.step, s);
     }
-    s.clusters = make_cluster_state(a, parameters.mass_scaling, s);
+    s.clusters = make_cluster_state(parameters.mass_scaling);
     complete_cluster_state(parameters.mass_scaling, s);
 }
 

@@ -37,9 +37,9 @@ void nodes(LoadedSpecimen& l) {
     StepParameters still = l.parameters;
     still.time_step = 0;  // as much work, and the state stays
     for_each_chunk(l.assemblage.grain_chunks.size(), [&](std::int32_t chunk) {
-        book_half_work(l.assemblage, l.boundary, chunk, 0, l.state);
+        book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
         integrate_nodes(l.assemblage, l.boundary, still, chunk, l.state);
-        book_half_work(l.assemblage, l.boundary, chunk, 0, l.state);
+        book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
     });
 }
 void clusters(LoadedSpecimen& l) {
@@ -60,10 +60,8 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
       boundary(test::boundary_of_test(assemblage, specimen, compression(), test::augig_contact())) {
     assemblage.vector_target = vector_target;
     const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
-    const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, factor);
     parameters.mass_scaling = make_mass_scaling(assemblage, factor);
-    parameters.substeps = step.parts;
-    parameters.time_step = 0.7 * step.time_step;
+    parameters.time_step = 0.7 * stable_time_step(assemblage, boundary, parameters.law, factor);
     state = make_state(assemblage, boundary, specimen);
     for (std::size_t i = 0; i < state.velocity.size(); ++i) {
         state.velocity[i] = {0, -2 * speed * assemblage.position[i].y / specimen.height};

@@ -1,5 +1,5 @@
-// Selective mass scaling: a longer step that stays stable while clusters fall apart, the same balance at rest, momentum to
-// round-off, a closed energy balance, and fragments that fly free.
+// Selective mass scaling: a longer step that stays stable while contacts fail, the same balance at rest, momentum to
+// round-off, a closed energy balance.
 #include "solver/model/vertex_clusters.hpp"
 
 #include <gtest/gtest.h>
@@ -175,7 +175,6 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
         run.begin();
         const Momenta before = momenta_of(run);
         const Energies start = run.measured().energies;
-        double last_regrouping_loss = 0;
         double drift = 0;
         for (int i = 0; i < 100; ++i) {
             run.steps(50);
@@ -184,18 +183,13 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
             verify("dynamics: momentum with mass scaling while it falls apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
-            EXPECT_GE(
-                e.damping,
-                last_regrouping_loss - 1e-9 * start.kinetic);  // no local damping here: what regrouping takes, never given back
-            last_regrouping_loss = e.damping;
+            EXPECT_EQ(e.damping + e.numerical, 0);  // no damping and no platens here
             // Undamped, laws lose up to 1.6 % of it to the step where they jump at zero opening; `consistent`, which has no
-            // jump of stiffness, 0.11 % while masses are scaled, and 0.5 % when grains then knock together at 20 m/s.
-            const double of_consistent = run.state.subcycled ? 1e-2 : 2e-3;
-            const double tolerance = law.variant == LawVariant::consistent ? of_consistent : 0.05;
+            // jump of stiffness, 0.11 % until grains knock together at 20 m/s.
+            const double tolerance = law.variant == LawVariant::consistent ? 1e-2 : 0.05;
             expect_close(e.balance_error(), start.balance_error(), tolerance, start.kinetic);
         }
         EXPECT_GT(run.failed_points(), 10U);
-        EXPECT_GT(last_regrouping_loss, 1e-6 * start.kinetic);
         // Not conserved: the test reports it and sees that it is no more than the relative motion carries.
         verify_between("dynamics: angular momentum with mass scaling, drift over sum |x||p|", drift, 0, 0.2, "reported");
     }
@@ -208,58 +202,14 @@ SmallRun two_grains(double factor) {
                                  {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1});
     return scaled_run(s, augig_law(), false, 0.5, factor);
 }
-Vector2 velocity_of_grain(const SmallRun& run, std::int32_t first) {
-    Vector2 momentum;
-    double mass = 0;
-    for (std::int32_t i = first; i < first + 4; ++i) {
-        momentum += run.assemblage.mass[static_cast<std::size_t>(i)] * run.state.velocity[static_cast<std::size_t>(i)];
-        mass += run.assemblage.mass[static_cast<std::size_t>(i)];
-    }
-    return (1 / mass) * momentum;
-}
-
-TEST(MassScaling, ANodeLeavesItsClusterWhenItsContactsHaveSeparated) {
-    SmallRun run = two_grains(100);
-    ASSERT_EQ(run.assemblage.contacts.size(), 1U);
-    EXPECT_EQ(run.parameters.mass_scaling.clusters.size(), 6U);  // of two nodes at either end, of one elsewhere
-    for (std::int32_t i = 4; i < 8; ++i) {
-        run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
-    }
-    run.begin();
-    const auto linked = [&run] { return run.state.clusters.linked[0] + run.state.clusters.linked[1]; };
-    EXPECT_EQ(linked(), 2);
-    const double reach = cluster_reach * 0.02;
-    std::int64_t steps = 0;
-    for (; steps < 5000 && linked() > 0; ++steps) {
-        run.steps(1);
-        static_cast<void>(run.measured());
-        for (std::size_t p = 0; p < 2; ++p) {
-            // together until the contact has separated and opened by the reach, no longer
-            EXPECT_EQ(run.state.clusters.linked[p] == 0, run.state.points[p].separated && run.state.opening[p] >= reach);
-        }
-    }
-    EXPECT_EQ(linked(), 0);
-    // From here on each flies by itself: the same velocities step by step, as nothing pulls.
-    const Vector2 lower = velocity_of_grain(run, 0);
-    const Vector2 upper = velocity_of_grain(run, 4);
-    EXPECT_GT(upper.y - lower.y, 1);
-    run.steps(2000);
-    expect_close(velocity_of_grain(run, 0).y, lower.y, 1e-12, 5);
-    expect_close(velocity_of_grain(run, 4).y, upper.y, 1e-12, 5);
-}
-
-// A free grain falls back onto another: it is slowed before it comes into contact, and no energy is created, nor when it hits
-// from close by.
+// A free grain falls back onto another: no energy is created.
 TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
     struct Fall {
         double gap, speed;
     };
     for (const Fall& fall : {Fall{2e-4, 0.1}, Fall{2e-4, 10}, Fall{1e-6, 1}}) {
         SmallRun run = two_grains(100);
-        const double reach = cluster_reach * 0.02;
-        const bool hits = fall.gap < reach;
-        // A contact that closes within a step makes or takes energy, in proportion to the step.
-        run.parameters.time_step *= hits ? 0.2 : 1;
+        run.parameters.time_step *= 0.2;  // a contact that closes within a step makes or takes energy, in proportion to the step
         run.begin();
         for (const std::size_t point : {0, 1}) {
             store_point(broken_contact(), false, point, run.state);
@@ -270,18 +220,16 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
         }
         run.begin();
         const double kinetic = run.measured().energies.kinetic;
-        EXPECT_EQ(run.state.clusters.linked[0] != 0, hits);
         double closest = 1;
-        const auto steps = static_cast<int>(200 * fall.gap / fall.speed / run.parameters.time_step);  // slowed, it takes long
-        for (int i = 0; i < steps; i += hits ? 1 : 20) {
-            run.steps(hits ? 1 : 20);
+        const auto steps = static_cast<int>(2 * fall.gap / fall.speed / run.parameters.time_step) + 400;
+        for (int i = 0; i < steps; ++i) {
+            run.steps(1);
             const Energies e = run.measured().energies;
             closest = std::min({closest, run.state.opening[0], run.state.opening[1]});
             EXPECT_LT(e.kinetic + e.stored(), 1.01 * kinetic) << fall.speed;
-            // What it began with is nobody's work. Measured: 0.09 %, in the hit 0.9 %.
-            expect_close(e.balance_error(), -kinetic, 0.02, kinetic);
+            expect_close(e.balance_error(), -kinetic, 0.02, kinetic);  // what it began with is nobody's work
         }
-        EXPECT_LT(closest, hits ? 0 : 1e-2 * reach);
+        EXPECT_LT(closest, 0);
     }
 }
 

@@ -107,9 +107,7 @@ struct SmallRun {
     /// Sets other supports, and the state at rest.
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
-        const SubcycledStep step = stable_subcycled_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
-        parameters.substeps = step.parts;
-        parameters.time_step = fraction * step.time_step;
+        parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
         state = make_state(assemblage, boundary, specimen);
     }
     /// Sets velocities as a function of the reference position.

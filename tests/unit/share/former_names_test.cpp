@@ -32,14 +32,12 @@ TEST(FormerNames, EveryRenamedDatasetAndAttributeOfAProgramIsFound) {
                                    "pair_groups",        "watched_pairs",
                                    "watched_groups",     "watched_chunks",
                                    "pair_friction",      "occupied_area",
-                                   "cluster_linked",     "cluster_supported",
-                                   "cluster_component",  "cluster_energies",
-                                   "velocity",           "cluster_inverse_mass",
+                                   "velocity",           "cluster_energies",
                                    "node_edge_contacts", "displacement_at_search"}) {
         EXPECT_TRUE(run.has("/state/" + name)) << name;
     }
     for (const std::string name : {"pair_friction_before", "next_list_update", "wants_rebuild", "travel_since_rebuild",
-                                   "detection_interval", "subcycled", "energy_balance_error", "time"}) {
+                                   "detection_interval", "energy_balance_error", "time"}) {
         EXPECT_TRUE(run.has_attribute("/state", name)) << name;
     }
     EXPECT_EQ(run.extents("/state/node_edge_contacts"), (Extents{290, 7}));

@@ -150,7 +150,7 @@ TEST(Memory, GrowsByEveryArrayOfAState) {
           &s.prescribed.pressing, &s.clusters.inverse_mass, &s.contact_pairs.active.overlap}) {
         expect_growth(*values);
     }
-    for (auto* flags : {&s.near_platen, &s.failed, &s.residual, &s.contact_pairs.released, &s.clusters.linked}) {
+    for (auto* flags : {&s.near_platen, &s.failed, &s.residual, &s.contact_pairs.released, &s.clusters.near_platen}) {
         expect_growth(*flags);
     }
     expect_growth(s.platen_points);

@@ -1,0 +1,117 @@
+#include "solver/detection/stable_area.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "solver/detection/pair_geometry.hpp"
+
+namespace graincrack {
+namespace {
+
+/// η: what node–edge contacts may add to ω² Δt².
+constexpr double stiffness_share = 0.5;
+/// A new contact may have this share of the load of a cluster even where others have taken all of it: the next update reduces
+/// their areas.
+constexpr double share_of_new_contact = 0.125;
+
+/// What a contact of unit area adds to the loads of the clusters of its nodes.
+struct UnitLoads {
+    std::array<std::int32_t, 3> cluster;
+    std::array<double, 3> load{};  ///< |a_C| Σ_D |a_D|; 0 where the cluster is that of a node before
+};
+UnitLoads unit_loads(const Assemblage& a, const MassScaling& scaling, const CandidatePair& pair, double place) {
+    const auto [first, second] = a.surface.edges[pair.edge].nodes;
+    const double s = std::clamp(place, 0.0, 1.0);
+    const std::array<double, 3> shares{1, -(1 - s), -s};
+    UnitLoads loads{{scaling.cluster_of_node[pair.node], scaling.cluster_of_node[first], scaling.cluster_of_node[second]}};
+    std::array<double, 3> sum{};  // a_C
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto same = std::find(loads.cluster.begin(), loads.cluster.end(), loads.cluster[k]);
+        sum[static_cast<std::size_t>(same - loads.cluster.begin())] += shares[k];
+    }
+    const double all = std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        loads.load[k] = std::abs(sum[k]) * all;
+    }
+    return loads;
+}
+
+/// Largest load of a cluster, m².
+double max_load(const StepParameters& p, std::int32_t cluster) {
+    return stiffness_share * p.mass_scaling.cluster_mass[cluster] / (p.law.kt * p.time_step * p.time_step);
+}
+
+void add_load(const UnitLoads& unit, double area, std::vector<double>& cluster_load) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        cluster_load[unit.cluster[k]] += area * unit.load[k];
+    }
+}
+
+/// Share of its area that the loads of its clusters leave a contact.
+double share_left(const StepParameters& p, const UnitLoads& unit, const std::vector<double>& cluster_load) {
+    double share = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (unit.load[k] > 0) {
+            share = std::min(share, max_load(p, unit.cluster[k]) / cluster_load[unit.cluster[k]]);
+        }
+    }
+    return share;
+}
+
+/// Reduces the area of a contact to a share of it, at the same energy.
+void reduce_area(double share, std::size_t pair, ContactPairList& list) {
+    NodeEdgeContact& contact = list.contacts[pair];
+    const double growth = 1 / std::sqrt(share);
+    contact.area *= share;
+    contact.initial_overlap -= (growth - 1) * contact.overlap;
+    contact.overlap *= growth;
+    contact.elastic_slip *= growth;
+    for (std::size_t k = 3 * pair; k < 3 * pair + 3; ++k) {
+        list.forces[k] = std::sqrt(share) * list.forces[k];
+    }
+}
+
+}  // namespace
+
+void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s) {
+    ContactPairList& list = s.contact_pairs;
+    if (!p.mass_scaling.is_on()) {
+        return;
+    }
+    std::vector<double> cluster_load(p.mass_scaling.clusters.size(), 0.0);
+    list.cluster_load.assign(p.mass_scaling.clusters.size(), 0.0);
+    for (std::size_t i = 0; i < list.pairs.size(); ++i) {
+        if (list.contacts[i].active) {
+            add_load(unit_loads(a, p.mass_scaling, list.pairs[i], pair_geometry(a, s, list.pairs[i]).place),
+                     list.contacts[i].area, cluster_load);
+        }
+    }
+    for (std::size_t i = 0; i < list.pairs.size(); ++i) {
+        if (list.contacts[i].active) {
+            const UnitLoads unit = unit_loads(a, p.mass_scaling, list.pairs[i], pair_geometry(a, s, list.pairs[i]).place);
+            reduce_area(share_left(p, unit, cluster_load), i, list);
+            add_load(unit, list.contacts[i].area, list.cluster_load);
+        }
+    }
+}
+
+double stable_area(const Assemblage& a, const StepParameters& p, const ContactPairList& list, const CandidatePair& pair,
+                   double place) {
+    double area = std::numeric_limits<double>::infinity();
+    if (!p.mass_scaling.is_on()) {
+        return area;
+    }
+    const UnitLoads unit = unit_loads(a, p.mass_scaling, pair, place);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (unit.load[k] > 0) {
+            const double most = max_load(p, unit.cluster[k]);
+            const double left = std::max(most - list.cluster_load[unit.cluster[k]], share_of_new_contact * most);
+            area = std::min(area, left / unit.load[k]);
+        }
+    }
+    return area;
+}
+
+}  // namespace graincrack
