@@ -27,6 +27,16 @@ void add_strain_limit_runs(CLI::App& app, StrainLimitRuns& strain_limit_runs) {
         "runs stopped at the strain limit: refuse them, or take their largest stress for a peak and report it");
 }
 
+void add_envelope_options(CLI::App& app, EnvelopeOptions& options) {
+    add_strain_limit_runs(app, options.strain_limit_runs);
+    add_choice<StrengthKind>(app, "--strength", options.strength,
+                             {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},
+                              {name_of(StrengthKind::largest), StrengthKind::largest},
+                              {name_of(StrengthKind::residual), StrengthKind::residual}},
+                             "stress of a compression test that is its strength; runs without a first peak or residual strength "
+                             "are left out");
+}
+
 void add_names(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
                const std::string& help) {
     app.add_option(option, target, help)->type_name(type)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

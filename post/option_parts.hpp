@@ -7,6 +7,7 @@
 #include "post/ccd/tables.hpp"
 #include "post/command.hpp"
 #include "post/cracks/export.hpp"
+#include "post/fit/envelope.hpp"
 #include "post/fit/trend.hpp"
 #include "post/measure/strength.hpp"
 #include "post/table/table.hpp"
@@ -17,6 +18,8 @@ namespace graincrack {
 void add_format(CLI::App& app, TableFormat& format);
 /// -o, --output, which is required. \param help what is written
 void add_output(CLI::App& app, std::string& output, const std::string& help);
+/// --capped and --strength: which runs an envelope has, and which stress of them.
+void add_envelope_options(CLI::App& app, EnvelopeOptions& options);
 /// --capped refuse|accept
 void add_strain_limit_runs(CLI::App& app, StrainLimitRuns& strain_limit_runs);
 /// An option that may be given again. \param type of its value, as help shows it

@@ -127,8 +127,8 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  "friction angle between rock and platens instead of the material's");
     add_rate_options(command, loading, raw);
-    add_quantity(command, "--peak-drop", request.peak_drop, quantity::peak_drop,
-                 "fall below the peak that ends the test, share of it", "0.3");
+    add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
+                    "fall below the peak that ends the test, share of it; none: go on to --max-strain", "0.3");
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,

@@ -89,9 +89,9 @@ void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
 }  // namespace
 
 void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
-                          StrainLimitRuns strain_limit_runs, std::ostream& diagnostics) {
+                          const EnvelopeOptions& options, std::ostream& diagnostics) {
     const std::vector<RunData> runs = read_runs(paths);
-    const EnvelopeTests tests = collect_envelope_tests(runs, strain_limit_runs);
+    const EnvelopeTests tests = collect_envelope_tests(runs, options);
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     RowBuilder row;
     row.add("runs", static_cast<std::int64_t>(tests.compression.size()));
@@ -106,6 +106,9 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     add_tension(row, envelope, tests);
     add_seeds(row, fit_seed_envelopes(tests));
     add_other_stresses(row, tests);
+    row.add("strength", name_of(tests.kind));
+    row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs()));
+    print_left_out(diagnostics, tests);
     if (tests.at_strain_limit > 0) {
         fmt::print(diagnostics,
                    "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress stands for a "
@@ -119,17 +122,17 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
 Command envelope_command() {
     struct Options {
         TableFormat format = TableFormat::tsv;
-        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        EnvelopeOptions envelope;
     };
     return make_command<Options>(
         "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals",
         {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_format(app, options.format);
-            add_strain_limit_runs(app, options.strain_limit_runs);
+            add_envelope_options(app, options.envelope);
         },
         [](const Options& options, const Call& call) {
-            write_envelope_table(call.out, call.files, options.format, options.strain_limit_runs, call.diagnostics());
+            write_envelope_table(call.out, call.files, options.format, options.envelope, call.diagnostics());
         });
 }
 

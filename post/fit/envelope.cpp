@@ -1,5 +1,8 @@
 #include "post/fit/envelope.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -35,14 +38,40 @@ std::optional<Estimate> curvature_of(std::span<const double> confining, std::spa
 }
 
 /// \throws InputError if two compression tests do not belong to one envelope
-void require_comparable(const RunData& run, const RunData& first, StrainLimitRuns strain_limit_runs) {
+void require_comparable(const RunData& run, const RunData& first, const EnvelopeOptions& options) {
     const auto refuse = [&](const std::string& what) {
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
                          "; compression tests of an envelope differ in confining pressure and seed only");
     };
     if (run.header.plane != first.header.plane) refuse("the plane condition");
-    if (strain_limit_runs == StrainLimitRuns::accept && run.header.max_strain != first.header.max_strain)
+    if (options.strength == StrengthKind::largest && options.strain_limit_runs == StrainLimitRuns::accept &&
+        run.header.max_strain != first.header.max_strain) {
         refuse("the strain limit");
+    }
+}
+
+/// Why a compression run has no first peak, or no residual strength.
+std::string reason_left_out(const RunData& run, const Strength& strength) {
+    if (!strength.first_peak) {
+        return fmt::format("{}: no first peak, the stress never falls by {:.0f} % below a maximum before it exceeds it", run.name,
+                           100 * (1 - first_peak_fall_to));
+    }
+    return fmt::format(
+        "{}: no residual strength, it ends before {:.1f} % strain beyond its first peak (run it further: --peak-drop "
+        "none)",
+        run.name, 100 * residual_strains[1]);
+}
+
+/// \throws InputError if a run was left out and the others have one confining pressure or none
+void require_two_pressures(const EnvelopeTests& tests) {
+    if (tests.left_out.empty()) return;
+    std::set<double> pressures;
+    for (const EnvelopeTests::Test& test : tests.compression) pressures.insert(test.confining);
+    if (pressures.size() > 1) return;
+    throw InputError(
+        fmt::format("{}; {} of {} compression runs have this strength; an envelope needs it at two or more "
+                    "confining pressures",
+                    tests.left_out.front(), tests.compression.size(), tests.compression_runs()));
 }
 
 template <class Stress>
@@ -107,8 +136,9 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
     return envelope;
 }
 
-EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs) {
+EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const EnvelopeOptions& options) {
     EnvelopeTests tests;
+    tests.kind = options.strength;
     const RunData* first_compression = nullptr;
     require_same_settings(runs, "an envelope");
     for (const RunData& run : runs) {
@@ -120,20 +150,33 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, StrainLim
         }
         const Strength strength = measure_strength(run);
         if (is_compression(run.header)) {
-            if (first_compression != nullptr) require_comparable(run, *first_compression, strain_limit_runs);
+            if (first_compression != nullptr) require_comparable(run, *first_compression, options);
             if (first_compression == nullptr) first_compression = &run;
-            tests.compression.push_back({run.header.confining_pressure, strength.value(), run.specimen.seed, strength.first_yield,
-                                         strength.stress_at_marks});
+            if (const std::optional<double> stress = strength.value(options.strength)) {
+                tests.compression.push_back(
+                    {run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield, strength.stress_at_marks});
+            } else {
+                tests.left_out.push_back(reason_left_out(run, strength));
+            }
+            // A first peak is a peak, however the test ended.
+            if (options.strength != StrengthKind::largest) continue;
         } else {
             (run.header.test == "brazilian" ? tests.brazilian : tests.direct_tension).push_back(strength.value());
         }
-        if (stopped_at_strain_limit(run, strength, strain_limit_runs, "an envelope")) ++tests.at_strain_limit;
+        if (stopped_at_strain_limit(run, strength, options.strain_limit_runs, "an envelope")) ++tests.at_strain_limit;
     }
+    require_two_pressures(tests);
     if (tests.compression.empty()) {
         throw InputError(runs.front().name +
                          ": no compression test among the runs; an envelope needs uniaxial and triaxial ones");
     }
     return tests;
+}
+
+void print_left_out(std::ostream& diagnostics, const EnvelopeTests& tests) {
+    for (const std::string& reason : tests.left_out) {
+        fmt::print(diagnostics, "graincrack-post: envelope: left out: {}\n", reason);
+    }
 }
 
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <iosfwd>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "post/fit/hoek_brown.hpp"
@@ -33,6 +35,12 @@ struct Envelope {
 /// \throws InputError unless there are strengths at two or more confining pressures
 Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength);
 
+/// Which runs belong to an envelope, and which stress of them.
+struct EnvelopeOptions {
+    StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+    StrengthKind strength = StrengthKind::largest;  ///< of compression tests; that of others is the largest stress
+};
+
 /// The strengths of a set of runs of one material, sorted by test. Pa.
 struct EnvelopeTests {
     struct Test {
@@ -42,22 +50,28 @@ struct EnvelopeTests {
         std::optional<double> first_yield = std::nullopt;           ///< see `first_yield`
         std::array<std::optional<double>, 3> stress_at_marks = {};  ///< at `strain_marks`
     };
+    StrengthKind kind = StrengthKind::largest;
     std::vector<Test> compression;
+    std::vector<std::string> left_out;   ///< compression runs without a strength of this kind: their names and the reason
     std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
     std::vector<double> direct_tension;  ///< tensile strengths
     std::size_t at_strain_limit = 0;     ///< runs whose largest stress stands for a peak
+    [[nodiscard]] std::size_t compression_runs() const { return compression.size() + left_out.size(); }
     [[nodiscard]] std::vector<double> confining() const;
     [[nodiscard]] std::vector<double> strength() const;
     /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
     [[nodiscard]] const std::vector<double>& tensile() const { return direct_tension.empty() ? brazilian : direct_tension; }
 };
 
-/// Sorts runs by test.
-/// \throws InputError for a run without a peak: one stopped at the strain limit, unless accepted, or stopped
-///         otherwise; for one
-///         that differs from the first in law, rock or contact parameters, or in the plane condition from the other
-///         compression tests: one envelope is the envelope of one material
-EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs);
+/// Sorts runs by test. Compression runs without a first peak or residual strength are left out where this is the strength.
+/// \throws InputError for a run without a peak where the largest stress is the strength: one stopped at the strain limit, unless
+///         accepted, or stopped otherwise; for one that differs from the first in law, rock or contact parameters, or in the
+///         plane condition from the other compression tests: one envelope is the envelope of one material; if runs were left out
+///         and the others have fewer than two confining pressures
+EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const EnvelopeOptions& options);
+
+/// A line for each run that was left out.
+void print_left_out(std::ostream& diagnostics, const EnvelopeTests& tests);
 
 /// An envelope through stresses other than the peak, of the tests that reached them.
 struct EnvelopeAt {

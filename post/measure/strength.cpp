@@ -44,7 +44,11 @@ const std::vector<std::string> columns{"file",
                                        "contact_tensile_strength_MPa",
                                        "contact_cohesion_MPa",
                                        "contact_friction_angle_deg",
-                                       "damping_load"};
+                                       "damping_load",
+                                       "first_peak_MPa",
+                                       "residual_MPa",
+                                       "drop_percent",
+                                       "rehardening_GPa"};
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -57,6 +61,13 @@ void append_split(std::vector<Cell>& row, const RunReader& reader, const RunData
     row.push_back(cell(split.first_crack_radius));
     row.emplace_back(specimen.loading_arc / degree);
     row.emplace_back(split.warning);
+}
+
+void append_first_peak(std::vector<Cell>& row, const std::optional<FirstPeak>& peak) {
+    row.push_back(peak ? Cell(peak->stress * 1e-6) : Cell());
+    row.push_back(peak ? megapascal(peak->residual) : Cell());
+    row.push_back(peak && peak->drop ? Cell(100 * *peak->drop) : Cell());
+    row.push_back(peak && peak->rehardening ? Cell(*peak->rehardening * 1e-9) : Cell());
 }
 
 std::vector<Cell> strength_row(const std::string& path) {
@@ -99,10 +110,25 @@ std::vector<Cell> strength_row(const std::string& path) {
         row.emplace_back(value);
     }
     row.emplace_back(run.header.damping_load);
+    append_first_peak(row, strength.first_peak);
     return row;
 }
 
 }  // namespace
+
+std::string name_of(StrengthKind kind) {
+    switch (kind) {
+        case StrengthKind::first_peak: return "first-peak";
+        case StrengthKind::residual: return "residual";
+        default: return "largest";
+    }
+}
+
+std::optional<double> Strength::value(StrengthKind kind) const {
+    if (kind == StrengthKind::largest) return value();
+    if (!first_peak) return std::nullopt;
+    return kind == StrengthKind::first_peak ? std::optional(first_peak->stress) : first_peak->residual;
+}
 
 Strength measure_strength(const RunData& run) {
     const LoadCurve curve = load_curve(run);
@@ -112,6 +138,7 @@ Strength measure_strength(const RunData& run) {
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);
+    strength.first_peak = measure_first_peak(run, curve);
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
                    [&](double strain) { return stress_at_strain(curve, strain); });
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];

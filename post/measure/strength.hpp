@@ -7,10 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "post/measure/first_peak.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {
+
+/// Which stress of a compression test is its strength: the largest, that of the first peak, or the residual one.
+enum class StrengthKind { largest, first_peak, residual };
+/// "largest", "first-peak", "residual": as options and tables name it.
+std::string name_of(StrengthKind kind);
 
 /// Strengths are positive; SI. Empty: the test does not measure it.
 struct Strength {
@@ -18,9 +24,13 @@ struct Strength {
     std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
     /// Whichever of the two the test measures.
     [[nodiscard]] double value() const { return peak_compressive_stress ? *peak_compressive_stress : tensile_strength.value(); }
-    double strain_at_peak = 0;          ///< platen approach over height since the start of the test
-    std::string peak_kind;              ///< see `peak_kind`
-    std::optional<double> first_yield;  ///< see `first_yield`
+    /// The same by another definition; empty if the test has no such strength, as tension and Brazilian tests for all but the
+    /// largest.
+    [[nodiscard]] std::optional<double> value(StrengthKind kind) const;
+    double strain_at_peak = 0;            ///< platen approach over height since the start of the test
+    std::string peak_kind;                ///< see `peak_kind`
+    std::optional<double> first_yield;    ///< see `first_yield`
+    std::optional<FirstPeak> first_peak;  ///< uniaxial, triaxial
     /// Stress where the platen strain first reaches `strain_marks`, before or after the peak; empty if the test ended earlier.
     std::array<std::optional<double>, 3> stress_at_marks;
     double tensile_cracks = 0;  ///< contacts (points ÷ 2) failed by the time of the peak

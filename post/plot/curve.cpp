@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/measure/first_peak.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
@@ -21,6 +23,12 @@ struct Run {
     const RunData* data;
     LoadCurve curve;
     std::vector<double> lateral;  ///< widening negative in compression, narrowing negative in tension
+    std::optional<FirstPeak> first_peak;
+    /// Whether the first peak is another one than the largest stress, and has a marker of its own.
+    [[nodiscard]] bool has_earlier_peak() const {
+        return first_peak && first_peak->strain < curve.axial_strain[curve.peak] - smoothing_strain;
+    }
+    [[nodiscard]] bool has_residual() const { return first_peak && first_peak->residual; }
 };
 
 std::string kind_of(const RunData& run) { return is_compression(run.header) ? "compression" : run.header.test; }
@@ -32,7 +40,8 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
             throw InputError(run.name + ": a " + run.header.test + " test cannot share a plot with " + data.front().name +
                              ", a " + data.front().header.test + " test; plot them apart");
         }
-        Run prepared{&run, load_curve(run), {}};
+        Run prepared{&run, load_curve(run), {}, {}};
+        prepared.first_peak = measure_first_peak(run, prepared.curve);
         prepared.lateral = prepared.curve.lateral_strain;
         if (run.header.test != "tension") {
             for (double& strain : prepared.lateral) strain = -strain;
@@ -91,12 +100,28 @@ void draw_counts(Chart& chart, const Run& run) {
     draw(HistoryColumn::tensile_cracks, palette::tensile, "tensile cracks");
 }
 
+constexpr Marker first_peak_marker{palette::ink, MarkerShape::triangle, 13};
+constexpr Stroke residual_stroke{palette::rim, 5};
+
+/// The first peak as a triangle, the residual strength as a line over the strains that it is a mean of.
+void draw_first_peak(Chart& chart, const Run& run) {
+    const auto percent = [&](double beyond) { return 100 * (run.first_peak->strain + beyond); };
+    if (run.has_earlier_peak()) {
+        chart.points(std::vector<double>{percent(0)}, std::vector<double>{1e-6 * run.first_peak->stress}, first_peak_marker);
+    }
+    if (run.has_residual()) {
+        chart.line(std::vector<double>{percent(residual_strains[0]), percent(residual_strains[1])},
+                   std::vector<double>(2, 1e-6 * *run.first_peak->residual), residual_stroke);
+    }
+}
+
 void draw_run(Chart& chart, const Run& run, Colour colour) {
     const std::vector<double> stress = times(run.curve.stress, 1e-6);
     chart.line(times(run.lateral, 100), stress, Stroke{colour, 3});
     chart.line(times(run.curve.axial_strain, 100), stress, Stroke{colour, 4.5});
     const std::vector<double> at{100 * run.curve.axial_strain[run.curve.peak]};
     chart.points(at, std::vector<double>{1e-6 * run.curve.peak_stress()}, Marker{colour});
+    draw_first_peak(chart, run);
 }
 
 void draw_laboratory(Chart& chart, const LaboratoryCurve& curve, Colour colour) {
@@ -142,6 +167,9 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
         draw_run(chart, runs[i], palette::series(i));
         chart.legend(Stroke{palette::series(i), 4.5}, runs.size() == 1 ? "stress" : legend_label(runs[i]));
     }
+    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_earlier_peak))) chart.legend(first_peak_marker, "first peak");
+    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual)))
+        chart.legend(residual_stroke, "residual strength");
     for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], palette::series(runs.size() + i));
     return chart.finish();
 }

@@ -84,6 +84,17 @@ std::string line_label(const Envelope& envelope) {
                        phi.value * degrees, interval_label(phi, degrees), envelope.line.r_squared);
 }
 
+/// Which stress of the tests is drawn, and how many of them have it.
+std::string strength_label(const EnvelopeTests& tests) {
+    const char* stress = tests.kind == StrengthKind::first_peak ? "first peak"
+                         : tests.kind == StrengthKind::residual ? "residual strength"
+                                                                : "largest stress";
+    std::string label = fmt::format("σ1 is the {} of a test", stress);
+    if (!tests.left_out.empty())
+        label += fmt::format("; {} of {} tests have one", tests.compression.size(), tests.compression_runs());
+    return label;
+}
+
 Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
            const std::vector<LaboratoryStrengths>& laboratory) {
     double right = 0;
@@ -100,7 +111,7 @@ Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::stri
     for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
         for (const double strength : *strengths) left = std::max(left, 1.3 * strength * mega);
     }
-    std::vector<std::string> subtitle{line_label(envelope)};
+    std::vector<std::string> subtitle{line_label(envelope), strength_label(tests)};
     if (tests.at_strain_limit > 0)
         subtitle.push_back(fmt::format("{} of the tests stopped at the strain limit, without a peak", tests.at_strain_limit));
     return {ChartText{title, subtitle}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
@@ -173,7 +184,7 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
 
 Command envelope_plot() {
     struct Options : PlotOptions {
-        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        EnvelopeOptions envelope;
         std::vector<std::string> laboratory;  ///< tables of measured strengths
     };
     return make_plot<Options>(
@@ -182,7 +193,7 @@ Command envelope_plot() {
         several_runs,
         [](CLI::App& app, Options& options) {
             add_picture(app, options);
-            add_strain_limit_runs(app, options.strain_limit_runs);
+            add_envelope_options(app, options.envelope);
             add_names(app, "--laboratory", options.laboratory, "FILE",
                       "table of measured strengths: confining_pressure_MPa, strength_MPa");
         },
@@ -190,8 +201,9 @@ Command envelope_plot() {
             const std::vector<RunData> runs = read_runs(call.files);
             std::vector<LaboratoryStrengths> laboratory;
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
-            return draw_envelope(collect_envelope_tests(runs, options.strain_limit_runs), runs.front().header.material,
-                                 laboratory);
+            const EnvelopeTests tests = collect_envelope_tests(runs, options.envelope);
+            print_left_out(call.diagnostics(), tests);
+            return draw_envelope(tests, runs.front().header.material, laboratory);
         });
 }
 

@@ -65,7 +65,7 @@ void add_envelope(Content& content, StrainLimitRuns strain_limit_runs) {
     std::vector<RunData> runs;
     for (const TestReport& t : content.tests) runs.push_back(t.data);
     try {
-        EnvelopeTests tests = collect_envelope_tests(runs, strain_limit_runs);
+        EnvelopeTests tests = collect_envelope_tests(runs, {.strain_limit_runs = strain_limit_runs});
         content.envelope = fit_envelope(tests.confining(), tests.strength());
         content.envelope_tests = std::move(tests);
     } catch (const InputError& error) {

@@ -23,7 +23,7 @@
 #     make -j 2                runs side by side         make THREADS=2       threads of a run
 #     make LAUNCH="srun …"     command before a run      make MAX_STRAIN=0.01 strain limit of runs without a peak
 #     make GF=90               fracture energy, J/m²     make OPEN=7.7        shear strength of open contacts, MPa
-#     make LAW=scaled          another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak
+#     make LAW=scaled          another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak; none: to the strain limit
 #     make CONFINED= UNIAXIAL=                           runs with the solver's default loading rate
 #     make -n                  print what would be done  make clean           remove tables and pages; distclean: runs too
 #

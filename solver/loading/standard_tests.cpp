@@ -76,7 +76,7 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     axial.name = axial_stage;
     axial.platens = axial_motion(request, transit_time);
     axial.longest_time = std::numeric_limits<double>::infinity();
-    axial.peak_drop = peak_drop;
+    if (peak_drop > 0) axial.peak_drop = peak_drop;
     program.stages.push_back(axial);
     std::transform(program.stages.begin(), program.stages.end(), std::back_inserter(program.order),
                    [](const Stage& stage) { return stage.name; });

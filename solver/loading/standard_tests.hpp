@@ -14,7 +14,7 @@ inline constexpr const char* axial_stage = "axial";
 
 /// Uniaxial or triaxial compression, Brazilian test or direct tension. Under a confining pressure a membrane on the parts left
 /// and right and the platens first load the specimen isotropically and wait for rest, then the platens move on. \param peak_drop
-/// fall below the peak that ends the test, share of it
+/// fall below the peak that ends the test, share of it; 0: the test ends at the strain limit alone
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock);
 
 /// What a run runs: the program that is asked for, or that of the standard test.

@@ -61,7 +61,7 @@ struct SimulationRequest {
     PlaneCondition plane = PlaneCondition::strain;
     LawVariant law = LawVariant::consistent;
     Coupling coupling = Coupling::full;
-    double peak_drop = 0.3;
+    double peak_drop = 0.3;  ///< of a standard test; 0: it goes on to the strain limit
     double damping = 0.8;
     DampingForm damping_form = DampingForm::combined;
     bool mass_scaling = false;                  ///< selective

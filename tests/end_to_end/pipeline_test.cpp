@@ -62,6 +62,44 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
     }
 }
 
+TEST(Pipeline, FirstPeaksAndResidualStrengthsOfTestsThatGoOn) {
+    const Shell shell;
+    const std::string test =
+        " rectangle.h5 --material augig-granite --contact-friction-angle 25deg --rate 50mm/s --max-strain 0.014 --frames 0 "
+        "--quiet ";
+    shell.must(
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 4mm --quiet -o rectangle.h5\ngraincrack-solve uniaxial" +
+        test + "-o falls.h5\ngraincrack-solve uniaxial" + test +
+        "--peak-drop none -o goes-on.h5\n"
+        "for p in 1 3; do graincrack-solve triaxial --confining-pressure ${p}MPa --peak-drop none" +
+        test + "-o triaxial$p.h5; done");
+    EXPECT_NE(shell.must("graincrack-post info falls.h5").find("peak drop"), std::string::npos);
+    EXPECT_NE(shell.must("graincrack-post info goes-on.h5").find("strain limit"), std::string::npos);
+    const auto number = [&](const std::string& run, const char* column) {
+        return std::atof(cell(shell.must("graincrack-post strength " + run), column).c_str());
+    };
+    const double largest = number("falls.h5", "peak_compressive_stress_MPa");
+    EXPECT_NEAR(number("falls.h5", "first_peak_MPa"), largest, 0.01 * largest);
+    EXPECT_EQ(cell(shell.must("graincrack-post strength falls.h5"), "residual_MPa"), "");
+    EXPECT_EQ(number("goes-on.h5", "first_peak_MPa"), number("falls.h5", "first_peak_MPa"));
+    EXPECT_GT(number("goes-on.h5", "drop_percent"), 50);
+    EXPECT_GT(number("triaxial3.h5", "residual_MPa"), number("goes-on.h5", "residual_MPa") + 3);
+
+    const std::string envelope = "graincrack-post envelope falls.h5 triaxial1.h5 triaxial3.h5 --strength ";
+    const std::string by_first_peak = shell.must(envelope + "first-peak");
+    EXPECT_EQ(cell(by_first_peak, "runs"), "3");
+    const Outcome residual = shell.run(envelope + "residual");
+    EXPECT_EQ(residual.exit_code, 0);
+    EXPECT_EQ(cell(residual.out, "strength"), "residual");
+    EXPECT_EQ(cell(residual.out, "runs"), "2");
+    EXPECT_EQ(cell(residual.out, "compression_runs"), "3");
+    EXPECT_LT(std::atof(cell(residual.out, "cohesion_MPa").c_str()), std::atof(cell(by_first_peak, "cohesion_MPa").c_str()));
+    EXPECT_EQ(n_lines(residual.err), 1) << residual.err;
+    EXPECT_NE(residual.err.find("falls.h5: no residual strength"), std::string::npos) << residual.err;
+    shell.must("graincrack-post --quiet plot envelope goes-on.h5 triaxial1.h5 triaxial3.h5 --strength residual -o residual.svg");
+    EXPECT_NE(content_of(shell.file("residual.svg")).find("residual strength"), std::string::npos);
+}
+
 // A straight crack has the toughness √(E' Gf). A crack between grains has more, since its path is longer and since it slides on
 // facets that are oblique to the load (1.03 to 1.24 times as much, here and in plates of 80 mm).
 TEST(Pipeline, ToughnessOfANotchedPlate) {

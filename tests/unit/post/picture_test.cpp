@@ -185,6 +185,18 @@ TEST_F(Picture, CurveAndSpecimenAreDrawn) {
     EXPECT_GT(pixels_of(path("specimen.png"), palette::grain), 200000);
 }
 
+TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStrength) {
+    recipe_.plane_young_modulus = 2.6e9;  // so that the fall lasts 1 % of strain
+    test::write_run(path("soft.h5"), recipe_);
+    RunData run = read_run_data(path("soft.h5"));
+    const std::string falls = to_svg(draw_curves({run}));
+    EXPECT_EQ(falls.find("first peak"), std::string::npos);
+    EXPECT_NE(falls.find("residual strength"), std::string::npos);
+    for (auto& column : run.history.columns) column.push_back(2 * column.back());
+    run.history[HistoryColumn::axial_stress].back() = -200e6;
+    EXPECT_NE(to_svg(draw_curves({run})).find("first peak"), std::string::npos);
+}
+
 TEST_F(Picture, LaboratoryCurvesStandBesideRuns) {
     std::ofstream(path("lab.tsv")) << "axial_strain_percent\tlateral_strain_percent\tstress_MPa\n0\t0\t0\n0.3\t-0.1\t80\n";
     const LaboratoryCurve curve = read_laboratory_curve(path("lab.tsv"));
@@ -211,6 +223,11 @@ TEST_F(Picture, EnvelopeShowsCirclesAndBothCurves) {
     const std::vector<LaboratoryStrengths> laboratory{read_laboratory_strengths(path("lab.tsv"))};
     EXPECT_EQ(laboratory[0].strength, (std::vector<double>{100e6, 400e6}));
     EXPECT_NE(to_svg(draw_envelope(tests, "rock", laboratory)).find("laboratory: lab.tsv"), std::string::npos);
+    EXPECT_NE(svg.find("σ1 is the largest stress of a test"), std::string::npos);
+    tests.kind = StrengthKind::first_peak;
+    tests.left_out = {"run.h5: no first peak"};
+    EXPECT_NE(to_svg(draw_envelope(tests, "rock")).find("σ1 is the first peak of a test; 3 of 4 tests have one"),
+              std::string::npos);
     for (auto& test : tests.compression) test.strength = 200e6 - 9 * test.confining;
     EXPECT_NE(to_svg(draw_envelope(tests, "rock")).find("no Mohr–Coulomb line"), std::string::npos);
     for (auto& test : tests.compression) test.strength = 120e6 + 9 * test.confining;

@@ -33,7 +33,8 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "energy_balance_error\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
               "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
               "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
-              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load");
+              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load\t"
+              "first_peak_MPa\tresidual_MPa\tdrop_percent\trehardening_GPa");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
@@ -68,6 +69,37 @@ TEST_F(StrengthTable, StressAtEqualStrainsIsInterpolatedAndEmptyPastTheEnd) {
     const std::string softer = table_of(recipe);
     EXPECT_NEAR(std::stod(field(softer, "stress_at_2_percent_MPa")), 100, 1e-5);
     EXPECT_NEAR(std::stod(field(softer, "stress_at_3_percent_MPa")), 62.5, 1e-5);
+}
+
+TEST_F(StrengthTable, FirstPeakAndResidualStrengthIncludeTheConfinement) {
+    Recipe recipe;
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 5e6;
+    recipe.plane_young_modulus = 3e9;  // peak of 125 MPa at 4 % of the gauges, then a fall by 6.25 MPa every 2 % of that strain
+    recipe.platen_compliance = 1;
+    recipe.rows = 1001;
+    const std::string table = table_of(recipe);
+    const double first_peak = std::stod(field(table, "first_peak_MPa"));
+    EXPECT_NEAR(first_peak, 125, 0.2);
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "125");
+    const double slope = 6.25 / (0.02 * (120e6 / 3e9 + 1e-4));  // MPa
+    EXPECT_NEAR(std::stod(field(table, "residual_MPa")), 125 - 0.004 * slope, 0.5);
+    EXPECT_NEAR(std::stod(field(table, "drop_percent")),
+                100 * (first_peak - std::stod(field(table, "residual_MPa"))) / (first_peak - 5), 1e-3);
+    EXPECT_NEAR(std::stod(field(table, "rehardening_GPa")), -1e-3 * slope, 1e-3 * slope * 0.01);
+}
+
+TEST_F(StrengthTable, WithoutAFallThereIsNoFirstPeak) {
+    Recipe recipe;
+    recipe.drop = 0.04;
+    const std::string hardening = table_of(recipe);
+    recipe.test = "tension";
+    recipe.drop = 0.5;
+    const std::string tension = table_of(recipe);
+    for (const char* column : {"first_peak_MPa", "residual_MPa", "drop_percent", "rehardening_GPa"}) {
+        EXPECT_EQ(field(hardening, column), "") << column;
+        EXPECT_EQ(field(tension, column), "") << column;
+    }
 }
 
 TEST_F(StrengthTable, BrazilianIsEquation18OfTheForces) {

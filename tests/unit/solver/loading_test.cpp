@@ -23,8 +23,8 @@ const double transit = 0.08 / std::sqrt(25.8e9 / 2650);  // of a bar wave
 /// A test that is told what its specimen answers.
 class Led {
 public:
-    explicit Led(const LoadingRequest& request)
-        : program(standard_test(request, 0.3, specimen(), test::augig_granite().rock)),
+    explicit Led(const LoadingRequest& request, double peak_drop = 0.3)
+        : program(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)),
           stages(program, specimen(), test::augig_granite().rock) {}
     void row(double at, double stress = 0, double unbalanced = 1, const RateMeasures& rate = {}, double cracks = 0) {
         for (auto& column : history.columns) {
@@ -222,6 +222,15 @@ TEST(StandardTest, EndsBehindThePeakOfACrackedSpecimen) {
     led.row(5e-5, -69e6, 1, {}, 1);
     EXPECT_TRUE(led.stages.finished());
     EXPECT_EQ(led.stages.records().back().ended_by, "peak_drop");
+}
+
+TEST(StandardTest, WithoutADropItGoesOn) {
+    Led led(LoadingRequest{}, 0);
+    led.row(0);
+    led.row(1e-5, -100e6, 1, {}, 1);
+    led.row(2e-5, 0, 1, {}, 1);
+    EXPECT_FALSE(led.stages.finished());
+    EXPECT_EQ(program_text(parse_program(program_text(led.program), "again.toml")), program_text(led.program));
 }
 
 TEST(StandardTest, SupportsOfTheTests) {
