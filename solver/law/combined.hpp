@@ -162,6 +162,7 @@ struct Combined {
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return std::min(1.0, damage_at(law, cohesion_of(law, h).largest));
     }
+    static double remaining_cohesion(const ContactLaw& law, const ContactHistory& h) { return cohesion_of(law, h).left; }
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.failed() && damage(law, h) >= 1; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
         const double x = std::max(0.0, p.opening) * law.inv_op;

@@ -34,10 +34,11 @@ struct SofteningPoint {
 struct SofteningResponse {
     double normal, shear;  ///< Pa
     double integrity;
-    double slip;      ///< m
-    double fracture;  ///< dissipated, J/m²
-    double friction;  ///< dissipated, J/m²
-    double holds;     ///< 1 if the point stays open or stays closed and cohesion is left, else 0
+    double slip;                ///< m
+    double fracture;            ///< dissipated, J/m²
+    double friction;            ///< dissipated, J/m²
+    double holds;               ///< 1 if the point stays open or stays closed and cohesion is left, else 0
+    double remaining_cohesion;  ///< share of the peak that its cohesion can bear, 0 to 1
 };
 
 /// A residual point, one of which `is_residual` of its law says that no cohesion is left, before and after a motion.

@@ -173,6 +173,7 @@ TEST(CohesiveFrictional, TheSofteningResponseAgreesWithTheFullLaw) {
             EXPECT_EQ(r.slip, full.history.slip);
             EXPECT_EQ(r.fracture, full.dissipation.fracture);
             EXPECT_EQ(r.friction, full.dissipation.friction);
+            EXPECT_EQ(r.remaining_cohesion, remaining_cohesion(law, full.history));
             EXPECT_EQ(full.dissipation.non_conservative_work, 0);
         }
     }
