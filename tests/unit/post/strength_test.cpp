@@ -33,7 +33,9 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "energy_balance_error\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
               "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
               "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
-              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load");
+              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load\t"
+              "tensile_cracks_by_displacement\tshear_cracks_by_displacement\ttensile_cracks_broken\tshear_cracks_broken\t"
+              "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
