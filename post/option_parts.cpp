@@ -69,6 +69,16 @@ void add_trend(CLI::App& app, TrendOptions& options) {
     add_names(app, "--group", options.groups, "COLUMN", "a fit for each different entry of this column; may be given again");
 }
 
+void add_crack_label(CLI::App& app, CrackLabel& label) {
+    add_choice<CrackEvent>(
+        app, "--crack-event", label.event, {{"failed", CrackEvent::failed}, {"broken", CrackEvent::broken}},
+        "a contact point is a micro-crack once it failed (passed its peak), or once it broke (less than 10 % of "
+        "its cohesion was left)");
+    add_choice<CrackModeRule>(app, "--crack-mode", label.mode,
+                              {{"sign", CrackModeRule::sign}, {"displacement", CrackModeRule::displacement}},
+                              "it is tensile if it was open then, or if it had opened more than slid then");
+}
+
 void add_events(CLI::App& app, EventOptions& options) {
     add_quantity(app, "--event-distance", options.distance, event_distance,
                  "crack points within this distance are one acoustic event; two mean edges unless given");

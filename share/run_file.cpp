@@ -200,6 +200,17 @@ void write_column(H5Output& file, const schema::Dataset& dataset, const std::vec
     file.write<T>(dataset.path, std::span<const T>(values), extents, dataset.unit, dataset.description);
 }
 
+/// A column of /cracks that older files lack.
+struct DamageColumn {
+    schema::Dataset dataset;
+    double Crack::*value;
+};
+constexpr std::array damage_columns{DamageColumn{schema::crack_time_damaged_10, &Crack::time_damaged_10},
+                                    DamageColumn{schema::crack_time_damaged_50, &Crack::time_damaged_50},
+                                    DamageColumn{schema::crack_time_broken, &Crack::time_broken},
+                                    DamageColumn{schema::crack_opening_broken, &Crack::opening_broken},
+                                    DamageColumn{schema::crack_sliding_broken, &Crack::sliding_broken}};
+
 void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     file.create_group(schema::cracks_group);
     write_column(file, schema::crack_time, column_of<double>(cracks, [](const Crack& c) { return c.time; }));
@@ -221,6 +232,29 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     write_column(file, schema::crack_sliding, column_of<double>(cracks, [](const Crack& c) { return c.sliding; }));
     write_column(file, schema::crack_energy, column_of<double>(cracks, [](const Crack& c) { return c.energy_released; }));
     write_column(file, schema::crack_time_separated, column_of<double>(cracks, [](const Crack& c) { return c.time_separated; }));
+    for (const DamageColumn& column : damage_columns) {
+        std::vector<double> values;
+        for (const Crack& crack : cracks) {
+            values.push_back(crack.*column.value);
+        }
+        write_column(file, column.dataset, values);
+    }
+}
+
+/// Fills the columns that older files lack, in which they stay NaN.
+void read_damage_columns(const H5Input& file, std::vector<Crack>& cracks) {
+    for (const DamageColumn& column : damage_columns) {
+        if (!file.has(column.dataset.path)) {
+            continue;
+        }
+        const std::vector<double> values = file.read<double>(column.dataset.path);
+        if (values.size() != cracks.size()) {
+            throw InputError(fmt::format("{}: columns of {} differ in length", file.name(), schema::cracks_group));
+        }
+        for (std::size_t i = 0; i < cracks.size(); ++i) {
+            cracks[i].*column.value = values[i];
+        }
+    }
 }
 
 /// Links the last frame as fields of the static VTKHDF view.
@@ -414,8 +448,11 @@ std::vector<Crack> RunReader::cracks() const {
                      energy[i],
                      separated[i]};
     }
+    read_damage_columns(f, cracks);
     return cracks;
 }
+
+bool RunReader::has_damage_times() const { return state_->file.has(schema::crack_time_broken.path); }
 
 std::size_t RunReader::n_frames() const { return state_->frames.size(); }
 

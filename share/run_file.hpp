@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -126,7 +127,16 @@ struct Crack {
     double opening = 0;                ///< m
     double sliding = 0;                ///< m
     double energy_released = 0;        ///< J: fracture energy dissipated by this point until the end of the run
-    double time_separated = std::numeric_limits<double>::quiet_NaN();  ///< s
+    double time_separated = std::numeric_limits<double>::quiet_NaN();   ///< s
+    double time_damaged_10 = std::numeric_limits<double>::quiet_NaN();  ///< s, when 10 % of its cohesion was lost
+    double time_damaged_50 = std::numeric_limits<double>::quiet_NaN();  ///< s, when 50 % was lost
+    double time_broken = std::numeric_limits<double>::quiet_NaN();      ///< s, when 90 % was lost
+    double opening_broken = std::numeric_limits<double>::quiet_NaN();   ///< m, then
+    double sliding_broken = std::numeric_limits<double>::quiet_NaN();   ///< m, then
+    /// How many of the three levels of damage the log records the point to have reached.
+    [[nodiscard]] std::size_t damage_levels() const {
+        return !std::isnan(time_broken) ? 3 : (!std::isnan(time_damaged_50) ? 2 : (!std::isnan(time_damaged_10) ? 1 : 0));
+    }
 };
 
 /// State of the assemblage at one time; lengths as in Specimen.
@@ -183,6 +193,8 @@ public:
     [[nodiscard]] Specimen specimen() const;
     [[nodiscard]] History history() const;
     [[nodiscard]] std::vector<Crack> cracks() const;
+    /// Whether the crack log records when points were damaged and broken; in older files those values are NaN.
+    [[nodiscard]] bool has_damage_times() const;
     [[nodiscard]] std::size_t n_frames() const;
     /// Time of each frame, ascending, s.
     [[nodiscard]] std::vector<double> frame_times() const;

@@ -179,7 +179,7 @@ void MapView::draw_platen(double y, bool above, double half_width) {
     drawing_.rectangle({left.x, std::min(left.y, outside)}, {right.x, std::max(left.y, outside)}, palette::platen);
 }
 
-void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
+void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::string& note) {
     double y = drawing_.height() - page_.legend_height / 2 + 8;
     const double size = page_.text_size;
     double x = page_.margin;
@@ -204,6 +204,11 @@ void MapView::draw_legend(const std::vector<LegendEntry>& entries) {
     drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
     for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);
     drawing_.text({{left - 14, y}, label, size, palette::ink, Anchor::end});
+    if (!note.empty()) {
+        const double line = 1.5 * size;
+        drawing_.text({{page_.margin, y + line}, note, size});
+        drawing_.set_height(drawing_.height() + static_cast<int>(line));
+    }
 }
 
 }  // namespace graincrack

@@ -52,8 +52,8 @@ public:
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// A rigid platen on the specimen's axis: a bar from −half_width to half_width, above or below the height y; m.
     void draw_platen(double y, bool above, double half_width);
-    /// Legend and a scale bar below the map.
-    void draw_legend(const std::vector<LegendEntry>& entries);
+    /// Legend and a scale bar below the map, and below them a line of text, unless it is empty.
+    void draw_legend(const std::vector<LegendEntry>& entries, const std::string& note = {});
 
     [[nodiscard]] const Positions& positions() const { return positions_; }
     [[nodiscard]] double pixels_per_metre() const { return scale_; }

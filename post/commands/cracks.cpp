@@ -15,6 +15,7 @@ Command cracks_command() {
         [](CLI::App& app, Options& options) {
             add_output(app, options.folder, "folder for grains.pvd, cracks.pvd and the tables");
             add_events(app, options.crack_export.events);
+            add_crack_label(app, options.crack_export.label);
             add_format(app, options.crack_export.format);
         },
         [](const Options& options, const Call& call) {

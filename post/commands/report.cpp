@@ -17,6 +17,7 @@ Command report_command() {
         [](CLI::App& app, Options& options) {
             add_laboratory_material(app, options.report.material);
             add_strain_limit_runs(app, options.report.strain_limit_runs);
+            add_crack_label(app, options.report.label);
             add_output(app, options.page, "page: .html");
         },
         [](const Options& options, const Call& call) {

@@ -51,6 +51,53 @@ Pairs pairs_of(const Specimen& specimen) {
 
 }  // namespace
 
+ModeCounts count_modes(const std::vector<Crack>& cracks, const CrackLabel& label, double time) {
+    ModeCounts counts;
+    for (const Crack& crack : labelled(cracks, label)) {
+        if (crack.time <= time) counts.add(crack);
+    }
+    return counts;
+}
+
+const std::vector<std::string>& label_columns() {
+    static const std::vector<std::string> columns = [] {
+        std::vector<std::string> names;
+        for (const char* ending : {"_by_displacement", "_broken", "_broken_by_displacement"}) {
+            names.push_back(std::string("tensile_cracks") + ending);
+            names.push_back(std::string("shear_cracks") + ending);
+        }
+        return names;
+    }();
+    return columns;
+}
+
+std::vector<Cell> label_cells(const std::vector<Crack>& cracks, bool has_damage_times, double time) {
+    std::vector<Cell> cells;
+    for (const CrackLabel& label : all_crack_labels) {
+        if (label == CrackLabel{}) continue;
+        const bool known = label.event == CrackEvent::failed || has_damage_times;
+        const ModeCounts counts = count_modes(cracks, label, time);
+        cells.push_back(known ? count_cell(counts.tensile) : Cell());
+        cells.push_back(known ? count_cell(counts.shear) : Cell());
+    }
+    return cells;
+}
+
+RunData read_labelled_run(const RunReader& reader, const CrackLabel& label) {
+    RunData run = run_data(reader);
+    if (label == CrackLabel{}) return run;
+    std::vector<Crack> cracks = read_labelled_cracks(reader, reader.specimen(), label);
+    std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
+    ModeCounts now;
+    auto next = cracks.begin();
+    for (std::size_t row = 0; row < run.history.size(); ++row) {
+        for (; next != cracks.end() && next->time <= run.history[HistoryColumn::time][row]; ++next) now.add(*next);
+        run.history[HistoryColumn::tensile_cracks][row] = now.tensile;
+        run.history[HistoryColumn::shear_cracks][row] = now.shear;
+    }
+    return run;
+}
+
 CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
                          std::size_t n_moments) {
     std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });

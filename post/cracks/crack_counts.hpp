@@ -6,17 +6,29 @@
 #include <string>
 #include <vector>
 
+#include "post/cracks/crack_label.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {
 
-/// Contacts (points ÷ 2) failed in tension and in shear.
+/// Contacts (points ÷ 2) with tensile and with shear cracks.
 struct ModeCounts {
     double tensile = 0;
     double shear = 0;
     void add(const Crack& crack) { (crack.mode == CrackMode::tensile ? tensile : shear) += 0.5; }
 };
+
+/// Cracks of a log by a label, up to a time (s).
+ModeCounts count_modes(const std::vector<Crack>& cracks, const CrackLabel& label, double time);
+
+/// Columns of tables of runs, behind those of `tensile_cracks` and `shear_cracks`: the counts by the other labels.
+const std::vector<std::string>& label_columns();
+/// Their entries at a time (s); those of broken points are empty if the run does not record them.
+std::vector<Cell> label_cells(const std::vector<Crack>& cracks, bool has_damage_times, double time);
+
+/// A run whose history counts the cracks of a label. \throws InputError as `read_labelled_cracks`
+RunData read_labelled_run(const RunReader& run, const CrackLabel& label);
 
 /// Counts of all cracks and for each pair of minerals ("feldspar-quartz", names in alphabetical order) at moments.
 struct CrackCounts {

@@ -3,12 +3,14 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -136,6 +138,11 @@ void add_crack_data(vtkCellData* cells, const std::vector<Crack>& cracks, double
     real("energy", [](const Crack& c) { return c.energy_released; });
     byte("separated", [time](const Crack& c) { return c.time_separated <= time; });  // false for NaN
     byte("point", [](const Crack& c) { return c.point; });
+    byte("mode_by_displacement", [](const Crack& c) {
+        return *mode_of(c, {CrackEvent::failed, CrackModeRule::displacement});
+    });  // of `opening`, `sliding`
+    byte("broken", [time](const Crack& c) { return c.time_broken <= time; });
+    real("time_broken", [](const Crack& c) { return c.time_broken; });
     cells->AddArray(make_array<vtkIntArray>("contact", 1, cracks.size(), [&](std::size_t i, int* v) { *v = cracks[i].contact; }));
 }
 
@@ -165,8 +172,9 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
     write_xml<vtkXMLUnstructuredGridWriter>(path, grid.Get());
 }
 
-void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& cracks, const Frame& frame) {
-    const std::vector<Crack> present = cracks_until(cracks, frame.time);
+void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& labelled_cracks,
+                  const Frame& frame, const CrackLabel& label) {
+    const std::vector<Crack> present = cracks_until(labelled_cracks, frame.time);
     std::vector<std::array<double, 2>> ends;
     std::vector<std::array<double, 2>> moves;
     vtkNew<vtkCellArray> lines;
@@ -189,6 +197,10 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     data->GetPointData()->AddArray(vectors("displacement", moves));
     add_crack_data(data->GetCellData(), present, frame.time);
     add_contact_data(data->GetCellData(), present, specimen, frame);
+    vtkNew<vtkStringArray> definition;
+    definition->SetName("crack_label");
+    definition->InsertNextValue(definition_of(label));
+    data->GetFieldData()->AddArray(definition);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }
 

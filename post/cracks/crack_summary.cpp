@@ -3,28 +3,36 @@
 #include <cmath>
 #include <numbers>
 
+#include "post/cracks/crack_counts.hpp"
+
 namespace graincrack {
 
 namespace {
 
-const std::vector<std::string> columns{"file",
-                                       "at",
-                                       "time_s",
-                                       "axial_strain",
-                                       "tensile_cracks",
-                                       "shear_cracks",
-                                       "separated",
-                                       "tensile_with_more_sliding",
-                                       "share_with_more_sliding",
-                                       "mode_angle_below_45_deg",
-                                       "fragments",
-                                       "single_grains",
-                                       "events",
-                                       "b_value",
-                                       "b_value_error",
-                                       "b_value_completeness",
-                                       "b_value_events",
-                                       "peak_kind"};
+const std::vector<std::string> first_columns{"file",
+                                             "at",
+                                             "time_s",
+                                             "axial_strain",
+                                             "tensile_cracks",
+                                             "shear_cracks",
+                                             "separated",
+                                             "tensile_with_more_sliding",
+                                             "share_with_more_sliding",
+                                             "mode_angle_below_45_deg",
+                                             "fragments",
+                                             "single_grains",
+                                             "events",
+                                             "b_value",
+                                             "b_value_error",
+                                             "b_value_completeness",
+                                             "b_value_events",
+                                             "peak_kind"};
+
+std::vector<std::string> all_columns() {
+    std::vector<std::string> columns = first_columns;
+    columns.insert(columns.end(), label_columns().begin(), label_columns().end());
+    return columns;
+}
 
 std::vector<Cell> balance_cells(const CrackBalance& b) {
     return {count_cell(b.tensile),        count_cell(b.shear),
@@ -59,24 +67,27 @@ CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time) {
     return balance;
 }
 
-void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve,
-                         const std::vector<Crack>& cracks, const std::vector<EmissionEvent>& events, const Fragments& fragments,
-                         TableFormat format) {
-    TableWriter table(out, columns, format);
+void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve, const CrackRows& cracks,
+                         const std::vector<EmissionEvent>& events, const Fragments& fragments, TableFormat format) {
+    TableWriter table(out, all_columns(), format);
     const auto begin = [&](const char* at, std::size_t row_index) {
         const double time = run.history[HistoryColumn::time][row_index];
         std::vector<Cell> row{run.name, std::string(at), time, curve ? Cell(curve->axial_strain[row_index]) : Cell()};
-        for (Cell& each : balance_cells(balance_cracks(cracks, time))) row.push_back(std::move(each));
+        for (Cell& each : balance_cells(balance_cracks(cracks.all, time))) row.push_back(std::move(each));
         return row;
     };
     const Cell kind = curve ? Cell(peak_kind(run, *curve)) : Cell();
-    const auto finish = [&](std::vector<Cell> row) {
-        row.resize(columns.size() - 1);
+    const auto finish = [&](std::vector<Cell> row, std::size_t row_index) {
+        row.resize(first_columns.size() - 1);
         row.push_back(kind);
+        for (Cell& each : label_cells(cracks.all, cracks.has_damage_times, run.history[HistoryColumn::time][row_index])) {
+            row.push_back(std::move(each));
+        }
         table.row(row);
     };
-    if (curve) finish(begin("peak", curve->peak));
-    std::vector<Cell> row = begin("end", run.history.size() - 1);
+    if (curve) finish(begin("peak", curve->peak), curve->peak);
+    const std::size_t last = run.history.size() - 1;
+    std::vector<Cell> row = begin("end", last);
     row.emplace_back(static_cast<std::int64_t>(fragments.all.size()));
     row.emplace_back(static_cast<std::int64_t>(fragments.single_grains()));
     row.emplace_back(static_cast<std::int64_t>(events.size()));
@@ -86,7 +97,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
         for (const double value : {fit->b, fit->error, fit->completeness}) row.emplace_back(value);
         row.emplace_back(static_cast<std::int64_t>(fit->events));
     }
-    finish(std::move(row));
+    finish(std::move(row), last);
 }
 
 }  // namespace graincrack

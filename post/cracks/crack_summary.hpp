@@ -24,9 +24,14 @@ struct CrackBalance {
 };
 CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time);
 
+/// The rows of a crack log, and whether they record when points were damaged and broken.
+struct CrackRows {
+    const std::vector<Crack>& all;
+    bool has_damage_times;
+};
+
 /// Table: one row at the peak, if there is a curve, one at the end. Emission and fragments are given in the row of the end only.
-void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve,
-                         const std::vector<Crack>& cracks, const std::vector<EmissionEvent>& events, const Fragments& fragments,
-                         TableFormat format);
+void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve, const CrackRows& cracks,
+                         const std::vector<EmissionEvent>& events, const Fragments& fragments, TableFormat format);
 
 }  // namespace graincrack

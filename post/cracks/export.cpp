@@ -50,7 +50,7 @@ std::vector<std::size_t> distinct_frames(const std::vector<double>& times) {
 }
 
 Breakup write_frames(const RunReader& run, const std::vector<std::size_t>& frames, const Specimen& specimen,
-                     const std::vector<Crack>& cracks, const std::string& folder, Verbosity verbosity) {
+                     const std::vector<Crack>& cracks, const CrackLabel& label, const std::string& folder, Verbosity verbosity) {
     Progress progress("cracks", verbosity);
     Breakup breakup;
     const std::size_t n = frames.size();
@@ -59,7 +59,7 @@ Breakup write_frames(const RunReader& run, const std::vector<std::size_t>& frame
         Frame frame = read_frame(run, specimen, frames[i]);
         breakup.last = find_fragments(specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
-        write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame);
+        write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame, label);
         write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, std::move(frame), breakup.last);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(n), fmt::format("frame {}", i + 1));
     }
@@ -80,13 +80,57 @@ std::optional<LoadCurve> curve_if_any(const RunData& data) {
 
 void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format) {
     TableWriter table(out,
-                      {"time_s", "step", "contact", "point", "mode", "mode_angle_rad", "x_m", "y_m", "orientation_rad",
-                       "length_m", "opening_m", "sliding_m", "energy_released_J", "time_separated_s"},
+                      {"time_s",
+                       "step",
+                       "contact",
+                       "point",
+                       "mode",
+                       "mode_angle_rad",
+                       "x_m",
+                       "y_m",
+                       "orientation_rad",
+                       "length_m",
+                       "opening_m",
+                       "sliding_m",
+                       "energy_released_J",
+                       "time_separated_s",
+                       "time_damaged_10_s",
+                       "time_damaged_50_s",
+                       "time_broken_s",
+                       "opening_broken_m",
+                       "sliding_broken_m",
+                       "mode_by_displacement",
+                       "mode_broken",
+                       "mode_broken_by_displacement"},
                       format);
     for (const Crack& c : cracks) {
-        table.row({c.time, c.step, std::int64_t{c.contact}, std::int64_t{c.point},
-                   std::string(c.mode == CrackMode::tensile ? "tensile" : "shear"), c.mode_angle, c.position[0], c.position[1],
-                   c.orientation, c.length, c.opening, c.sliding, c.energy_released, c.time_separated});
+        const auto mode = [&c](const CrackLabel& label) {
+            const std::optional<CrackMode> found = mode_of(c, label);
+            return found ? Cell(std::string(*found == CrackMode::tensile ? "tensile" : "shear")) : Cell();
+        };
+        std::vector<Cell> row{c.time,
+                              c.step,
+                              std::int64_t{c.contact},
+                              std::int64_t{c.point},
+                              mode({}),
+                              c.mode_angle,
+                              c.position[0],
+                              c.position[1],
+                              c.orientation,
+                              c.length,
+                              c.opening,
+                              c.sliding,
+                              c.energy_released,
+                              c.time_separated,
+                              c.time_damaged_10,
+                              c.time_damaged_50,
+                              c.time_broken,
+                              c.opening_broken,
+                              c.sliding_broken};
+        for (const CrackLabel& label : all_crack_labels) {
+            if (!(label == CrackLabel{})) row.push_back(mode(label));
+        }
+        table.row(row);
     }
 }
 
@@ -103,26 +147,28 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     if (all_times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
     const Specimen specimen = run.specimen();
     const std::vector<Crack> cracks = read_cracks(run, specimen);
+    const std::vector<Crack> shown = read_labelled_cracks(run, specimen, options.label);
     const RunData data = run_data(run);
     const std::optional<LoadCurve> curve = curve_if_any(data);
     const std::vector<std::size_t> frames = distinct_frames(all_times);
     std::vector<double> times;
     for (const std::size_t frame : frames) times.push_back(all_times[frame]);
     make_folder(folder);
-    const Breakup breakup = write_frames(run, frames, specimen, cracks, folder, verbosity);
+    const Breakup breakup = write_frames(run, frames, specimen, shown, options.label, folder, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options.events);
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
     const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };
     table("cracks", [&](std::ostream& out) { write_crack_table(out, cracks, format); });
-    table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(cracks, specimen), format); });
+    table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(shown, specimen), format); });
     table("events", [&](std::ostream& out) { write_events(out, events, format); });
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
     table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
-    table("summary", [&](std::ostream& out) { write_crack_summary(out, data, curve, cracks, events, breakup.last, format); });
+    table("summary", [&](std::ostream& out) {
+        write_crack_summary(out, data, curve, {cracks, run.has_damage_times()}, events, breakup.last, format);
+    });
     if (curve) {
-        table("counts",
-              [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, cracks), format); });
+        table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });
     }
     write_whole_file(folder + "/grains.pvd", pvd("grains", "vtu", times));
     write_whole_file(folder + "/cracks.pvd", pvd("cracks", "vtp", times));

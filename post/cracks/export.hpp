@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/cracks/crack_label.hpp"
 #include "post/cracks/emission.hpp"
 #include "share/progress.hpp"
 #include "share/run_file.hpp"
@@ -21,6 +22,7 @@ struct EventOptions {
 /// Options of the export.
 struct CrackExportOptions {
     EventOptions events;
+    CrackLabel label;                       ///< of the maps, the rosette and the counts
     TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
 };
 

@@ -43,7 +43,11 @@ const std::vector<std::string> columns{"file",
                                        "crack_damage_pseudo_3d_MPa",
                                        "crack_initiation_count_MPa",
                                        "threshold_note",
-                                       "warning"};
+                                       "warning",
+                                       "crack_initiation_count_damage_10_MPa",
+                                       "crack_initiation_count_damage_50_MPa",
+                                       "crack_initiation_count_damage_90_MPa"};
+constexpr std::size_t n_damage_columns = std::tuple_size_v<InitiationByDamage>;
 
 void append(std::vector<Cell>& row, const ElasticPair& pair) {
     for (const Cell& cell : {Cell(pair.young_modulus * 1e-9), Cell(pair.poisson_ratio), Cell(pair.plane_young_modulus * 1e-9),
@@ -100,8 +104,12 @@ std::vector<Cell> moduli_row(const std::string& path) {
     row.resize(21);
     row.emplace_back(kind);
     if (is_compression(run.header) && !kind.empty()) append_thresholds(row, run, curve);
-    row.resize(columns.size() - 1);
+    row.resize(columns.size() - n_damage_columns - 1);
     row.push_back(measured ? Cell(warning(*measured, kind)) : Cell());
+    if (is_compression(run.header) && !kind.empty()) {
+        for (const auto& stress : initiation_by_damage(run, curve, reader.cracks())) row.push_back(megapascal(stress));
+    }
+    row.resize(columns.size());
     return row;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "post/cracks/crack_counts.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/brazilian.hpp"
 #include "share/error.hpp"
@@ -14,41 +15,46 @@ namespace graincrack {
 
 namespace {
 
-const std::vector<std::string> columns{"file",
-                                       "test",
-                                       "seed",
-                                       "grains",
-                                       "mean_edge_mm",
-                                       "confining_pressure_MPa",
-                                       "peak_compressive_stress_MPa",
-                                       "tensile_strength_MPa",
-                                       "strain_at_peak",
-                                       "peak_kind",
-                                       "first_yield_MPa",
-                                       "tensile_cracks",
-                                       "shear_cracks",
-                                       "energy_balance_error",
-                                       "platen_force_difference",
-                                       "steps",
-                                       "wall_time_s",
-                                       "ns_per_grain_step",
-                                       "stress_at_1_percent_MPa",
-                                       "stress_at_2_percent_MPa",
-                                       "stress_at_3_percent_MPa",
-                                       "spanning_strength_MPa",
-                                       "first_crack_radius_over_R",
-                                       "loading_arc_deg",
-                                       "warning",
-                                       "achieved_confining_pressure_MPa",
-                                       "contact_law",
-                                       "contact_tensile_strength_MPa",
-                                       "contact_cohesion_MPa",
-                                       "contact_friction_angle_deg",
-                                       "damping_load",
-                                       "first_peak_MPa",
-                                       "residual_MPa",
-                                       "drop_percent",
-                                       "rehardening_GPa"};
+const std::vector<std::string> first_columns{"file",
+                                             "test",
+                                             "seed",
+                                             "grains",
+                                             "mean_edge_mm",
+                                             "confining_pressure_MPa",
+                                             "peak_compressive_stress_MPa",
+                                             "tensile_strength_MPa",
+                                             "strain_at_peak",
+                                             "peak_kind",
+                                             "first_yield_MPa",
+                                             "tensile_cracks",
+                                             "shear_cracks",
+                                             "energy_balance_error",
+                                             "platen_force_difference",
+                                             "steps",
+                                             "wall_time_s",
+                                             "ns_per_grain_step",
+                                             "stress_at_1_percent_MPa",
+                                             "stress_at_2_percent_MPa",
+                                             "stress_at_3_percent_MPa",
+                                             "spanning_strength_MPa",
+                                             "first_crack_radius_over_R",
+                                             "loading_arc_deg",
+                                             "warning",
+                                             "achieved_confining_pressure_MPa",
+                                             "contact_law",
+                                             "contact_tensile_strength_MPa",
+                                             "contact_cohesion_MPa",
+                                             "contact_friction_angle_deg",
+                                             "damping_load",
+                                             "first_peak_MPa",
+                                             "residual_MPa",
+                                             "drop_percent",
+                                             "rehardening_GPa"};
+std::vector<std::string> all_columns() {
+    std::vector<std::string> columns = first_columns;
+    columns.insert(columns.end(), label_columns().begin(), label_columns().end());
+    return columns;
+}
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -111,6 +117,8 @@ std::vector<Cell> strength_row(const std::string& path) {
     }
     row.emplace_back(run.header.damping_load);
     append_first_peak(row, strength.first_peak);
+    const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
+    for (Cell& each : label_cells(reader.cracks(), reader.has_damage_times(), time_of_peak)) row.push_back(std::move(each));
     return row;
 }
 
@@ -163,7 +171,7 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
 }
 
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
-    write_file_rows(out, columns, runs, strength_row, format);
+    write_file_rows(out, all_columns(), runs, strength_row, format);
 }
 
 }  // namespace graincrack

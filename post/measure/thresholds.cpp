@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "post/fit/statistics.hpp"
 
@@ -52,6 +54,17 @@ std::optional<double> by_lateral_response(const LoadCurve& curve, std::size_t da
     return stress;
 }
 
+/// Stress at which a count, which never falls, first reaches a share of what it has grown by from the start to the peak.
+std::optional<double> where_counts_begin(const LoadCurve& curve, const std::vector<double>& counts, double share) {
+    const auto count = [&](std::size_t row) { return counts[row] - counts[curve.start]; };
+    const double at_peak = count(curve.peak);
+    if (!(at_peak > 0)) return std::nullopt;
+    for (std::size_t row = curve.start; row <= curve.peak; ++row) {
+        if (count(row) > 0 && count(row) >= share * at_peak) return curve.stress[row];
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind) {
@@ -67,15 +80,28 @@ Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind) {
 }
 
 std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share) {
-    const auto& tensile = run.history[HistoryColumn::tensile_cracks];
+    std::vector<double> counts = run.history[HistoryColumn::tensile_cracks];
     const auto& shear = run.history[HistoryColumn::shear_cracks];
-    const auto count = [&](std::size_t row) { return tensile[row] + shear[row] - tensile[curve.start] - shear[curve.start]; };
-    const double at_peak = count(curve.peak);
-    if (!(at_peak > 0)) return std::nullopt;
-    for (std::size_t row = curve.start; row <= curve.peak; ++row) {
-        if (count(row) > 0 && count(row) >= share * at_peak) return curve.stress[row];
+    std::transform(counts.begin(), counts.end(), shear.begin(), counts.begin(), std::plus<>());
+    return where_counts_begin(curve, counts, share);
+}
+
+InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
+                                        double share) {
+    constexpr double Crack::*times_of_damage[] = {&Crack::time_damaged_10, &Crack::time_damaged_50, &Crack::time_broken};
+    const auto& row_times = run.history[HistoryColumn::time];
+    InitiationByDamage initiation;
+    for (std::size_t level = 0; level < initiation.size(); ++level) {
+        std::vector<double> counts(row_times.size());
+        for (const Crack& crack : cracks) {
+            const auto row = std::lower_bound(row_times.begin(), row_times.end(), crack.*times_of_damage[level]);
+            if (row != row_times.end() && crack.*times_of_damage[level] <= *row)
+                counts[static_cast<std::size_t>(row - row_times.begin())] += 1;
+        }
+        std::partial_sum(counts.begin(), counts.end(), counts.begin());
+        initiation[level] = where_counts_begin(curve, counts, share);
     }
-    return std::nullopt;
+    return initiation;
 }
 
 }  // namespace graincrack

@@ -1,7 +1,9 @@
 // Crack initiation and crack damage: stresses at which a compression test leaves elasticity, by named methods.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "post/measure/load_curve.hpp"
 
@@ -31,5 +33,11 @@ Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind);
 
 /// Stress at which as many contacts have failed as `share` of those failed at the peak, Pa; empty without any.
 std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share = 0.01);
+
+/// The same by the contact points that were damaged by 10, 50 and 90 %, Pa: where as many were as `share` of those that were so
+/// at the peak; empty without any.
+using InitiationByDamage = std::array<std::optional<double>, 3>;
+InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
+                                        double share = 0.01);
 
 }  // namespace graincrack

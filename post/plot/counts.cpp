@@ -22,14 +22,14 @@ std::vector<double> column(const CrackCounts& counts, const Get& get) {
 
 }  // namespace
 
-Drawing draw_counts(const CrackCounts& counts, const RunData& run) {
+Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition) {
     using Moment = CrackCounts::Moment;
     const std::vector<double> strain = column(counts, [](const Moment& m) { return 100 * m.axial_strain; });
     const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
     const ModeCounts& last = counts.moments.back().all;
     if (last.tensile + last.shear == 0)
         throw InputError(run.name + ": no micro-cracks; counts over the loading need a run with some");
-    Chart chart({test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains)}},
+    Chart chart({test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains), definition}},
                 Axis{"axial strain, %", 0, 1.03 * largest(strain)},
                 Axis{"micro-cracks (contacts)", 0, 1.08 * std::max(last.tensile, last.shear)},
                 Axis{"stress, MPa", 0, 1.08 * largest(stress)});
@@ -56,13 +56,23 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run) {
 }
 
 Command counts_plot() {
-    return make_plot("counts", "micro-cracks over the loading by mode and pair of minerals",
-                     {"uniaxial.h5 -o counts.png", "brazilian.h5 -o counts.svg"}, one_run, [](const Call& call) {
-                         const RunReader run(call.file());
-                         const RunData data = run_data(run);
-                         const Specimen specimen = run.specimen();
-                         return draw_counts(count_cracks(data, load_curve(data), specimen, read_cracks(run, specimen)), data);
-                     });
+    struct Options : PlotOptions {
+        CrackLabel label;
+    };
+    return make_plot<Options>(
+        "counts", "micro-cracks over the loading by mode and pair of minerals",
+        {"uniaxial.h5 -o counts.png", "brazilian.h5 --crack-event broken -o counts.svg"}, one_run,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_crack_label(app, options.label);
+        },
+        [](const Options& options, const Call& call) {
+            const RunReader run(call.file());
+            const RunData data = run_data(run);
+            const Specimen specimen = run.specimen();
+            const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
+            return draw_counts(count_cracks(data, load_curve(data), specimen, cracks), data, definition_of(options.label));
+        });
 }
 
 }  // namespace graincrack

@@ -9,7 +9,8 @@ namespace graincrack {
 
 /// Counts against axial strain, stress behind them on a scale of its own. With one pair: tensile red, shear black; with
 /// several: a colour a pair, shear dashed.
-Drawing draw_counts(const CrackCounts& counts, const RunData& run);
+/// \param definition of its cracks in words
+Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition);
 
 Command counts_plot();
 

@@ -138,7 +138,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     std::vector<LegendEntry> legend{{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
                                     {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({palette::pre_existing, 6, "pre-existing"});
-    map.draw_legend(legend);
+    map.draw_legend(legend, definition_of(scene.options.label));
     return std::move(map).drawing();
 }
 
@@ -175,7 +175,8 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     page.text({{84, y}, "tensile cracks", 25});
     page.line({330, y - 8}, {374, y - 8}, 6, palette::shear);
     page.text({{388, y}, "shear cracks (counts are contacts)", 25});
-    page.set_height(static_cast<int>(y + foot / 2));
+    page.text({{26, y + 34}, definition_of(scene.options.label), 25});
+    page.set_height(static_cast<int>(y + 34 + foot / 2));
     return page;
 }
 
@@ -184,7 +185,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
     const Specimen specimen = run.specimen();
-    const Scene scene{run, specimen, read_cracks(run, specimen), run_data(run), options};
+    const Scene scene{run, specimen, read_labelled_cracks(run, specimen, options.label), run_data(run), options};
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
 }
@@ -204,8 +205,12 @@ void add_map_options(CLI::App& app, MapPlotOptions& options) {
 Command cracks_plot() {
     return make_plot<MapPlotOptions>(
         "cracks", "crack map: tensile red, shear black",
-        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --magnify 10 -o cracks.svg"}, one_run,
-        add_map_options,
+        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --magnify 10 --crack-event broken -o cracks.svg"},
+        one_run,
+        [](CLI::App& app, MapPlotOptions& options) {
+            add_map_options(app, options);
+            add_crack_label(app, options.map.label);
+        },
         [](const MapPlotOptions& options, const Call& call) { return draw_cracks(RunReader(call.file()), options.map); });
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "post/chart/drawing.hpp"
+#include "post/cracks/crack_label.hpp"
 #include "post/plot/make_plot.hpp"
 #include "share/run_file.hpp"
 
@@ -15,9 +16,10 @@ struct CrackMapOptions {
     std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side
     std::optional<double> time;  ///< s
     double magnification = 1;    ///< of the displacements
+    CrackLabel label = {};
 };
 
-/// \throws InputError, UsageError as `choose_frames`
+/// \throws InputError, UsageError as `choose_frames` and `read_labelled_cracks`
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options);
 
 /// Options of a map of one or several frames.

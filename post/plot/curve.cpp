@@ -9,6 +9,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/cracks/crack_counts.hpp"
 #include "post/measure/first_peak.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
@@ -67,26 +68,30 @@ double max_cracks(const RunData& run) {
     return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
 }
 
-ChartText heading(const std::vector<Run>& runs) {
+ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
     const RunData& run = *runs[0].data;
     if (runs.size() > 1) {
         return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
     }
-    return {test_title(run.header),
-            {fmt::format("seed {}, {} grains, mean edge {:.3g} mm", run.specimen.seed, run.specimen.grains,
-                         run.specimen.mean_edge * 1e3),
-             fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
-                         100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
+    ChartText text{test_title(run.header),
+                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm", run.specimen.seed, run.specimen.grains,
+                                run.specimen.mean_edge * 1e3),
+                    fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
+                                100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
+    if (!definition.empty()) text.subtitle.push_back(definition);
+    return text;
 }
 
-Chart page(const std::vector<Run>& runs, const Extent& extent, bool counts) {
+/// \param definition of the cracks that are counted; empty if none are
+Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition) {
     // Rims that burst after the peak have large lateral strains, which would compress the part of the curve before it.
     const double lateral = std::max(extent.lateral, -0.75 * extent.strain);
     const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
-    if (counts) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
-    return {heading(runs), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
+    if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
+    return {heading(runs, definition), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress},
+            right};
 }
 
 /// Counts of cracks against axial strain, on a scale of their own at the right.
@@ -155,13 +160,14 @@ LaboratoryCurve read_laboratory_curve(const std::string& path) {
     return curve;
 }
 
-Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory) {
+Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory,
+                    const std::string& definition) {
     const std::vector<Run> runs = prepare(data);
     Extent extent;
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
-    Chart chart = page(runs, extent, counts);
+    Chart chart = page(runs, extent, counts ? definition : "");
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         draw_run(chart, runs[i], palette::series(i));
@@ -177,6 +183,7 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
 Command curve_plot() {
     struct Options : PlotOptions {
         std::vector<std::string> laboratory;  ///< tables of measured curves
+        CrackLabel label;                     ///< of the cracks that are counted beside the curve of one run
     };
     return make_plot<Options>(
         "curve", "stress against axial and lateral strain, several runs on one plot",
@@ -185,11 +192,14 @@ Command curve_plot() {
             add_picture(app, options);
             add_names(app, "--laboratory", options.laboratory, "FILE",
                       "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
+            add_crack_label(app, options.label);
         },
         [](const Options& options, const Call& call) {
             std::vector<LaboratoryCurve> laboratory;
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
-            return draw_curves(read_runs(call.files), laboratory);
+            std::vector<RunData> runs;
+            for (const std::string& file : call.files) runs.push_back(read_labelled_run(RunReader(file), options.label));
+            return draw_curves(runs, laboratory, definition_of(options.label));
         });
 }
 

@@ -25,9 +25,11 @@ LaboratoryCurve read_laboratory_curve(const std::string& path);
 
 /// Axial stress (positive in the sense of the test; brazilian: 2F/(πtD)) against axial strain to the right and lateral
 /// strain to the left, both from platens and rim. A first peak below the largest stress has a triangle, the residual strength a
-/// short line. One run: the counts of its micro-cracks on a second scale. \throws InputError if brazilian, tension and
-/// compression runs are mixed: their stresses do not mean the same
-Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory = {});
+/// short line. One run: the counts of its micro-cracks on a second scale.
+/// \throws InputError if brazilian, tension and compression runs are mixed: their stresses do not mean the same
+/// \param definition of the cracks that the histories count, in words
+Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory,
+                    const std::string& definition);
 
 Command curve_plot();
 

@@ -88,7 +88,7 @@ double total(const Bins& lengths) { return std::accumulate(lengths.begin(), leng
 
 }  // namespace
 
-Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run) {
+Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition) {
     if (total(rosette.tensile) + total(rosette.shear) == 0) {
         throw InputError(run + ": no micro-cracks; a rosette needs a run with some");
     }
@@ -97,7 +97,7 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
     for (const Bins& lengths : {shares(rosette.tensile), shares(rosette.shear)}) {
         scale = std::max(scale, *std::max_element(lengths.begin(), lengths.end()));
     }
-    Drawing drawing(1000, 660);
+    Drawing drawing(1000, 700);
     drawing.text({{40, 50}, title, 31, palette::ink, Anchor::start, true});
     drawing.text({{40, 88}, "share of crack length by direction; load is vertical", text_size});
     double x = 260;
@@ -113,17 +113,27 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
     }
     drawing.line({40, 631}, {92, 631}, 2.5, palette::pre_existing);
     drawing.text({{106, 640}, "the specimen's own facets", text_size});
+    drawing.text({{40, 678}, definition, text_size});
     return drawing;
 }
 
 Command rosette_plot() {
-    return make_plot("rosette", "directions of the cracks by mode, over those of the facets",
-                     {"uniaxial.h5 -o rosette.png", "brazilian.h5 -o rosette.svg"}, one_run, [](const Call& call) {
-                         const RunReader run(call.file());
-                         const Specimen specimen = run.specimen();
-                         return draw_rosette(crack_rosette(read_cracks(run, specimen), specimen), test_title(run.header()),
-                                             run.name());
-                     });
+    struct Options : PlotOptions {
+        CrackLabel label;
+    };
+    return make_plot<Options>(
+        "rosette", "directions of the cracks by mode, over those of the facets",
+        {"uniaxial.h5 -o rosette.png", "brazilian.h5 --crack-event broken -o rosette.svg"}, one_run,
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_crack_label(app, options.label);
+        },
+        [](const Options& options, const Call& call) {
+            const RunReader run(call.file());
+            const Specimen specimen = run.specimen();
+            return draw_rosette(crack_rosette(read_labelled_cracks(run, specimen, options.label), specimen),
+                                test_title(run.header()), run.name(), definition_of(options.label));
+        });
 }
 
 }  // namespace graincrack

@@ -12,7 +12,8 @@ namespace graincrack {
 /// Two roses, tensile and shear: petals are shares of the length of cracks in bins of 10°, the line behind them the
 /// shares of the specimen's own facets. Petals are as long as the share; an orientation has no sense, so both halves are equal.
 /// \throws InputError without cracks
-Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run);
+/// \param definition of its cracks in words
+Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition);
 
 Command rosette_plot();
 

@@ -100,6 +100,11 @@ void add_moduli(Column& column, const std::vector<TestReport>& tests) {
     column.add("E, chord to ½ peak, GPa", uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
     column.add("ν, chord to ½ peak", uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
     column.add("crack initiation (1 % of cracks), MPa", uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
+    for (std::size_t level = 0; level < std::tuple_size_v<InitiationByDamage>; ++level) {
+        constexpr const char* percents[] = {"10", "50", "90"};
+        column.add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]),
+                   uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", mega);
+    }
     column.add("crack damage (2D volume), MPa",
                uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "", mega);
 }

@@ -54,6 +54,10 @@ std::string sliding_label(const CrackBalance& b) {
     return share ? fmt::format("{} of {} ({})", b.tensile_more_sliding, b.tensile, percent(*share)) : "no tensile cracks";
 }
 
+std::string mode_label(const std::optional<ModeCounts>& counts) {
+    return counts ? fmt::format("{} : {}", counts->tensile, counts->shear) : "not recorded";
+}
+
 std::string rate_label(const RunHeader& h) {
     const std::string speed = number(h.platen_speed * 1e3) + " mm/s";
     if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance) + ", mean " + speed;
@@ -144,6 +148,11 @@ const std::vector<Check>& checks() {
          [](const TestReport& t) { return sliding_label(t.at_peak); }},
         {"failed open : closed, by the end",
          [](const TestReport& t) { return fmt::format("{} : {}", t.branches.open, t.branches.closed); }},
+        {"opened more than slid : not, when they failed, by the end",
+         [](const TestReport& t) { return mode_label(t.failed_by_displacement); }},
+        {"broken open : closed, by the end", [](const TestReport& t) { return mode_label(t.broken); }},
+        {"opened more than slid : not, when they broke, by the end",
+         [](const TestReport& t) { return mode_label(t.broken_by_displacement); }},
         {"by traction angle < 45° : 45–90° : compressed",
          [](const TestReport& t) {
              return fmt::format("{} : {} : {}", t.branches.by_tension, t.branches.by_shear, t.branches.compressed);

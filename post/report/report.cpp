@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/comparable.hpp"
@@ -36,24 +37,26 @@ using html::number;
 /// Everything the page is made of.
 struct Content {
     std::vector<TestReport> tests;
-    std::string mesh;  ///< figures of specimens
-    std::string maps;  ///< figures of the first run of each series
+    std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
+    std::string mesh;             ///< figures of specimens
+    std::string maps;             ///< figures of the first run of each series
     std::optional<Envelope> envelope;
     std::optional<EnvelopeTests> envelope_tests;
     std::string envelope_note;
 };
 
-std::string map_figures(const RunReader& run, const TestReport& t, const Specimen& specimen) {
+std::string map_figures(const RunReader& run, const TestReport& t, const Specimen& specimen, const CrackLabel& label) {
     const std::string name = series_label(t.data.header.test, t.data.header.confining_pressure);
     std::string figures;
     if (run.n_frames() > 0) {
-        figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1}),
+        figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}),
                                 name + ": cracks before, at and after the peak (" + t.data.name + ")", true);
     }
-    const std::vector<Crack> cracks = read_cracks(run, specimen);
+    const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, label);
     if (!cracks.empty()) {
-        figures += html::figure(draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name),
-                                name + ": directions of the cracks by the end");
+        figures += html::figure(
+            draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name, definition_of(label)),
+            name + ": directions of the cracks by the end");
     }
     figures += html::figure(draw_energy(t.data), name + ": energy balance");
     if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data), name + ": thresholds");
@@ -81,6 +84,7 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         throw_if_interrupted();
         const RunReader run(runs[i]);
         content.tests.push_back(read_test_report(run));
+        content.curves.push_back(read_labelled_run(run, options.label));
         const TestReport& t = content.tests.back();
         require_same_material(t.data, content.tests.front().data, "a report");
         const Specimen specimen = run.specimen();
@@ -91,7 +95,7 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         const std::string series = series_label(t.data.header.test, t.data.header.confining_pressure);
         if (!seen[series]) {
             seen[series] = true;
-            content.maps += map_figures(run, t, specimen);
+            content.maps += map_figures(run, t, specimen, options.label);
         }
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }
@@ -135,13 +139,14 @@ std::string run_table(const Content& content) {
 }
 
 /// Tests whose stresses mean the same share a chart.
-std::string curve_figures(const Content& content) {
+std::string curve_figures(const Content& content, const CrackLabel& label) {
     std::map<std::string, std::vector<RunData>> kinds;
-    for (const TestReport& t : content.tests) {
-        kinds[is_compression(t.data.header) ? "compression" : t.data.header.test].push_back(t.data);
+    for (const RunData& run : content.curves) {
+        kinds[is_compression(run.header) ? "compression" : run.header.test].push_back(run);
     }
     std::string figures;
-    for (const auto& [kind, runs] : kinds) figures += html::figure(draw_curves(runs), "stress and strain: " + kind);
+    for (const auto& [kind, runs] : kinds)
+        figures += html::figure(draw_curves(runs, {}, definition_of(label)), "stress and strain: " + kind);
     return figures;
 }
 
@@ -219,7 +224,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                               run_table(content));
     body += html::section("columns", "Fitted and predicted", comparison_columns(content.tests, content.envelope, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
-    body += html::section("curves", "Curves", figures(curve_figures(content)));
+    body += html::section("curves", "Curves", figures(curve_figures(content, options.label)));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", figures(content.maps));
     body += html::section("mesh", "Specimens", figures(content.mesh));

@@ -62,11 +62,17 @@ TestReport read_test_report(const RunReader& run) {
     if (is_compression(header)) {
         report.thresholds = measure_thresholds(report.curve, VolumeKind::plane);
         report.initiation = initiation_by_count(report.data, report.curve);
+        report.initiation_by_damage = initiation_by_damage(report.data, report.curve, cracks);
     }
     if (header.test == "brazilian") report.split = measure_split(report.data, report.curve, specimen, cracks);
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.at_end = balance_cracks(cracks, times.back());
+    report.failed_by_displacement = count_modes(cracks, {CrackEvent::failed, CrackModeRule::displacement}, times.back());
+    if (run.has_damage_times()) {
+        report.broken = count_modes(cracks, {CrackEvent::broken, CrackModeRule::sign}, times.back());
+        report.broken_by_displacement = count_modes(cracks, {CrackEvent::broken, CrackModeRule::displacement}, times.back());
+    }
     report.branches = count_branches(cracks);
     report.sensitivity = read_sensitivity(run.file());
     report.contact_zone_length =

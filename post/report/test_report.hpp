@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_summary.hpp"
 #include "post/measure/brazilian.hpp"
 #include "post/measure/load_curve.hpp"
@@ -37,10 +38,15 @@ struct TestReport {
     fpz::AssemblageModuli predicted;
     std::optional<Thresholds> thresholds;  ///< 2D, compression tests
     std::optional<double> initiation;      ///< by crack count, Pa
+    InitiationByDamage initiation_by_damage;
     std::optional<BrazilianSplit> split;
     CrackBalance at_peak;
     CrackBalance at_end;
     FailureBranches branches;
+    // Contacts by the end, by the other labels; those of broken points only if the run records them.
+    ModeCounts failed_by_displacement;
+    std::optional<ModeCounts> broken;
+    std::optional<ModeCounts> broken_by_displacement;
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;

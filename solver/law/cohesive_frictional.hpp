@@ -70,10 +70,14 @@ struct CohesiveFrictional {
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return h.failed() ? 1 - remaining_cohesion(law, h.integrity) : 0;
     }
+    /// On the branch and in the direction of the point's motion.
+    static double remaining_cohesion(const ContactLaw& law, const ContactHistory& h) {
+        return remaining_cohesion(law, h.motion.opening, h.motion.sliding, h.integrity);
+    }
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() && h.integrity == 0; }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
     /// Cohesion past the peak, and friction beside it while closed.
-    static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
+    GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
         const bool closed = p.opening < 0;
         const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
         const double integrity = std::min(p.integrity, integrity_at(law, p.opening, p.sliding));
@@ -85,7 +89,8 @@ struct CohesiveFrictional {
                 closed ? friction.slip : p.slip,
                 energy_of_fall(law, motion, p.integrity - integrity),
                 closed ? friction.dissipated : 0.0,
-                integrity > 0 ? stays_on_its_side(motion) : 0.0};
+                integrity > 0 ? stays_on_its_side(motion) : 0.0,
+                remaining_cohesion(law, p.opening, p.sliding, integrity)};
     }
 
 private:
@@ -96,10 +101,22 @@ private:
         const double lost = softening_damage(load, opening >= 0 ? open_range : law.s_range);
         return load <= 1 ? exp_of_minus(load) : (1 - lost) / (std::numbers::e * load);
     }
-    /// 1 − D of the closed branch at an integrity: β = (1 − D)/(e λ) with D = (λ − 1)/s solved for 1 − D; 1 before the peak.
-    static double remaining_cohesion(const ContactLaw& law, double integrity) {
+    /// 1 − D at an integrity: β = (1 − D)/(e λ) with D = (λ − 1)/`range` solved for 1 − D; 1 before the peak.
+    static double remaining_cohesion(double integrity, double range) {
         const double scaled = std::numbers::e * integrity;
-        return std::min(1.0, scaled * (1 + law.s_range) / (1 + law.s_range * scaled));
+        return std::min(1.0, scaled * (1 + range) / (1 + range * scaled));
+    }
+    /// 1 − D of the closed branch.
+    static double remaining_cohesion(const ContactLaw& law, double integrity) {
+        return remaining_cohesion(integrity, law.s_range);
+    }
+    /// 1 − D of the branch and direction of a motion; at no displacement, of pure opening.
+    static double remaining_cohesion(const ContactLaw& law, double opening, double sliding, double integrity) {
+        constexpr double nothing = 1e-30;  // of the square of a load
+        const double load = cohesive_load(law, opening, sliding);
+        const double form = std::max(cohesive_form(law, opening, sliding), nothing * law.kt * law.dct * law.dct);
+        const double open_range = std::max(0.0, softening_range(law.gf * std::max(load * load, nothing), form));
+        return remaining_cohesion(integrity, opening >= 0 ? open_range : law.s_range);
     }
     static double tan_friction(const ContactLaw& law, double integrity) {
         return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * remaining_cohesion(law, integrity);

@@ -68,6 +68,10 @@ struct PaperLaw {
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return is_lost_open(law, h) ? 1 : Open::open_damage(law, h);
     }
+    /// Nothing once the cohesion of the closed branch has been lost, whichever the coupling is.
+    static double remaining_cohesion(const ContactLaw& law, const ContactHistory& h) {
+        return h.failed_closed ? 0 : 1 - Open::open_damage(law, h);
+    }
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return is_lost_open(law, h); }
 
 private:

@@ -100,6 +100,18 @@ double damage(const ContactLaw& law, const ContactHistory& history) {
     return history.separated ? 1 : Law::damage(law, history);
 }
 
+template <class Law>
+double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
+    if (!history.failed() || history.separated) {
+        return history.failed() ? 0 : 1;
+    }
+    if constexpr (requires { Law::remaining_cohesion(law, history); }) {
+        return Law::remaining_cohesion(law, history);
+    } else {
+        return 1 - Law::damage(law, history);
+    }
+}
+
 }  // namespace contact_law
 
 // The functions below find the law anew at every call. What works on many points binds the law once, by `with_law`.
@@ -120,6 +132,13 @@ inline double stored_energy(const ContactLaw& law, const ContactHistory& history
 /// Damage D of a contact point, 0 to 1 (Eq 9).
 inline double damage(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::damage<decltype(kind)>(law, history); });
+}
+
+/// Share of the peak of its cohesive traction that a contact point can still bear, 0 to 1: 1 up to its failure. Below the last of
+/// `cohesion_marks` the point is broken.
+inline double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
+    return contact_law::with_law(law.variant,
+                                 [&](auto kind) { return contact_law::remaining_cohesion<decltype(kind)>(law, history); });
 }
 
 }  // namespace graincrack

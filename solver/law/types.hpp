@@ -3,6 +3,7 @@
 // Signs: opening δn > 0 and tension σn > 0; sliding δs and shear traction τ are signed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string_view>
@@ -120,6 +121,19 @@ inline PointState point_state(const ContactHistory& h) {
         return PointState::separated;
     }
     return h.first_mode == CrackMode::tensile ? PointState::failed_tension : PointState::failed_shear;
+}
+
+/// What remains of its cohesion when a point is damaged by 10, 50 and 90 %. A point below the last one is broken.
+inline constexpr std::array<double, 3> cohesion_marks{0.9, 0.5, 0.1};
+/// The next mark of a point that has passed so many; 0, which no point falls below, after the last.
+constexpr double cohesion_mark(std::size_t passed) { return passed < cohesion_marks.size() ? cohesion_marks[passed] : 0; }
+/// Number of marks that lie above what remains of the cohesion of a point.
+constexpr std::size_t count_marks_above(double remaining) {
+    std::size_t count = 0;
+    while (remaining < cohesion_mark(count)) {
+        ++count;
+    }
+    return count;
 }
 
 namespace contact_law {

@@ -36,10 +36,11 @@ struct SofteningPoint {
 struct SofteningResponse {
     double normal, shear;  ///< Pa
     double integrity;
-    double slip;      ///< m
-    double fracture;  ///< dissipated, J/m²
-    double friction;  ///< dissipated, J/m²
-    double holds;     ///< 1 if the point stays open or stays closed, passes no further peak and cohesion is left, else 0
+    double slip;                ///< m
+    double fracture;            ///< dissipated, J/m²
+    double friction;            ///< dissipated, J/m²
+    double holds;               ///< 1 if it stays open or stays closed, passes no further peak and cohesion is left, else 0
+    double remaining_cohesion;  ///< share of the peak that its cohesion can bear, 0 to 1
     double largest_open = 0;
     double largest_slid = 0;
 };

@@ -18,11 +18,13 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.slip.resize(2 * a.contacts.size());
     s.failed.resize(2 * a.contacts.size());
     s.residual.resize(2 * a.contacts.size());
+    s.next_mark.assign(2 * a.contacts.size(), cohesion_mark(0));
     s.integrity.assign(2 * a.contacts.size(), 1);
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
         if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
             for (const std::size_t point : {2 * c, 2 * c + 1}) {
                 store_point(broken_contact(), false, point, s);  // residual from the first step on, when the law has seen it
+                s.next_mark[point] = 0;
             }
         }
     }
@@ -40,11 +42,12 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
 
 std::size_t memory_of(const State& state) {
     const auto& [step, time, origin_step, origin_time, displacement, velocity, force, last_force, damping_force, near_platen,
-                 contact_force, opening, sliding, integrity, slip, failed, residual, points, fracture_energy, contact_pairs,
-                 platen_points, grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load] = state;
+                 contact_force, opening, sliding, integrity, slip, failed, residual, next_mark, points, fracture_energy,
+                 contact_pairs, platen_points, grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load] =
+        state;
     return memory_of_all(displacement, velocity, force, last_force, damping_force, near_platen, contact_force, opening, sliding,
-                         integrity, slip, failed, residual, points, fracture_energy, contact_pairs, platen_points, grain_sums,
-                         contact_sums, events, loading, clusters, prescribed, damping_load);
+                         integrity, slip, failed, residual, next_mark, points, fracture_energy, contact_pairs, platen_points,
+                         grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load);
 }
 
 }  // namespace graincrack

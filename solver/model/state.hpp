@@ -15,15 +15,24 @@
 
 namespace graincrack {
 
-/// A contact point that failed or separated in a step. All but `peak_traction` is of the end of this step.
+/// What happens to a contact point, in this order if several things happen in one step.
+enum class ContactEventKind : std::uint8_t {
+    failure,     ///< it passes its peak
+    damaged_10,  ///< it falls below the first of `cohesion_marks`
+    damaged_50,
+    broken,
+    separation  ///< it loses all tensile strength
+};
+
+/// An event of a contact point in a step. All but `peak_traction` is of the end of this step.
 struct ContactEvent {
     std::int64_t step = 0;
     std::int32_t contact = 0;
     std::uint8_t point = 0;
-    bool is_separation = false;
+    ContactEventKind kind = ContactEventKind::failure;
     CrackMode mode = CrackMode::tensile;  ///< of the first failure
     ContactMotion motion;
-    ContactTraction peak_traction;  ///< of the step before, the last one short of the peak
+    ContactTraction peak_traction;  ///< of a failure: of the step before, the last one short of the peak
     Vector2 tangent;
     Vector2 position;  ///< middle of the half-edge the point stands for
 };
@@ -90,6 +99,7 @@ struct State {
     std::vector<double> slip;               ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;       ///< [2 c] 1 once the point has passed its peak
     std::vector<std::uint8_t> residual;     ///< [2 c] 1 once nothing but friction is left (`is_residual`)
+    std::vector<double> next_mark;          ///< [2 c] the first of `cohesion_marks` that the point has not fallen below; 0 if broken
     PointHistories points;                  ///< [2 c] the rest of their histories; see `point_history`
     std::vector<double> fracture_energy;    ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;

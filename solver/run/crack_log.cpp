@@ -25,6 +25,21 @@ Crack make_crack(const ContactEvent& event, double length, double time) {
     return crack;
 }
 
+/// An event of a point after its failure, or in the same step.
+void note_later_event(const ContactEvent& event, double time, Crack& crack) {
+    switch (event.kind) {
+        case ContactEventKind::failure: break;
+        case ContactEventKind::damaged_10: crack.time_damaged_10 = time; break;
+        case ContactEventKind::damaged_50: crack.time_damaged_50 = time; break;
+        case ContactEventKind::broken:
+            crack.time_broken = time;
+            crack.opening_broken = event.motion.opening;
+            crack.sliding_broken = event.motion.sliding;
+            break;
+        case ContactEventKind::separation: crack.time_separated = time; break;
+    }
+}
+
 }  // namespace
 
 void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
@@ -34,14 +49,14 @@ void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
         block.clear();
     }
     std::sort(events.begin(), events.end(), [](const ContactEvent& l, const ContactEvent& r) {
-        return std::tie(l.step, l.contact, l.point, l.is_separation) < std::tie(r.step, r.contact, r.point, r.is_separation);
+        return std::tie(l.step, l.contact, l.point, l.kind) < std::tie(r.step, r.contact, r.point, r.kind);
     });
     for (const ContactEvent& event : events) {
         const std::size_t point = 2 * static_cast<std::size_t>(event.contact) + event.point;
         const double time = time_of(state, event.step, time_step);
-        if (event.is_separation) {
+        if (event.kind != ContactEventKind::failure) {
             if (crack_of_point_[point] >= 0) {
-                cracks_[crack_of_point_[point]].time_separated = time;
+                note_later_event(event, time, cracks_[crack_of_point_[point]]);
             }
             continue;
         }

@@ -44,9 +44,10 @@ constexpr std::size_t size_of_row(const Columns&... /*columns*/) {
 }
 std::size_t size_of_crack() {
     const auto [time, step, contact, point, mode, mode_angle, position, orientation, length, opening, sliding, energy_released,
-                time_separated] = Crack{};
+                time_separated, time_damaged_10, time_damaged_50, time_broken, opening_broken, sliding_broken] = Crack{};
     return size_of_row(time, step, contact, point, mode, mode_angle, position, orientation, length, opening, sliding,
-                       energy_released, time_separated);
+                       energy_released, time_separated, time_damaged_10, time_damaged_50, time_broken, opening_broken,
+                       sliding_broken);
 }
 
 /// The state in the first step, with histories of all contact points as if all had failed.

@@ -254,6 +254,15 @@ void book_change(const RunHeader& old, const Setup& setup, State& s) {
         stored_in_contacts(setup.assemblage, setup.parameters.law, s) - stored_in_contacts(setup.assemblage, before, s);
 }
 
+/// The next marks of failed points: from the crack log, or, where an older file has no times of damage, from their histories.
+void restore_marks(const RunReader& run, const std::vector<Crack>& cracks, const ContactLaw& law, State& s) {
+    for (const Crack& crack : cracks) {
+        const std::size_t point = 2 * static_cast<std::size_t>(crack.contact) + crack.point;
+        s.next_mark[point] = cohesion_mark(
+            run.has_damage_times() ? crack.damage_levels() : count_marks_above(remaining_cohesion(law, point_history(s, point))));
+    }
+}
+
 StageControllerState read_loading(const H5Input& file) {
     const std::string group = schema::state_group;
     // The first files of schema 1 have no stages; only a checkpoint needs them.
@@ -335,6 +344,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     book_change(old, setup, s);
     saved.loading = read_loading(file);
     saved.cracks = run.cracks();
+    restore_marks(run, saved.cracks, setup.parameters.law, s);
     saved.energy_scale = old.energy_scale;
     saved.energy_balance_error = file.attribute<double>(group, "energy_balance_error");
     return saved;

@@ -28,8 +28,11 @@ struct Lanes {
                                          ///< point needs the full law
     alignas(64) double fracture[2 * n], shear_fracture[2 * n];  ///< dissipated, J
     alignas(64) double friction[2 * n];                         ///< dissipated, J
-    bool any_softening;  ///< whether a point is softening; else `softening`, `tensile` and the largest motions are not set
-    bool any_residual;   ///< whether a point is residual or released; else `residual` and `released` are not set
+    alignas(64) double remaining[2 * n];                        ///< cohesion of a softening point
+    alignas(64) double passes[2 * n];  ///< 1 if a softening point loses cohesion and falls below its next mark, else 0
+    double passing;                    ///< number of these points
+    bool any_softening;                ///< whether a point is softening; else what is of softening points is not set
+    bool any_residual;                 ///< whether a point is residual or released; else `residual` and `released` are not set
 };
 
 void gather(const Assemblage& a, const State& s, Range range, Lanes& b) {
@@ -163,6 +166,7 @@ struct Points {
     double* integrity;
     double* slip;
     double* fracture_energy;
+    const double* next_mark;
 };
 
 /// The intact response of all points, right where it holds.
@@ -199,6 +203,7 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
     const double* const old_sliding = points.old_sliding;
     double* __restrict const integrity = points.integrity;
     double* __restrict const slip = points.slip;
+    const double* const next_mark = points.next_mark;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         const SofteningResponse r = Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k],
                                                          slip[k], b.largest_open[k], b.largest_slid[k]});
@@ -212,7 +217,13 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
         b.fracture[k] = softening != 0 ? r.fracture : 0.0;
         b.friction[k] = softening != 0 ? r.friction : 0.0;
         b.done[k] = b.done[k] + softening;
+        b.remaining[k] = r.remaining_cohesion;
     }
+    for (std::int32_t k = 0; k < 2 * count; ++k) {
+        const double below = b.remaining[k] < next_mark[k] ? 1.0 : 0.0;
+        b.passes[k] = b.fracture[k] > 0 ? below : 0.0;
+    }
+    b.passing = sum_values_by_lanes(2 * count, b.passes);
 }
 
 /// Keeps the largest motions of softening points.
@@ -313,32 +324,62 @@ void book_dissipation(const PointIndex& at, double area, const ContactResponse& 
     sums.non_conservative_work += area * r.dissipation.non_conservative_work;
 }
 
-/// Notes events of a point that fails or separates, before its new history is stored. Motion, tangent and position are those of
-/// the step in which it does, the traction is that of the step before, the last one short of the peak.
+/// An event of a point. Motion, tangent and position are those of the step in which it happens.
+ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventKind kind, const ContactMotion& motion,
+                        const Vector2& tangent, std::int64_t step, const State& s) {
+    ContactEvent event;
+    event.step = step;
+    event.contact = at.contact;
+    event.point = static_cast<std::uint8_t>(at.end);
+    event.kind = kind;
+    event.motion = motion;
+    event.tangent = tangent;
+    event.position = middle_of_point(a, at, s);
+    return event;
+}
+
+/// Notes which of `cohesion_marks` a failed point falls below.
+void note_marks(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion, const Vector2& tangent,
+                std::int64_t step, State& s) {
+    double& next = s.next_mark[at.point()];
+    for (std::size_t passed = count_marks_above(next); remaining < next; next = cohesion_mark(++passed)) {
+        const auto kind = static_cast<ContactEventKind>(static_cast<std::size_t>(ContactEventKind::damaged_10) + passed);
+        s.events[at.chunk].push_back(make_event(a, at, kind, motion, tangent, step, s));
+    }
+}
+
+/// Notes events of a point before its new history is stored: that it fails, loses cohesion, separates. The traction of a failure
+/// is that of the step before, the last one short of the peak.
 template <class Law>
-void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactHistory& now,
+void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactResponse& r,
                  const Vector2& tangent, std::int64_t step, State& s) {
-    const bool fails = now.failed() && s.failed[at.point()] == 0;
-    const bool separates = now.separated && !s.points[at.point()].separated;
-    if (!fails && !separates) {
-        return;
-    }
-    const ContactHistory before = point_history(s, at.point());
-    ContactEvent event{step,
-                       at.contact,
-                       static_cast<std::uint8_t>(at.end),
-                       false,
-                       now.first_mode,
-                       now.motion,
-                       contact_law::update<Law>(law, before.motion, before).traction,
-                       tangent,
-                       middle_of_point(a, at, s)};
-    if (fails) {
+    const ContactHistory& now = r.history;
+    const ContactHistory& old = s.points[at.point()];
+    if (now.failed() && s.failed[at.point()] == 0) {
+        const ContactHistory before = point_history(s, at.point());
+        ContactEvent event = make_event(a, at, ContactEventKind::failure, now.motion, tangent, step, s);
+        event.mode = now.first_mode;
+        event.peak_traction = contact_law::update<Law>(law, before.motion, before).traction;
         s.events[at.chunk].push_back(event);
     }
-    if (separates) {
-        event.is_separation = true;
-        s.events[at.chunk].push_back(event);
+    const bool loses_cohesion =
+        r.dissipation.fracture > 0 || now.failed_open != old.failed_open || now.failed_closed != old.failed_closed;
+    if (loses_cohesion && s.next_mark[at.point()] > 0) {
+        note_marks(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
+    }
+    if (now.separated && !old.separated) {
+        s.events[at.chunk].push_back(make_event(a, at, ContactEventKind::separation, now.motion, tangent, step, s));
+    }
+}
+
+/// The same of the softening points of a chunk on the vector path, where none fails or separates.
+void note_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
+    const Range range = a.contact_chunks[chunk];
+    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+        if (b.passes[k] != 0) {
+            note_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
+                       {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+        }
     }
 }
 
@@ -354,7 +395,7 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
         ContactResponse r{{}, point_history(s, at.point()), {}};
         contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
         book_dissipation(at, b.area[k / 2], r, s);
-        note_events<Law>(a, law, at, r.history, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+        note_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         store_point(r.history, Law::is_residual(law, r.history), at.point(), s);
         b.normal_traction[k] = r.traction.normal;
         b.shear_traction[k] = r.traction.shear;
@@ -363,10 +404,12 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
 
 /// The responses without a branch, at all points of a chunk. \return number of points that need the full law
 template <class Law>
-std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, State& s, Lanes& b) {
+std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s,
+                               Lanes& b) {
     const std::int32_t count = a.contact_chunks[chunk].size();
     const std::size_t first = 2 * static_cast<std::size_t>(a.contact_chunks[chunk].begin);
-    const Points points{&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
+    const Points points{&s.opening[first], &s.sliding[first],         &s.integrity[first],
+                        &s.slip[first],    &s.fracture_energy[first], &s.next_mark[first]};
     ContactSums& sums = s.contact_sums[chunk];
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         find_motions(count, b);
@@ -385,6 +428,9 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
             });
             if constexpr (Law::remembers_largest) {
                 store_largest(a.contact_chunks[chunk], b, s);
+            }
+            if (b.passing > 0) {
+                note_softening(a, chunk, step, s, b);
             }
         }
     }
@@ -447,7 +493,7 @@ void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t c
     prefetch_ahead(a, s, chunk);
     sort_points(a, s, range, b);
     contact_law::with_law(law.variant, [&](auto kind) {
-        if (apply_vector_path<decltype(kind)>(a, law, chunk, s, b) > 0) {
+        if (apply_vector_path<decltype(kind)>(a, law, chunk, step, s, b) > 0) {
             apply_full_law<decltype(kind)>(a, law, chunk, step, s, b);
         }
     });

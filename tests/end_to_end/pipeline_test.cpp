@@ -100,6 +100,38 @@ TEST(Pipeline, FirstPeaksAndResidualStrengthsOfTestsThatGoOn) {
     EXPECT_NE(content_of(shell.file("residual.svg")).find("residual strength"), std::string::npos);
 }
 
+// Broken points are some of the failed ones, in tables, maps and pictures alike.
+TEST(Pipeline, CracksByEventAndMode) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 --frames 4 -o run.h5" + past_peak);
+    const std::string strength = shell.must("graincrack-post strength run.h5");
+    const auto sum = [](const std::string& table, const std::string& ending) {
+        return std::atof(cell(table, "tensile_cracks" + ending).c_str()) +
+               std::atof(cell(table, "shear_cracks" + ending).c_str());
+    };
+    const double failed = sum(strength, "");
+    EXPECT_GT(failed, 0);
+    EXPECT_EQ(sum(strength, "_by_displacement"), failed);
+    EXPECT_LE(sum(strength, "_broken"), failed);
+    EXPECT_EQ(sum(strength, "_broken_by_displacement"), sum(strength, "_broken"));
+    shell.must(
+        "graincrack-post cracks --quiet run.h5 -o failed\n"
+        "graincrack-post cracks --quiet run.h5 --crack-event broken --crack-mode displacement -o broken");
+    const std::string summary = content_of(shell.file("failed/summary.tsv"));
+    const std::string end = shell.must("sed -n '1p;$p' failed/summary.tsv");
+    EXPECT_GT(sum(end, "_broken"), 0);
+    EXPECT_LE(sum(end, "_broken"), sum(end, ""));
+    EXPECT_EQ(content_of(shell.file("broken/summary.tsv")), summary);  // shows all labels
+    EXPECT_EQ(content_of(shell.file("broken/cracks.tsv")), content_of(shell.file("failed/cracks.tsv")));
+    EXPECT_NE(content_of(shell.file("broken/counts.tsv")), content_of(shell.file("failed/counts.tsv")));
+    EXPECT_NE(shell.must("grep -c crack_label broken/cracks_0001.vtp"), "0\n");
+    shell.must("graincrack-post plot cracks run.h5 --crack-event broken --crack-mode displacement -o map.svg");
+    EXPECT_NE(content_of(shell.file("map.svg")).find("opened more than slid"), std::string::npos);
+    const Outcome outcome = shell.run("graincrack-post plot cracks run.h5 --crack-event split -o map.svg");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("failed|broken"), std::string::npos) << outcome.err;
+}
+
 // A straight crack has the toughness √(E' Gf). A crack between grains has more, since its path is longer and since it slides on
 // facets that are oblique to the load (1.03 to 1.24 times as much, here and in plates of 80 mm).
 TEST(Pipeline, ToughnessOfANotchedPlate) {

@@ -1,4 +1,5 @@
 // Runs that continue from a saved state.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/end_to_end/same_arrays.hpp"
@@ -53,7 +54,8 @@ void lay_out(const Shell& shell) {
 const std::string solve = "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";
 
 TEST(Restart, GoesOnToTheByte) {
-    for (const std::string options : {"", "--mass-scaling selective "}) {
+    for (const std::string options :
+         {"", "--mass-scaling selective ", "--contact-law cohesive-frictional --contact-cohesion 14MPa "}) {
         const Shell shell;
         lay_out(shell);
         shell.must(solve + options + "--program whole.toml -o whole.h5\n" + solve + options +
@@ -69,6 +71,13 @@ TEST(Restart, GoesOnToTheByte) {
         EXPECT_GT(std::atof(cell(row_of("second.h5"), "shear_cracks").c_str()), 0);
         expect_same_arrays(H5Input(shell.file("second.h5")), H5Input(shell.file("whole.h5")), "/state");
         expect_same_arrays(H5Input(shell.file("second.h5")), H5Input(shell.file("whole.h5")), "/cracks");
+        const auto n_broken = [&](const std::string& run) {
+            const std::vector<double> times = H5Input(shell.file(run)).read<double>("/cracks/time_broken");
+            return times.size() -
+                   static_cast<std::size_t>(std::count_if(times.begin(), times.end(), [](double t) { return std::isnan(t); }));
+        };
+        EXPECT_GT(n_broken("first.h5"), 0U);  // points break before and after the restart
+        EXPECT_GT(n_broken("second.h5"), n_broken("first.h5"));
     }
 }
 

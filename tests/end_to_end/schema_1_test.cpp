@@ -39,6 +39,29 @@ TEST(Schema1, TablesAndReportOfARun) {
     EXPECT_NE(shell.must("cat page.html").find("energy balance residual"), std::string::npos);
 }
 
+// Its runs do not say when points broke: what counts failed points works, what counts broken ones says what is missing.
+TEST(Schema1, CracksByTheLabelsThatARunKnows) {
+    const Shell shell;
+    unpack(shell);
+    const std::string strength = shell.must("graincrack-post strength uniaxial.h5");
+    EXPECT_GT(number(strength, "shear_cracks"), 0);
+    EXPECT_EQ(number(strength, "tensile_cracks_by_displacement") + number(strength, "shear_cracks_by_displacement"),
+              number(strength, "tensile_cracks") + number(strength, "shear_cracks"));
+    EXPECT_EQ(cell(strength, "shear_cracks_broken"), "");
+    EXPECT_EQ(cell(shell.must("graincrack-post moduli uniaxial.h5"), "crack_initiation_count_damage_90_MPa"), "");
+    shell.must("graincrack-post plot rosette uniaxial.h5 --crack-mode displacement -o rosette.svg");
+    shell.must("graincrack-post plot cracks uniaxial.h5 -o cracks.svg");
+    for (const std::string command : {"plot cracks uniaxial.h5 -o cracks.svg", "plot rosette uniaxial.h5 -o rosette.svg",
+                                      "plot counts uniaxial.h5 -o counts.svg", "plot curve uniaxial.h5 -o curve.svg",
+                                      "cracks uniaxial.h5 -o folder", "report uniaxial.h5 -o page.html"}) {
+        const Outcome outcome = shell.run("graincrack-post " + command + " --quiet --crack-event broken");
+        EXPECT_EQ(outcome.exit_code, 3) << command;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find("uniaxial.h5: has no /cracks/time_broken"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("--crack-event failed"), std::string::npos) << outcome.err;
+    }
+}
+
 // A set of runs of both schemas, on a specimen of schema 1.
 TEST(Schema1, AnEnvelopeWithRunsOfSchema2) {
     const Shell shell;

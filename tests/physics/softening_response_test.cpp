@@ -18,13 +18,14 @@ struct Count {
     int slid = 0;
 };
 
-void expect_equal(const SofteningResponse& softening, const ContactResponse& full) {
+void expect_equal(const ContactLaw& law, const SofteningResponse& softening, const ContactResponse& full) {
     EXPECT_EQ(softening.normal, full.traction.normal);
     EXPECT_EQ(softening.shear, full.traction.shear);
     EXPECT_EQ(softening.integrity, full.history.integrity);
     EXPECT_EQ(softening.slip, full.history.slip);
     EXPECT_EQ(softening.largest_open, full.history.largest_open);
     EXPECT_EQ(softening.largest_slid, full.history.largest_slid);
+    EXPECT_EQ(softening.remaining_cohesion, remaining_cohesion(law, full.history));
     EXPECT_EQ(softening.fracture, full.dissipation.fracture);
     EXPECT_EQ(softening.friction, full.dissipation.friction);
     EXPECT_EQ(full.dissipation.non_conservative_work, 0);
@@ -50,7 +51,7 @@ Count compare_on_path(const ContactLaw& law, double peak_sliding, int seed) {
         if (softening.holds != 0 && !Law::is_residual(law, h)) {
             ++count.held;
             count.slid += softening.friction > 0 ? 1 : 0;
-            expect_equal(softening, full);
+            expect_equal(law, softening, full);
         }
     }
     return count;

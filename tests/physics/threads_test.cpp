@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "share/h5_file.hpp"
 #include "solver/run/simulation.hpp"
@@ -80,12 +81,23 @@ SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target
     run.steps(mass_scaling_factor > 0 ? 1200 : 12000, {{speed, -speed}, {speed, -speed}, nullptr}, threads);
     return run;
 }
+/// The events of a run, none of which has been collected.
+auto events_of(const SmallRun& run) {
+    std::vector<std::tuple<std::int64_t, std::int32_t, std::uint8_t, ContactEventKind, double, double>> events;
+    for (const std::vector<ContactEvent>& chunk : run.state.events) {
+        for (const ContactEvent& e : chunk) {
+            events.emplace_back(e.step, e.contact, e.point, e.kind, e.motion.opening, e.motion.sliding);
+        }
+    }
+    return events;
+}
 bool same(const SmallRun& l, const SmallRun& r) {
     const auto bytes = [](const std::vector<Vector2>& v) {
         return std::string(reinterpret_cast<const char*>(v.data()), v.size() * sizeof(Vector2));
     };
     return bytes(l.state.displacement) == bytes(r.state.displacement) && bytes(l.state.velocity) == bytes(r.state.velocity) &&
-           l.state.opening == r.state.opening && l.state.integrity == r.state.integrity && l.state.slip == r.state.slip;
+           l.state.opening == r.state.opening && l.state.integrity == r.state.integrity && l.state.slip == r.state.slip &&
+           l.state.next_mark == r.state.next_mark && events_of(l) == events_of(r);
 }
 
 TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {

@@ -138,7 +138,9 @@ TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
     const std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     EXPECT_EQ(test::parse_tsv(crack_log).size(), cracks.size() + 1);
     EXPECT_EQ(test::field(crack_log, "mode", 0), cracks[0].mode == CrackMode::tensile ? "tensile" : "shear");
-    EXPECT_EQ(test::field(crack_log, "time_separated_s", 1), "");  // not separated
+    EXPECT_EQ(test::field(crack_log, "time_separated_s", 1), "");             // not separated
+    EXPECT_EQ(test::field(crack_log, "mode_by_displacement", 0), "tensile");  // 2 µm of opening, 1 µm of sliding
+    EXPECT_EQ(test::field(crack_log, "mode_broken", 0), "");
     EXPECT_EQ(test::parse_tsv(test::read_text(map("rosette.tsv"))).size(), 19U);
     const std::string summary = test::read_text(map("summary.tsv"));
     EXPECT_EQ(test::field(summary, "at", 0), "peak");

@@ -101,6 +101,7 @@ TEST_F(Picture, CrackMapCountsContactsAndNamesTheTest) {
     for (const Crack& crack : all) tensile += crack.mode == CrackMode::tensile ? 1 : 0;
     EXPECT_NE(svg.find("tensile cracks: " + std::to_string(tensile / 2)), std::string::npos);
     EXPECT_NE(svg.find("shear cracks: " + std::to_string((all.size() - tensile) / 2)), std::string::npos);
+    EXPECT_NE(svg.find("cracks: points past their peak; tensile: open then"), std::string::npos);
     EXPECT_NE(svg.find("Uniaxial compression, Augig granite"), std::string::npos);
     EXPECT_NE(svg.find("seed 7"), std::string::npos);
     EXPECT_NE(to_svg(cracks("peak")).find("(peak)"), std::string::npos);
@@ -133,8 +134,10 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
         const std::string svg = to_svg(drawing);
         for (const std::string& each : words) EXPECT_NE(svg.find(each), std::string::npos) << each;
     };
-    expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5"), {"tensile:", "shear:", "own facets"});
-    expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data), {"tensile", "shear", "stress"});
+    expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5", "what a crack is"),
+           {"tensile:", "shear:", "own facets", "what a crack is"});
+    expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
+           {"tensile", "shear", "stress", "what a crack is"});
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
     expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragments", "100.0 % of the area"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
@@ -142,12 +145,12 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
     expect(draw_specimen(recipe_.specimen), {"256 grains"});
-    expect(draw_curves({data}), {"peak 125 MPa"});
+    expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is"});
     expect(cracks("last"), {"tensile cracks:"});
     expect(cracks("first,peak,last"), {"(b) peak"});
     expect(draw_strengths({data}, std::nullopt), {"uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
-    test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5"); }, {"run.h5", "no micro-cracks"});
+    test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
 }
 
@@ -178,7 +181,7 @@ TEST_F(Picture, TablesAreDrawnByTheirColumns) {
 }
 
 TEST_F(Picture, CurveAndSpecimenAreDrawn) {
-    write_picture(draw_curves({read_run_data(path("run.h5"))}), path("curve.png"));
+    write_picture(draw_curves({read_run_data(path("run.h5"))}, {}, ""), path("curve.png"));
     EXPECT_GT(pixels_of(path("curve.png"), palette::series(0)), 2000);
     EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 500);  // counts of cracks
     write_picture(draw_specimen(recipe_.specimen), path("specimen.png"));
@@ -189,12 +192,12 @@ TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStr
     recipe_.plane_young_modulus = 2.6e9;  // so that the fall lasts 1 % of strain
     test::write_run(path("soft.h5"), recipe_);
     RunData run = read_run_data(path("soft.h5"));
-    const std::string falls = to_svg(draw_curves({run}));
+    const std::string falls = to_svg(draw_curves({run}, {}, ""));
     EXPECT_EQ(falls.find("first peak"), std::string::npos);
     EXPECT_NE(falls.find("residual strength"), std::string::npos);
     for (auto& column : run.history.columns) column.push_back(2 * column.back());
     run.history[HistoryColumn::axial_stress].back() = -200e6;
-    EXPECT_NE(to_svg(draw_curves({run})).find("first peak"), std::string::npos);
+    EXPECT_NE(to_svg(draw_curves({run}, {}, "")).find("first peak"), std::string::npos);
 }
 
 TEST_F(Picture, LaboratoryCurvesStandBesideRuns) {
@@ -204,9 +207,9 @@ TEST_F(Picture, LaboratoryCurvesStandBesideRuns) {
     EXPECT_DOUBLE_EQ(curve.lateral_strain[1], -0.001);
     EXPECT_DOUBLE_EQ(curve.stress[1], 80e6);
     const std::vector<RunData> runs{read_run_data(path("run.h5"))};
-    const std::string svg = to_svg(draw_curves(runs, {curve}));
+    const std::string svg = to_svg(draw_curves(runs, {curve}, ""));
     EXPECT_NE(svg.find("laboratory: lab.tsv"), std::string::npos);
-    EXPECT_EQ(to_svg(draw_curves(runs)).find("laboratory"), std::string::npos);
+    EXPECT_EQ(to_svg(draw_curves(runs, {}, "")).find("laboratory"), std::string::npos);
     std::ofstream(path("bad.tsv")) << "axial_strain\tstress_MPa\n0\tmuch\n";
     test::expect_one_line<InputError>([&] { (void)read_laboratory_curve(path("bad.tsv")); }, {"bad.tsv", "line 2", "much"});
 }
@@ -240,7 +243,7 @@ TEST_F(Picture, CurvesOfDifferentTestsDoNotShareAPlot) {
     other.test = "brazilian";
     other.peak = 8e6;
     test::write_run(path("brazilian.h5"), other);
-    EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}), InputError);
+    EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}, {}, ""), InputError);
 }
 
 TEST_F(Picture, NamesAndPlacesThatCannotBeAreOneError) {

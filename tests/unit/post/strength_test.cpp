@@ -34,7 +34,9 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
               "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
               "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load\t"
-              "first_peak_MPa\tresidual_MPa\tdrop_percent\trehardening_GPa");
+              "first_peak_MPa\tresidual_MPa\tdrop_percent\trehardening_GPa\t"
+              "tensile_cracks_by_displacement\tshear_cracks_by_displacement\ttensile_cracks_broken\tshear_cracks_broken\t"
+              "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {

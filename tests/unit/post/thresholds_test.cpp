@@ -77,6 +77,34 @@ TEST(Thresholds, CountIsOnePercentOfThatAtThePeak) {
     EXPECT_FALSE(initiation_by_count(run, curve).has_value());
 }
 
+// The points of a log that fail as the history counts them, and are damaged later: the thresholds rise with the damage.
+TEST(Thresholds, InitiationByDamageCountsThePointsThatAreDamaged) {
+    test::Recipe recipe;
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    const LoadCurve curve = load_curve(run);
+    const auto& times = run.history[HistoryColumn::time];
+    std::vector<Crack> cracks;
+    for (std::size_t row = 1; row < times.size(); ++row) {  // as many points as contacts fail in the row
+        for (const HistoryColumn column : {HistoryColumn::tensile_cracks, HistoryColumn::shear_cracks}) {
+            for (double n = run.history[column][row - 1]; n < run.history[column][row]; ++n) {
+                cracks.emplace_back();
+                cracks.back().time_damaged_10 = times[row] - 1e-9;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+        if (i % 2 == 0) cracks[i].time_damaged_50 = cracks[i].time_damaged_10 + 0.1;
+    }
+    const InitiationByDamage initiation = initiation_by_damage(run, curve, cracks);
+    EXPECT_EQ(initiation[0], initiation_by_count(run, curve));
+    ASSERT_TRUE(initiation[1].has_value());
+    EXPECT_GT(*initiation[1], *initiation[0]);
+    EXPECT_FALSE(initiation[2].has_value());  // none is broken
+    EXPECT_EQ(initiation_by_damage(run, curve, cracks, 0.5)[0], initiation_by_count(run, curve, 0.5));
+}
+
 TEST(Thresholds, TableLabelsThemAndKeepsTensionEmpty) {
     const test::TemporaryFolder folder;
     const auto table_of = [&](const test::Recipe& recipe) {

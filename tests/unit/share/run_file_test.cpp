@@ -109,7 +109,24 @@ Frame frame_at(double time) {
 std::vector<Crack> cracks() {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {{0.5, 500, 3, 1, CrackMode::tensile, 0.1, {0.001, -0.002}, 1.2, 0.005, 1e-6, -2e-6, 0.75, nan},
-            {0.6, 6000000000, 2, 0, CrackMode::shear, 2.2, {-0.003, 0.004}, 0.0, 0.0025, -1e-7, 3e-6, 0.25, 0.9}};
+            {0.6,
+             6000000000,
+             2,
+             0,
+             CrackMode::shear,
+             2.2,
+             {-0.003, 0.004},
+             0.0,
+             0.0025,
+             -1e-7,
+             3e-6,
+             0.25,
+             0.9,
+             0.65,
+             0.7,
+             0.8,
+             2e-6,
+             -4e-6}};
 }
 
 /// Writes a run, to which `write` may add data before the file is finished.
@@ -321,8 +338,16 @@ TEST(RunFile, Cracks) {
         EXPECT_EQ(read[i].sliding, expected[i].sliding);
         EXPECT_EQ(read[i].energy_released, expected[i].energy_released);
     }
-    EXPECT_TRUE(std::isnan(read[0].time_separated));
+    EXPECT_TRUE(std::isnan(read[0].time_separated) && std::isnan(read[0].time_damaged_10) && std::isnan(read[0].time_broken));
     EXPECT_EQ(read[1].time_separated, 0.9);
+    EXPECT_EQ(read[1].time_damaged_10, 0.65);
+    EXPECT_EQ(read[1].time_damaged_50, 0.7);
+    EXPECT_EQ(read[1].time_broken, 0.8);
+    EXPECT_EQ(read[1].opening_broken, 2e-6);
+    EXPECT_EQ(read[1].sliding_broken, -4e-6);
+    EXPECT_TRUE(RunReader(folder.file("r.h5")).has_damage_times());
+    EXPECT_EQ(read[0].damage_levels(), 0U);
+    EXPECT_EQ(read[1].damage_levels(), 3U);
 }
 
 TEST(RunFile, ARunWithoutCracksAndFramesReadsBack) {

@@ -67,7 +67,7 @@ TEST(CrackLog, SeparationIsNoCrackOfItsOwn) {
     SmallRun run(test::one_diagonal_grid(3, 3, 0.02, 0.02), test::augig_law());
     CrackLog crack_log(2 * run.assemblage.contacts.size());
     ContactEvent separation = event(9, 4, 1);
-    separation.is_separation = true;
+    separation.kind = ContactEventKind::separation;
     run.state.events[0] = {separation, event(9, 4, 1)};  // both at once, in any order
     crack_log.collect(run.assemblage, 1.0, run.state);
     ASSERT_EQ(crack_log.rows(run.state).size(), 1U);
@@ -76,6 +76,35 @@ TEST(CrackLog, SeparationIsNoCrackOfItsOwn) {
     run.state.events[0] = {separation};
     crack_log.collect(run.assemblage, 1.0, run.state);
     EXPECT_EQ(crack_log.rows(run.state).size(), 1U);
+}
+
+// Damage, breaking and separation complete the row of a failure, whatever the order in which they arrive.
+TEST(CrackLog, LaterEventsCompleteTheRow) {
+    SmallRun run(test::one_diagonal_grid(3, 3, 0.02, 0.02), test::augig_law());
+    CrackLog crack_log(2 * run.assemblage.contacts.size());
+    const auto later = [](std::int64_t step, ContactEventKind kind) {
+        ContactEvent e = event(step, 4, 1);
+        e.kind = kind;
+        e.motion = {1e-6 * static_cast<double>(step), -2e-6};
+        return e;
+    };
+    run.state.events[0] = {later(7, ContactEventKind::damaged_50), later(7, ContactEventKind::damaged_10), event(7, 4, 1)};
+    crack_log.collect(run.assemblage, 1.0, run.state);
+    Crack row = crack_log.rows(run.state).at(0);
+    EXPECT_EQ(row.damage_levels(), 2U);
+    EXPECT_TRUE(std::isnan(row.time_broken) && std::isnan(row.opening_broken) && std::isnan(row.sliding_broken));
+    run.state.events[0] = {later(9, ContactEventKind::broken), later(11, ContactEventKind::separation)};
+    crack_log.collect(run.assemblage, 1.0, run.state);
+    ASSERT_EQ(crack_log.rows(run.state).size(), 1U);
+    row = crack_log.rows(run.state)[0];
+    EXPECT_EQ(row.time_damaged_10, 7);
+    EXPECT_EQ(row.time_damaged_50, 7);
+    EXPECT_EQ(row.time_broken, 9);
+    EXPECT_EQ(row.opening_broken, 1e-6 * 9);
+    EXPECT_EQ(row.sliding_broken, -2e-6);
+    EXPECT_EQ(row.time_separated, 11);
+    EXPECT_EQ(row.opening, -1e-7);  // at failure, as before
+    EXPECT_EQ(row.damage_levels(), 3U);
 }
 
 // The upper of two grains has a velocity upwards: both points of their contact fail in tension.
@@ -104,7 +133,11 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
         expect_close(std::remainder(crack.orientation, std::numbers::pi), 0, 1e-3, 1);
         EXPECT_GT(crack.opening, run.parameters.law.dct);
         EXPECT_LT(std::abs(crack.mode_angle), 0.5);  // mostly opening
-        EXPECT_GT(crack.time_separated, crack.time);
+        EXPECT_GT(crack.time_damaged_10, crack.time);
+        EXPECT_GT(crack.time_damaged_50, crack.time_damaged_10);
+        EXPECT_GT(crack.time_broken, crack.time_damaged_50);
+        EXPECT_GT(crack.time_separated, crack.time_broken);
+        EXPECT_GT(crack.opening_broken, crack.opening);
         const double whole =
             0.01 * test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i).fracture_energy;
         expect_close(crack.energy_released, whole, 1e-12, whole);
