@@ -134,7 +134,7 @@ double distance_along(const PairGeometry& g, double inset) {
 /// How far a node has to move to where a node–edge contact may begin, m; 0 or less there.
 double travel_to_begin(const PairGeometry& g, double mean_length) {
     return std::min(std::max(-g.depth, distance_along(g, detection_rule::corner_zone)),
-                    std::max(detection_rule::deep * mean_length - g.depth, distance_along(g, 0)));
+                    std::max(detection_rule::deep_node_depth * mean_length - g.depth, distance_along(g, 0)));
 }
 
 /// Decides which pairs of a node are watched until the next update.
@@ -203,13 +203,13 @@ private:
     [[nodiscard]] bool may_be_in_contact(std::int32_t pair, const PairGeometry& g) const {
         const double near = reach(pair);
         if (travel_to_begin(g, assemblage_.surface.mean_length) < near &&
-            !came_through_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
+            !belongs_to_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
             return true;
         }
         if (active_.empty()) {
             return false;
         }
-        const double margin = near + detection_rule::slack / g.inv_length;
+        const double margin = near + detection_rule::end_tolerance / g.inv_length;
         return (g.depth < overlap_ + near && is_beside_active(pair)) ||
                (distance_along(g, 0) < margin && is_at_depth_of_active(g, margin));
     }
