@@ -406,7 +406,7 @@ void rebuild(const Assemblage& a, const ContactLaw& law, const std::vector<std::
 
 }  // namespace
 
-bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
+PairListUpdate update_pair_list(const Assemblage& a, const StepParameters& parameters, std::int64_t shortest, State& s) {
     ContactPairList& list = s.contact_pairs;
     const ContactLaw& law = parameters.law;
     const bool scaled = parameters.mass_scaling.is_on();
@@ -417,7 +417,7 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
         released_now = find_released<decltype(kind)>(a, law, s);
     });
     if (scaled && !released_now.empty()) {
-        return true;
+        return {.must_end_mass_scaling = true};
     }
     const bool is_first = list.displacement_at_search.empty();
     const Speeds speeds = find_speeds(s.velocity);
@@ -444,9 +444,11 @@ bool update_pair_list(const Assemblage& a, const StepParameters& parameters, std
         list.chunks.clear();
     }
     const double steps = travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_steps);
-    list.next_check = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(min_steps, longest), longest);
-    return scaled &&
-           std::any_of(list.contacts.begin(), list.contacts.end(), [](const NodeEdgeContact& contact) { return contact.active; });
+    const bool begins_contact = scaled && std::any_of(list.contacts.begin(), list.contacts.end(),
+                                                      [](const NodeEdgeContact& contact) { return contact.active; });
+    return {.must_end_mass_scaling = begins_contact,
+            .integrations_to_next =
+                std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), std::min(min_steps, longest), longest)};
 }
 
 }  // namespace graincrack
