@@ -15,8 +15,10 @@ namespace {
 /// and nodes slip farther in along a bond before a contact stops them; smaller, and nodes that only lie in the bond begin
 /// contacts with the grains at either side of it.
 constexpr double bond_width = 3e-3;
+/// Area of a new contact until it is found.
+constexpr double area_not_found = 0;
 /// Least area of a new contact, over the tributary area of its node. It goes beyond the available area: a node that may not press
-/// at all would not be kept out. Each such contact exceeds the limit of `available_area` by at most this share.
+/// at all would not be kept out. Each such contact exceeds the limit by at most this share.
 constexpr double min_area = 0.1;
 /// Cosine of the angle between the normals of two edges above which they are of one surface: turned by less than 60°, edges push
 /// a node the same way, and one contact is enough.
@@ -179,32 +181,6 @@ void continue_contacts(NodePairs& pairs) {
     }
 }
 
-/// The area that is still available at a node: half of its two outline edges (1 m thick), less the points of its contacts that
-/// have not been released and what node–edge contacts occupied at the last update of the pair list. A node inside the specimen
-/// was bonded over all that area, and the stable step was found for that. Without this limit many corners at one end of an edge
-/// would be stiffer together than any bond was.
-double available_area(const GrainSurface& surface, const std::vector<ContactGeometry>& contacts, const ContactPairList& list,
-                      std::int32_t node) {
-    double area = 2 * surface.tributary[node] - list.occupied_area[node];
-    for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
-        const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
-        area -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
-    }
-    return area;
-}
-
-/// Area of a new contact: the tributary area of the node, or less where other contacts already occupy the node or the end of the
-/// edge.
-double area_of(const NodePairs& pairs, std::int32_t i) {
-    const Assemblage& a = pairs.data.assemblage;
-    const auto available = [&](std::int32_t node) {
-        return available_area(a.surface, a.contacts, pairs.data.state.contact_pairs, node);
-    };
-    const double tributary = a.surface.tributary[pairs.node()];
-    const std::int32_t end = pairs.edge(i).nodes[pairs.geometry(i).place < 0.5 ? 0 : 1];
-    return std::clamp(std::min(available(pairs.node()), available(end)), min_area * tributary, tributary);
-}
-
 /// Whether a contact may begin: the node is behind the edge and over it but for its corner zones, belongs to this edge and not to
 /// a neighbouring face, and has no other contact with this grain or with the same surface. A node deep inside the grain is kept
 /// out even in a corner zone, and even where it has a contact with the same surface of another grain.
@@ -227,12 +203,12 @@ bool may_begin(const NodePairs& pairs, std::int32_t i) {
     return !belongs_to_neighbour(pairs.data.assemblage, pairs.data.state, pairs.pair(i), g, margin);
 }
 
+/// Begins contacts; their areas are found when all chunks are done (`find_areas_of_new_contacts`).
 void begin_contacts(NodePairs& pairs) {
     for (std::int32_t i = 0; i < pairs.size(); ++i) {
         if (may_begin(pairs, i)) {
             const PairGeometry g = pairs.geometry(i);
-            pairs.contact(i) = {
-                .active = true, .near_first = g.place < 0.5, .area = area_of(pairs, i), .initial_overlap = g.depth};
+            pairs.contact(i) = {.active = true, .near_first = g.place < 0.5, .area = area_not_found, .initial_overlap = g.depth};
             append_active(pairs, i);
         }
     }
@@ -245,6 +221,30 @@ bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, c
     }
     const auto& nodes = a.contacts[edge.contact].nodes;
     return std::find(nodes.begin(), nodes.end(), node) == nodes.end();
+}
+
+/// Half of the two outline edges of a node (1 m thick), less the points of its contacts that have not been released and what
+/// node–edge contacts occupy.
+double available_area(const Assemblage& a, const ContactPairList& list, std::int32_t node) {
+    const GrainSurface& surface = a.surface;
+    double area = 2 * surface.tributary[node] - list.occupied_area[node];
+    for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
+        const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
+        area -= contact >= 0 && list.released[contact] == 0 ? a.contacts[contact].point_area : 0.0;
+    }
+    return area;
+}
+
+/// Calls `visit` with the index of each active contact that has not ended and the two nodes whose area it occupies: its own, and
+/// the nearer end of its edge.
+template <class Visit>
+void for_occupied(const ContactPairList& list, Visit&& visit) {
+    list.for_active([&](std::int32_t i) {
+        if (list.active.live[i] != 0) {
+            const auto& [node, first, second] = list.active.nodes[i];
+            visit(i, node, list.active.place[i] < 0.5 ? first : second);
+        }
+    });
 }
 
 }  // namespace
@@ -264,6 +264,36 @@ bool belongs_to_neighbour(const Assemblage& a, const State& s, const CandidatePa
         }
     }
     return false;
+}
+
+void find_occupied_area(const Assemblage& a, ContactPairList& list) {
+    list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
+    for_occupied(list, [&list](std::int32_t i, std::int32_t node, std::int32_t end) {
+        list.occupied_area[node] += list.active.area[i];
+        list.occupied_area[end] += list.active.area[i];
+    });
+}
+
+void find_areas_of_new_contacts(const Assemblage& a, ContactPairList& list) {
+    bool has_new = false;
+    for_occupied(list, [&](std::int32_t i, std::int32_t /*node*/, std::int32_t /*end*/) {
+        has_new = has_new || list.active.area[i] == area_not_found;
+    });
+    if (!has_new) {
+        return;
+    }
+    find_occupied_area(a, list);
+    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
+        if (list.active.area[i] != area_not_found) {
+            return;
+        }
+        const double tributary = a.surface.tributary[node];
+        const double available = std::min(available_area(a, list, node), available_area(a, list, end));
+        const double area = std::clamp(available, min_area * tributary, tributary);
+        list.active.area[i] = list.contacts[list.active.pair[i]].area = area;
+        list.occupied_area[node] += area;
+        list.occupied_area[end] += area;
+    });
 }
 
 void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {

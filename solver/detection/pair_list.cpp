@@ -278,17 +278,6 @@ void watch_pairs(const Assemblage& a, double duration, double speed_p95, State& 
     load_active(a, list);
 }
 
-/// The area of each node that contacts occupy; empty where no pair is watched.
-void find_occupied_area(const Assemblage& a, ContactPairList& list) {
-    list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
-    list.for_active([&list](std::int32_t i) {
-        const auto& [node, first, second] = list.active.nodes[i];
-        const double area = list.active.live[i] * list.active.area[i];
-        list.occupied_area[node] += area;
-        list.occupied_area[list.active.place[i] < 0.5 ? first : second] += area;
-    });
-}
-
 /// Forces of all node–edge contacts in the present displacements, without moving them.
 void refresh_forces(const Assemblage& a, const ContactLaw& law, State& s) {
     for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
@@ -441,6 +430,7 @@ PairListUpdate update_pair_list(const Assemblage& a, const StepParameters& param
         for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
             detect_contacts(a, parameters, chunk, s);
         }
+        find_areas_of_new_contacts(a, list);
         list.chunks.clear();
     }
     const double steps = travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_steps);

@@ -78,8 +78,8 @@ struct ContactPairList {
     std::vector<Vector2> displacement_at_search;   ///< [n] m
     bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search
     double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
-    std::vector<double> occupied_area;             ///< [n] area of a node that contacts occupy, at the last update, m²
-    std::int64_t next_update = 0;                  ///< step before which the list is updated again
+    std::vector<double> occupied_area;  ///< [n] area of a node that contacts occupied when one began, or at the last update, m²
+    std::int64_t next_update = 0;       ///< step before which the list is updated again
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
     /// Calls `visit` with the index of each active contact in `active`.

@@ -66,7 +66,7 @@ public:
         if (detects_contacts) {
             for_each_chunk(pairs_, [&](std::int32_t chunk) { detect_contacts(a_, parameters_, chunk, s_); });
             team_.wait();
-            index_changed_contacts();
+            complete_detection();
         } else {
             for_each_chunk(pairs_, [&](std::int32_t chunk) { move_active_contacts(a_, parameters_, chunk, s_); });
             team_.wait();
@@ -97,9 +97,10 @@ public:
     [[nodiscard]] const LoadingClock& clock() const { return clock_; }
 
 private:
-    void index_changed_contacts() {
+    void complete_detection() {
         if (have_changed(s_.contact_pairs)) {
             if (is_first_) {
+                find_areas_of_new_contacts(a_, s_.contact_pairs);
                 index_node_forces(a_, s_.contact_pairs);
             }
             team_.wait();
