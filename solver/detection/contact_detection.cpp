@@ -1,7 +1,6 @@
 #include "solver/detection/contact_detection.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -27,12 +26,18 @@ constexpr double cos_same_surface = 0.5;
 /// Less (3°) is the unevenness of one face, along which a contact is transferred at the ends of the edges only.
 constexpr double sin_corner = 0.05;
 
+/// Memory of a thread, kept from chunk to chunk.
+struct Scratch {
+    PairGeometries geometry;           ///< of the chunk's watched pairs
+    std::vector<std::int32_t> active;  ///< of the pairs of a node, those in contact
+};
+
 /// Data of detection in a chunk of watched pairs.
 struct ChunkData {
     const Assemblage& assemblage;
     const StepParameters& parameters;
     State& state;
-    PairGeometries& geometry;  ///< of the chunk's watched pairs
+    Scratch& scratch;
     std::int32_t chunk;
     double friction = 0;
 };
@@ -64,8 +69,8 @@ struct NodePairs {
         return &data.state.contact_pairs.forces[3 * static_cast<std::size_t>(index_in_list(i))];
     }
     [[nodiscard]] std::int32_t node() const { return pair(0).node; }
-    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return data.geometry[index_in_chunk(i)]; }
-    [[nodiscard]] double depth(std::int32_t i) const { return data.geometry.depth(index_in_chunk(i)); }
+    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return data.scratch.geometry[index_in_chunk(i)]; }
+    [[nodiscard]] double depth(std::int32_t i) const { return data.scratch.geometry.depth(index_in_chunk(i)); }
 };
 
 /// Whether a node is over an edge lengthened by `extension` (of its length) at either end.
@@ -164,18 +169,17 @@ void append_active(NodePairs& pairs, std::int32_t i) {
 /// Decides how the contacts of a node continue; those that do become active. Those of before are noted first, as one that is
 /// transferred to a later pair must not be treated twice.
 void continue_contacts(NodePairs& pairs) {
-    std::array<std::int32_t, 16> active{};
-    std::size_t count = 0;
+    std::vector<std::int32_t>& active = pairs.data.scratch.active;
+    active.clear();
     for (std::int32_t i = 0; i < pairs.size(); ++i) {
-        const NodeEdgeContact& contact = pairs.contact(i);
-        if (contact.active && count < active.size()) {
-            active[count++] = i;
-        } else if (!contact.active && contact.release_correction != 0) {
+        if (const NodeEdgeContact& contact = pairs.contact(i); contact.active) {
+            active.push_back(i);
+        } else if (contact.release_correction != 0) {
             clear(pairs, i);
         }
     }
-    for (std::size_t k = 0; k < count; ++k) {
-        if (const std::int32_t to = continue_contact(pairs, active[k]); to >= 0) {
+    for (const std::int32_t i : active) {
+        if (const std::int32_t to = continue_contact(pairs, i); to >= 0) {
             append_active(pairs, to);
         }
     }
@@ -302,10 +306,10 @@ void detect_contacts(const Assemblage& a, const StepParameters& parameters, std:
     const std::int32_t begin = list.first_watched(chunk);
     const std::int32_t count = list.watched_groups[groups.end - 1].end - begin;
     prefetch(list, {begin, begin + count});
-    store_active(chunk, list);                    // what continues is decided in the list
-    static thread_local PairGeometries geometry;  // keeps its memory from chunk to chunk
-    ChunkData data{a, parameters, s, geometry, chunk};
-    geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[begin + i]; });
+    store_active(chunk, list);  // what continues is decided in the list
+    static thread_local Scratch scratch;
+    ChunkData data{a, parameters, s, scratch, chunk};
+    scratch.geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[begin + i]; });
     const auto for_nodes = [&](auto&& act) {
         for (std::int32_t i = groups.begin; i < groups.end; ++i) {
             NodePairs pairs{data, list.watched_groups[i], begin};

@@ -263,6 +263,32 @@ TEST(NodeEdgeContact, CornersAtOneEndOfAnEdgeShareItsArea) {
     EXPECT_LE(area, 2 * surface.tributary[run.assemblage.node_of_specimen[0]] + least);
 }
 
+// A corner deep in many grains at once has a contact with each of them, and keeps them all.
+TEST(NodeEdgeContact, NoContactOfANodeWithManyIsLost) {
+    const double a = 4e-3;
+    const int many = 20;
+    std::vector<test::Point> points;
+    std::vector<test::Triangle> triangles;
+    for (int i = 0; i < many; ++i) {
+        points.insert(points.end(), {{-a, 0}, {0, -a}, {a, 0}});
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    points.insert(points.end(), {{0, 1e-5}, {a / 2, a}, {-a / 2, a}});
+    triangles.push_back({3 * many, 3 * many + 1, 3 * many + 2});
+    Led led(test::specimen_of_triangles(points, triangles));
+    const ContactPairList& list = led.run.state.contact_pairs;
+    const auto contacts = [&] {
+        int count = 0;
+        list.for_active([&](std::int32_t i) { count += list.pairs[list.active.pair[i]].node == led.node ? 1 : 0; });
+        return count;
+    };
+    const double edge = led.run.assemblage.surface.mean_length;
+    led.lead({0, -1e-5 - 0.007 * edge});
+    ASSERT_EQ(contacts(), many);
+    led.lead({0, -1e-6 * edge});
+    EXPECT_EQ(contacts(), many);
+}
+
 /// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it.
 SmallRun sliding_blocks(double slide, const ContactLaw& law) {
     Specimen s = test::one_diagonal_grid(1, 1, 4e-3, 4e-3);
