@@ -66,7 +66,7 @@ PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
         return AutomaticRate{apart, request.rate_tolerance, request.rate_share};
     }
     if (request.rate == RateKind::blocks) {
-        return LoadingBlocks{speed, request.block_steps, request.rate_tolerance};
+        return LoadingBlocks{speed, request.block_steps, request.rest_tolerance};
     }
     return ramp(speed, start_transits * transit_time);
 }
