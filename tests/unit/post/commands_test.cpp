@@ -44,6 +44,16 @@ TEST_F(Commands, InfoNamesKindCountsAndDatasets) {
     EXPECT_NE(specimen.find("every dataset was read"), std::string::npos);
 }
 
+TEST_F(Commands, InfoDoesNotInventWhatIsMissing) {
+    H5Output file(folder_.file("bare.h5"), "run");
+    file.create_group("/specimen");
+    file.create_group("/run");
+    file.commit();
+    const std::string info = output_of({"info", folder_.file("bare.h5")});
+    EXPECT_NE(info.find("  seed                     unknown\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("  steps                    unknown\n"), std::string::npos) << info;
+}
+
 TEST_F(Commands, DigestIsThatOfTheContent) {
     const std::vector<std::string> call{"info", folder_.file("run.h5"), "--digest"};
     const std::string first = output_of(call);
