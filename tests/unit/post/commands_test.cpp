@@ -74,6 +74,33 @@ TEST_F(Commands, HistoryHasUnitsAndTheSignsOfTheFile) {
     EXPECT_EQ(test::field(table, "tensile_cracks", 100), "20");
 }
 
+TEST_F(Commands, StagesAreThoseOfAProgram) {
+    test::expect_one_line<InputError>(
+        [&] {
+            output_of({"history", folder_.file("run.h5"), "--stages"});
+        },
+        {"run.h5", "recorded only for runs of `graincrack-solve program`"});
+    RunWriter writer(H5Output(folder_.file("program.h5"), "run"), test::Recipe{}.specimen, test::synthetic_header({}));
+    writer.append_history(test::synthetic_history({}));
+    H5Output& file = writer.file();
+    const std::vector<double> times{0, 1};
+    for (const char* dataset : {"/program/begin", "/program/end"}) {
+        file.write<double>(dataset, times, {times.size()}, "s", "of each stage");
+    }
+    file.attribute("/program", "stages", std::vector<std::string>{"press", "push"});
+    file.attribute("/program", "ended_by", std::vector<std::string>{"rest"});
+    Provenance provenance;
+    provenance.tool = "synthetic";
+    provenance.command_line = {"synthetic"};
+    provenance.libraries = {"none"};
+    writer.finish(test::synthetic_header({}), {}, provenance);
+    test::expect_one_line<InputError>(
+        [&] {
+            output_of({"history", folder_.file("program.h5"), "--stages"});
+        },
+        {"program.h5", "stages differ in number"});
+}
+
 TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
     const std::string material = std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml";
     const auto rows = test::parse_tsv(output_of({"fpz", "--material", material}));
