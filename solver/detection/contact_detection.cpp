@@ -214,6 +214,7 @@ void begin_contacts(NodePairs& pairs) {
             const PairGeometry g = pairs.geometry(i);
             pairs.contact(i) = {.active = true, .near_first = g.place < 0.5, .area = area_not_found, .initial_overlap = g.depth};
             append_active(pairs, i);
+            pairs.data.state.contact_pairs.active.changed[pairs.data.chunk] = 1;  // even where one of the same pair has ended
         }
     }
 }

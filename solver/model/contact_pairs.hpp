@@ -52,7 +52,7 @@ struct ActiveContacts {
     std::vector<double> place;                                                             ///< as in `PairGeometry`
     std::vector<Vector2> forces;                                                           ///< [3] on the nodes, N
     std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
-    std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before
+    std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before, or one that began anew
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const ActiveContacts& contacts);

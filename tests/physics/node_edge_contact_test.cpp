@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
 #include "solver/detection/pair_list.hpp"
 #include "tests/support/check.hpp"
@@ -287,6 +288,32 @@ TEST(NodeEdgeContact, NoContactOfANodeWithManyIsLost) {
     ASSERT_EQ(contacts(), many);
     led.lead({0, -1e-6 * edge});
     EXPECT_EQ(contacts(), many);
+}
+
+// A contact that ends and begins anew between two detections, at the same pair, is a new one: it needs an area.
+TEST(NodeEdgeContact, AContactThatBeginsAnewIsNotTakenForTheOldOne) {
+    const double a = 4e-3;
+    Led led(test::specimen_of_triangles({{-a, 0}, {0, -a}, {a, 0}, {0, 1e-5}, {a / 2, a}, {-a / 2, a}}, {{0, 1, 2}, {3, 4, 5}}));
+    State& s = led.run.state;
+    ContactPairList& list = s.contact_pairs;
+    led.lead({0, -2e-5});
+    ASSERT_EQ(list.chunks.size(), 1U);
+    ASSERT_EQ(list.active.count[0], 1);
+    const auto move = [&](double by) {
+        for (std::size_t i = 0; i < s.displacement.size(); ++i) {
+            const bool is_led = led.run.assemblage.surface.grain_of_node[i] == led.run.assemblage.surface.grain_of_node[led.node];
+            s.displacement[i].y += is_led ? by : 0;
+        }
+    };
+    move(2e-5);
+    move_active_contacts(led.run.assemblage, led.run.parameters, 0, s);
+    ASSERT_EQ(list.active.live[0], 0);
+    move(-2e-5);
+    detect_contacts(led.run.assemblage, led.run.parameters, 0, s);
+    ASSERT_EQ(list.active.count[0], 1);
+    EXPECT_EQ(list.active.changed[0], 1);
+    find_areas_of_new_contacts(led.run.assemblage, list);
+    EXPECT_GT(list.active.area[0], 0);
 }
 
 /// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it.
