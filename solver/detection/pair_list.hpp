@@ -10,14 +10,21 @@
 
 namespace graincrack {
 
+/// What follows from an update of the pair list.
+struct PairListUpdate {
+    /// With mass scaling: a node–edge contact begins or a contact is to be released. Mass scaling has to end, and the list is to
+    /// be updated again without it.
+    bool must_end_mass_scaling = false;
+    std::int64_t integrations_to_next = 0;  ///< steps, or substeps, to the next update; of no use if mass scaling must end
+};
+
 /// Updates the list between two steps: finds points that have debonded, releases contacts that have moved far, searches anew
-/// where that or the travel of the nodes since the last search makes it necessary, chooses the watched pairs, and sets the step
-/// of the next update (`next_check`). Serial; the result depends on the state only.
+/// where that or the travel of the nodes since the last search makes it necessary, and chooses the watched pairs. Serial; the
+/// result depends on the state only.
 ///
 /// With mass scaling there are no node–edge contacts: it changes nothing but the list.
-/// \param shortest least number of steps to the next update
-/// \return with mass scaling, whether a node–edge contact begins or a contact is to be released: mass scaling has to end, and the
-/// list is to be updated again without it
-bool update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest, State& state);
+/// \param shortest least number of integrations to the next update
+PairListUpdate update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, std::int64_t shortest,
+                                State& state);
 
 }  // namespace graincrack

@@ -22,7 +22,7 @@ std::size_t memory_of(const ActiveContacts& active) {
 std::size_t memory_of(const ContactPairList& list) {
     const auto& [debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, detection_interval, active,
                  friction, friction_before, node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch,
-                 displacement_at_search, wants_rebuild, travel_since_rebuild, occupied_area, next_check] = list;
+                 displacement_at_search, wants_rebuild, travel_since_rebuild, occupied_area, next_update] = list;
     return memory_of_all(debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, active, friction,
                          node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch, displacement_at_search,
                          occupied_area);

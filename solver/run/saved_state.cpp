@@ -114,7 +114,7 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("origin_step", s.origin_step);
     visit("origin_time", s.origin_time);
     visit("pair_friction_before", s.contact_pairs.friction_before);
-    visit("next_list_update", s.contact_pairs.next_check);
+    visit("next_list_update", s.contact_pairs.next_update);
     visit("wants_rebuild", s.contact_pairs.wants_rebuild);
     visit("travel_since_rebuild", s.contact_pairs.travel_since_rebuild);
     visit("detection_interval", s.contact_pairs.detection_interval);

@@ -167,7 +167,7 @@ void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const S
     });
 }
 
-void book_half_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
+void book_half_load_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
     if (!boundary.prescribed.empty()) {
         s.grain_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
     }

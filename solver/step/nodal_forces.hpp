@@ -28,6 +28,7 @@ void integrate_nodes(const Assemblage& assemblage, const Boundary& boundary, con
 
 /// Books the work of gravity and of loaded edges over half a step at the present velocities. A step books it
 /// before and after the integration, so that each force works over the mean of the displacements before and after it.
-void book_half_work(const Assemblage& assemblage, const Boundary& boundary, std::int32_t chunk, double time_step, State& state);
+void book_half_load_work(const Assemblage& assemblage, const Boundary& boundary, std::int32_t chunk, double time_step,
+                         State& state);
 
 }  // namespace graincrack

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
@@ -16,18 +17,21 @@ namespace graincrack {
 
 namespace {
 
-template <class Stage>
-void for_each_chunk(Range chunks, const Stage& stage) {
+template <class Act>
+void for_each_chunk(Range chunks, const Act& act) {
     for (std::int32_t chunk = chunks.begin; chunk < chunks.end; ++chunk) {
-        stage(chunk);
+        act(chunk);
     }
 }
 
 /// Whether the last detection found other active contacts than there were before.
 bool have_changed(const ContactPairList& list) {
-    const auto& changed = list.active.changed;
-    return std::any_of(changed.begin(), changed.begin() + static_cast<std::ptrdiff_t>(list.chunks.size()),
-                       [](std::uint8_t flag) { return flag != 0; });
+    for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {
+        if (list.active.changed[chunk] != 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// The steps of one thread of the team: its share of the chunks of grains, vertex clusters, contacts and candidate pairs, and the
@@ -48,21 +52,21 @@ public:
           contacts_(share_of(a.contact_chunks.size(), thread, team.size())),
           pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
 
-    /// A step of nodes that move with their own masses.
-    void advance(std::int64_t step, bool is_detection) {
+    /// A step of nodes that move with their own masses. The work of loads is booked at the old velocity, then at the new one.
+    void advance(std::int64_t step, bool detects_contacts) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
             integrate_nodes(a_, boundary_, parameters_, chunk, s_);
-            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
         });
         team_.wait();
         clock_.tick();
         for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
-        if (is_detection) {
+        if (detects_contacts) {
             for_each_chunk(pairs_, [&](std::int32_t chunk) { detect_contacts(a_, parameters_, chunk, s_); });
             team_.wait();
-            index_changed_contacts();
+            complete_detection();
         } else {
             for_each_chunk(pairs_, [&](std::int32_t chunk) { move_active_contacts(a_, parameters_, chunk, s_); });
             team_.wait();
@@ -72,7 +76,7 @@ public:
     void advance_scaled(std::int64_t step) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_work(a_, boundary_, chunk, parameters_.time_step, s_);
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
         });
         team_.wait();
         for_each_chunk(clusters_, [&](std::int32_t chunk) {
@@ -80,7 +84,8 @@ public:
             integrate_clusters(a_, parameters_, clock_.now(), chunk, s_);
         });
         team_.wait();
-        for_each_chunk(grains_, [&](std::int32_t chunk) { book_half_work(a_, boundary_, chunk, parameters_.time_step, s_); });
+        for_each_chunk(grains_,
+                       [&](std::int32_t chunk) { book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_); });
         clock_.tick();
         for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
         team_.wait();
@@ -92,9 +97,10 @@ public:
     [[nodiscard]] const LoadingClock& clock() const { return clock_; }
 
 private:
-    void index_changed_contacts() {
+    void complete_detection() {
         if (have_changed(s_.contact_pairs)) {
             if (is_first_) {
+                find_areas_of_new_contacts(a_, s_.contact_pairs);
                 index_node_forces(a_, s_.contact_pairs);
             }
             team_.wait();
@@ -111,12 +117,13 @@ private:
     Range grains_, clusters_, contacts_, pairs_;
 };
 
-/// The steps between two updates of the pair list, each of so many substeps, with a team of threads.
-void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   std::int64_t substeps, ThreadTeam& team, LoadingClock& clock, State& s) {
+/// The steps between two updates of the pair list, each of so many substeps, with a team of threads. Steps with detection follow
+/// from the number of integrations since the start, so that they are the same however the steps are divided into calls.
+void advance_between_updates(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters,
+                             std::int64_t n_steps, std::int64_t substeps, ThreadTeam& team, LoadingClock& clock, State& s) {
     const std::int64_t first_step = s.step + 1;
     const bool is_scaled = parameters.mass_scaling.is_on();
-    LoadingClock clock_at_end = clock;
+    LoadingClock clock_after = clock;  // each thread has a clock of its own; all end alike
     team.run([&](int thread) {
         ThreadSteps steps(a, boundary, parameters, clock, thread, team, s);
         for (std::int64_t k = 0; k < n_steps * substeps; ++k) {
@@ -128,27 +135,29 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
         }
         steps.store_contacts();
         if (thread == 0) {
-            clock_at_end = steps.clock();
+            clock_after = steps.clock();
         }
     });
-    clock = clock_at_end;
+    clock = clock_after;
     s.step += n_steps;
     s.integrations += n_steps * substeps;
     s.time = time_of(s, s.step, static_cast<double>(substeps) * parameters.time_step);
 }
 
 /// Ends mass scaling. Velocities stay, the added mass and its kinetic energy are removed, and from the next step on every step is
-/// made of substeps. The energy balance at a step includes half a step of work at the present velocities; this half is booked at
-/// its new, shorter length.
-void end_mass_scaling(const Assemblage& a, const Boundary& boundary, const StepParameters& whole,
-                      const StepParameters& of_substeps, const StepLoading& loading, State& s) {
+/// made of substeps.
+///
+/// A load works over half the displacement before it and half the one after it. The next substep books both halves with its own
+/// length Δt'; the displacement before it is that of a whole step Δt, so the difference, ½ (Δt − Δt') at the present velocities,
+/// is booked here. First, nodal forces are summed in the present displacements: loads and `drop_added_mass` need them.
+void end_mass_scaling(const Assemblage& a, const Boundary& boundary, const StepParameters& scaled, const StepParameters& substep,
+                      const StepLoading& loading, State& s) {
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.grain_chunks.size()); ++chunk) {
         sum_nodal_forces(a, boundary, loading, chunk, s);
-        book_half_work(a, boundary, chunk, whole.time_step - of_substeps.time_step, s);
+        book_half_load_work(a, boundary, chunk, scaled.time_step - substep.time_step, s);
     }
-    drop_added_mass(a, whole, loading, of_substeps.time_step, s);
+    drop_added_mass(a, scaled, loading, substep.time_step, s);
     s.subcycled = true;
-    s.contact_pairs.next_check = s.step;
 }
 
 }  // namespace
@@ -156,23 +165,25 @@ void end_mass_scaling(const Assemblage& a, const Boundary& boundary, const StepP
 void advance(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const IntervalLoading& loading,
              std::int64_t n_steps, ThreadTeam& team, State& s) {
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
-    const StepParameters of_substeps = parameters_of_substeps(parameters);
+    const StepParameters of_substep = parameters_of_substeps(parameters);
     if (s.subcycled) {
         clock.subcycle(parameters.substeps);
     }
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
-        const StepParameters& now = s.subcycled ? of_substeps : parameters;
+        const StepParameters& in_use = s.subcycled ? of_substep : parameters;
         const std::int64_t substeps = s.subcycled ? parameters.substeps : 1;
-        if (s.step >= s.contact_pairs.next_check) {
-            if (update_pair_list(a, now, substeps, s)) {
-                end_mass_scaling(a, boundary, parameters, of_substeps, clock.now(), s);
+        if (s.step >= s.contact_pairs.next_update) {
+            const PairListUpdate update = update_pair_list(a, in_use, substeps, s);
+            if (update.must_end_mass_scaling) {
+                end_mass_scaling(a, boundary, parameters, of_substep, clock.now(), s);
                 clock.subcycle(parameters.substeps);
-                continue;
+                continue;  // the list is updated again, now for substeps and with node–edge contacts
             }
-            s.contact_pairs.next_check = s.step + std::max<std::int64_t>(1, (s.contact_pairs.next_check - s.step) / substeps);
+            s.contact_pairs.next_update = s.step + std::max<std::int64_t>(1, update.integrations_to_next / substeps);
         }
-        advance_steps(a, boundary, now, std::min(end, s.contact_pairs.next_check) - s.step, substeps, team, clock, s);
+        advance_between_updates(a, boundary, in_use, std::min(end, s.contact_pairs.next_update) - s.step, substeps, team, clock,
+                                s);
     }
     s.loading = clock.now();
 }

@@ -37,9 +37,9 @@ void nodes(LoadedSpecimen& l) {
     StepParameters still = l.parameters;
     still.time_step = 0;  // as much work, and the state stays
     for_each_chunk(l.assemblage.grain_chunks.size(), [&](std::int32_t chunk) {
-        book_half_work(l.assemblage, l.boundary, chunk, 0, l.state);
+        book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
         integrate_nodes(l.assemblage, l.boundary, still, chunk, l.state);
-        book_half_work(l.assemblage, l.boundary, chunk, 0, l.state);
+        book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
     });
 }
 void clusters(LoadedSpecimen& l) {
