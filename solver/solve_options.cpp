@@ -77,8 +77,8 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
         throw UsageError("--rate-share: belongs to the automatic rate; give --rate auto, or leave it out");
     }
     loading.rate_share = raw.rate_share.value_or(loading.rate_share);
-    loading.rate_tolerance =
-        raw.rate_tolerance.value_or(loading.rate == RateKind::blocks ? default_rest_tolerance : default_rate_tolerance);
+    double& tolerance = loading.rate == RateKind::blocks ? loading.rest_tolerance : loading.rate_tolerance;
+    tolerance = raw.rate_tolerance.value_or(tolerance);
     loading.block_steps = raw.block_steps.value_or(loading.block_steps);
     if (loading.rate == RateKind::blocks) {
         loading.platen_speed = raw.block_speed.value_or(loading.platen_speed);

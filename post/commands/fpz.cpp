@@ -14,6 +14,16 @@ namespace graincrack {
 
 namespace {
 
+/// A fracture energy of a contact and what follows from it and the contact's tensile strength.
+struct ContactEnergy {
+    double fracture_energy;   ///< J/m²
+    double ultimate_opening;  ///< m
+    double zone_length;       ///< m
+};
+
+/// Mean edges that the paper can be read to mean, m: 4 mm by its text, 5.13 mm by its 1,122 grains in 80 mm × 160 mm.
+constexpr std::array<double, 2> mean_edges_of_paper{4.0e-3, 5.13e-3};
+
 /// Writes rows: quantity, plane, value, unit, equation.
 class FpzWriter {
 public:
@@ -23,11 +33,11 @@ public:
         table_.row({quantity, plane.empty() ? Cell() : Cell(plane), value, unit, equation});
     }
     /// A fracture energy with what follows from it and the contact's tensile strength.
-    void energy(const std::string& name, const std::string& plane, double energy, double zone, double ultimate,
-                const std::string& equation) {
-        row(name + "_fracture_energy", plane, energy, "J/m2", equation);
-        row(name + "_ultimate_opening", plane, ultimate * 1e3, "mm", "14");
-        row(name + "_contact_zone_length", plane, zone * 1e3, "mm", "16 with the contact's strength: (9 pi/32) E~ Gf/tc^2");
+    void energy(const std::string& name, const std::string& plane, const ContactEnergy& of, const std::string& equation) {
+        row(name + "_fracture_energy", plane, of.fracture_energy, "J/m2", equation);
+        row(name + "_ultimate_opening", plane, of.ultimate_opening * 1e3, "mm", "14");
+        row(name + "_contact_zone_length", plane, of.zone_length * 1e3, "mm",
+            "16 with the contact's strength: (9 pi/32) E~ Gf/tc^2");
     }
 
 private:
@@ -51,8 +61,11 @@ void write_plane(FpzWriter& table, const Material& material, PlaneCondition cond
     table.row("critical_opening", plane, critical_opening * 1e3, "mm", "8");
     table.row("critical_sliding", plane, fpz::critical_displacement(contact.cohesion, ks) * 1e3, "mm", "11");
     const auto energy = [&](const std::string& name, double value, const std::string& equation) {
-        table.energy(name, plane, value, fpz::contact_zone_length(rock, condition, value, contact.tensile_strength),
-                     fpz::ultimate_displacement(value, contact.tensile_strength, critical_opening), equation);
+        table.energy(name, plane,
+                     {.fracture_energy = value,
+                      .ultimate_opening = fpz::ultimate_displacement(value, contact.tensile_strength, critical_opening),
+                      .zone_length = fpz::contact_zone_length(rock, condition, value, contact.tensile_strength)},
+                     equation);
     };
     energy("mixed_mode", fpz::mixed_mode_fracture_energy(rock, condition), "32");
     energy("mode_i", fpz::mode_i_fracture_energy(rock, condition), "32 with K_IC alone");
@@ -80,10 +93,9 @@ void write_lennard_jones(FpzWriter& table, const Rock& rock) {
 
 /// Appendix 2: strengths of contact and rock, for the two values of the mean edge that the paper can be read to mean.
 void write_macro_micro(FpzWriter& table, const Material& material) {
-    constexpr std::array<double, 2> edges{4.0e-3, 5.13e-3};
     const Rock& rock = material.rock;
     const double tc = material.contact.tensile_strength;
-    for (double edge : edges) {
+    for (const double edge : mean_edges_of_paper) {
         const std::string suffix = fmt::format("({:.4g} mm)", edge * 1e3);
         const double force = rock.mode_i_toughness * std::sqrt(edge / std::numbers::pi);
         const double strength = fpz::contact_tensile_strength_from_toughness(rock.mode_i_toughness, edge);

@@ -31,14 +31,19 @@ void write_probe(std::ostream& out, const RunReader& run, const std::string& nam
     }
 }
 
-/// stage, begin_s, end_s, ended_by: a row a stage. \throws InputError for a run of another test than a loading program
+/// stage, begin_s, end_s, ended_by: a row a stage. \throws InputError for a run that does not record its stages, as all but those
+/// of loading programs, or whose records differ in number
 void write_stages(std::ostream& out, const RunReader& run, TableFormat format) {
     const std::string group = schema::program_group;
-    if (!run.file().has(group)) throw InputError(run.name() + ": has no stages; a run of `graincrack-solve program` has");
+    if (!run.file().has(group))
+        throw InputError(run.name() + ": stages are recorded only for runs of `graincrack-solve program`");
     const auto names = run.file().attribute<std::vector<std::string>>(group, "stages");
     const auto ended_by = run.file().attribute<std::vector<std::string>>(group, "ended_by");
     const auto begin = run.file().read<double>(group + "/begin");
     const auto end = run.file().read<double>(group + "/end");
+    if (names.size() != begin.size() || ended_by.size() != begin.size() || end.size() != begin.size()) {
+        throw InputError(run.name() + ": names, times and ends of the stages differ in number");
+    }
     TableWriter table(out, {"stage", "begin_s", "end_s", "ended_by"}, format);
     for (std::size_t i = 0; i < begin.size(); ++i) table.row({names[i], begin[i], end[i], ended_by[i]});
 }

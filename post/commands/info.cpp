@@ -19,27 +19,37 @@ void line(std::ostream& out, const std::string& key, const std::string& value) {
     out << fmt::format("  {:<24} {}\n", key, value);
 }
 
+/// An integer attribute, "unknown" if it is missing.
+void write_integer(std::ostream& out, const H5Input& file, const char* group, const char* name) {
+    line(out, name, file.has_attribute(group, name) ? std::to_string(file.attribute<std::int64_t>(group, name)) : "unknown");
+}
+
+/// How many rows a dataset has, 0 if it is missing.
+std::string rows_of(const H5Input& file, const std::string& path) {
+    return std::to_string(file.has(path) ? file.extents(path).at(0) : 0);
+}
+
 void write_counts(std::ostream& out, const H5Input& file) {
-    const auto rows = [&](const char* path) { return file.has(path) ? std::to_string(file.extents(path).at(0)) : "0"; };
-    line(out, "grains", rows(schema::grain_phase.path));
-    line(out, "elements", rows(schema::element_nodes.path));
-    line(out, "nodes", rows(schema::node_position.path));
-    line(out, "contacts", rows(schema::contact_nodes.path));
-    line(out, "boundary_edges", rows(schema::boundary_edges.path));
+    line(out, "grains", rows_of(file, schema::grain_phase.path));
+    line(out, "elements", rows_of(file, schema::element_nodes.path));
+    line(out, "nodes", rows_of(file, schema::node_position.path));
+    line(out, "contacts", rows_of(file, schema::contact_nodes.path));
+    line(out, "boundary_edges", rows_of(file, schema::boundary_edges.path));
 }
 
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
     const char* group = schema::specimen_group;
     const auto length = [&](const char* name) {
-        if (file.has_attribute(group, name))
+        if (file.has_attribute(group, name)) {
             line(out, name, format_quantity(file.attribute<double>(group, name), Dimension::length));
+        }
     };
     line(out, "shape", file.attribute_or<std::string>(group, "shape", "unknown"));
     length("width");
     length("height");
     length("mean_edge");
     line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
-    line(out, "seed", std::to_string(file.attribute_or<std::int64_t>(group, "seed", 0)));
+    write_integer(out, file, group, "seed");
     write_counts(out, file);
 }
 
@@ -52,7 +62,6 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     const auto number = [&](const char* name, Dimension dimension) {
         if (file.has_attribute(group, name)) line(out, name, format_quantity(file.attribute<double>(group, name), dimension));
     };
-    const auto rows = [&](const std::string& path) { return std::to_string(file.has(path) ? file.extents(path).at(0) : 0); };
     for (const char* name : {"test", "plane", "material", "contact_law", "coupling", "fracture_energy_choice"}) word(name);
     number("fracture_energy", Dimension::fracture_energy);
     number("contact_tensile_strength", Dimension::stress);
@@ -62,11 +71,11 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     word("rate");
     number("platen_speed", Dimension::speed);
     number("time_step", Dimension::time);
-    line(out, "steps", std::to_string(file.attribute_or<std::int64_t>(group, "steps", 0)));
+    write_integer(out, file, group, "steps");
     word("stop_reason");
-    line(out, "history_rows", rows(std::string(schema::history_group) + "/time"));
+    line(out, "history_rows", rows_of(file, std::string(schema::history_group) + "/time"));
     line(out, "frames", std::to_string(file.has(schema::frames_group) ? file.children(schema::frames_group).size() : 0));
-    line(out, "failed_contact_points", rows(schema::crack_time.path));
+    line(out, "failed_contact_points", rows_of(file, schema::crack_time.path));
 }
 
 void write_datasets(std::ostream& out, const H5Input& file) {

@@ -18,7 +18,8 @@ Command size_effect_command() {
             add_strain_limit_runs(app, options.strain_limit_runs);
         },
         [](const Options& options, const Call& call) {
-            write_size_effect_table(call.out, read_runs(call.files), options.format, options.strain_limit_runs);
+            write_size_effect_table(call.out, read_runs(call.files), options.format, options.strain_limit_runs,
+                                    call.diagnostics());
         });
 }
 

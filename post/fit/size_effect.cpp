@@ -1,6 +1,6 @@
 #include "post/fit/size_effect.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,8 +108,17 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLi
 }
 
 void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
-                             StrainLimitRuns strain_limit_runs) {
+                             StrainLimitRuns strain_limit_runs, std::ostream& diagnostics) {
     const std::vector<SizeSeries> all = collect_sizes(runs, strain_limit_runs);
+    std::size_t at_strain_limit = 0;
+    for (const SizeSeries& s : all) at_strain_limit += s.at_strain_limit;
+    if (at_strain_limit > 0) {
+        fmt::print(
+            diagnostics,
+            "graincrack-post: size-effect: {} of {} runs were stopped at the strain limit; their largest stress stands for a "
+            "peak, so the exponent depends on that limit\n",
+            at_strain_limit, runs.size());
+    }
     TableWriter table(out, columns, format);
     for (const SizeSeries& s : all) {
         write_row(table, s, "log-log", fit_power_law_log(s.edge, s.strength));

@@ -43,8 +43,9 @@ inline constexpr double min_edge_ratio = 1.2;
 /// \throws InputError for runs of different materials, without a peak, or of unknown mean edge, or for a series of one size
 std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs);
 
-/// Two rows a series: log-log and non-linear.
+/// Two rows a series: log-log and non-linear. If the largest stress of some runs stands for a peak, a line on `diagnostics`
+/// reports it.
 void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
-                             StrainLimitRuns strain_limit_runs);
+                             StrainLimitRuns strain_limit_runs, std::ostream& diagnostics);
 
 }  // namespace graincrack

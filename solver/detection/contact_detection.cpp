@@ -1,7 +1,6 @@
 #include "solver/detection/contact_detection.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,24 +11,35 @@
 namespace graincrack {
 namespace {
 
-using namespace detection_rule;
-
-/// Over the mean edge: a node less far behind a bonded edge is in the bond, not in the grain.
+/// Distance behind a bonded edge, in mean edge lengths, up to which a node counts as in the bond and not in the grain. Larger,
+/// and nodes slip farther in along a bond before a contact stops them; smaller, and nodes that only lie in the bond begin
+/// contacts with the grains at either side of it.
 constexpr double bond_width = 3e-3;
-/// Least area of a contact where many meet, over the tributary area of its node.
+/// Area of a new contact until it is found.
+constexpr double area_not_found = 0;
+/// Least area of a new contact, over the tributary area of its node. It goes beyond the available area: a node that may not press
+/// at all would not be kept out. Each such contact exceeds the limit by at most this share.
 constexpr double min_area = 0.1;
-/// Cosine of the angle between two normals above which two edges are of one surface.
-constexpr double aligned = 0.5;
-/// Sine of a turn of the surface beyond which its two edges are two faces.
-constexpr double corner = 0.05;
+/// Cosine of the angle between the normals of two edges above which they are of one surface: turned by less than 60°, edges push
+/// a node the same way, and one contact is enough.
+constexpr double cos_same_surface = 0.5;
+/// Sine of the angle by which the outline of a grain turns between two edges beyond which there is a corner with two faces.
+/// Less (3°) is the unevenness of one face, along which a contact is transferred at the ends of the edges only.
+constexpr double sin_corner = 0.05;
+
+/// Memory of a thread, kept from chunk to chunk.
+struct Scratch {
+    PairGeometries geometry;           ///< of the chunk's watched pairs
+    std::vector<std::int32_t> active;  ///< of the pairs of a node, those in contact
+};
 
 /// Data of detection in a chunk of watched pairs.
-struct Chunk {
+struct ChunkData {
     const Assemblage& assemblage;
     const StepParameters& parameters;
     State& state;
-    PairGeometries& geometry;  ///< by place among the chunk's watched pairs
-    std::int32_t index;
+    Scratch& scratch;
+    std::int32_t chunk;
     double friction = 0;
 };
 
@@ -42,61 +52,69 @@ void prefetch(const ContactPairList& list, Range watched) {
     }
 }
 
-/// The watched pairs of one node.
-struct Group {
-    Chunk& chunk;
-    Range watched;
-    std::int32_t origin;  ///< first watched pair of the chunk
+/// The watched pairs of one node, `i` from 0 to `size()`.
+struct NodePairs {
+    ChunkData& data;
+    Range in_watched;          ///< where they are in `ContactPairList::watched`
+    std::int32_t chunk_begin;  ///< where the pairs of the chunk begin there
 
-    [[nodiscard]] std::int32_t size() const { return watched.size(); }
-    [[nodiscard]] std::int32_t at(std::int32_t i) const { return watched.begin - origin + i; }
-    [[nodiscard]] std::int32_t pair(std::int32_t i) const { return chunk.state.contact_pairs.watched[watched.begin + i]; }
-    [[nodiscard]] std::int32_t edge_index(std::int32_t i) const { return chunk.state.contact_pairs.pairs[pair(i)].edge; }
-    [[nodiscard]] const SurfaceEdge& edge(std::int32_t i) const { return chunk.assemblage.surface.edges[edge_index(i)]; }
-    [[nodiscard]] NodeEdgeContact& contact(std::int32_t i) const { return chunk.state.contact_pairs.contacts[pair(i)]; }
-    [[nodiscard]] Vector2* forces(std::int32_t i) const {
-        return &chunk.state.contact_pairs.forces[3 * static_cast<std::size_t>(pair(i))];
+    [[nodiscard]] std::int32_t size() const { return in_watched.size(); }
+    [[nodiscard]] std::int32_t index_in_chunk(std::int32_t i) const { return in_watched.begin - chunk_begin + i; }
+    [[nodiscard]] std::int32_t index_in_list(std::int32_t i) const {
+        return data.state.contact_pairs.watched[in_watched.begin + i];
     }
-    [[nodiscard]] std::int32_t node() const { return chunk.state.contact_pairs.pairs[pair(0)].node; }
-    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return chunk.geometry[at(i)]; }
-    [[nodiscard]] double depth(std::int32_t i) const { return chunk.geometry.depth(at(i)); }
+    [[nodiscard]] const CandidatePair& pair(std::int32_t i) const { return data.state.contact_pairs.pairs[index_in_list(i)]; }
+    [[nodiscard]] const SurfaceEdge& edge(std::int32_t i) const { return data.assemblage.surface.edges[pair(i).edge]; }
+    [[nodiscard]] NodeEdgeContact& contact(std::int32_t i) const { return data.state.contact_pairs.contacts[index_in_list(i)]; }
+    [[nodiscard]] Vector2* forces(std::int32_t i) const {
+        return &data.state.contact_pairs.forces[3 * static_cast<std::size_t>(index_in_list(i))];
+    }
+    [[nodiscard]] std::int32_t node() const { return pair(0).node; }
+    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return data.scratch.geometry[index_in_chunk(i)]; }
+    [[nodiscard]] double depth(std::int32_t i) const { return data.scratch.geometry.depth(index_in_chunk(i)); }
 };
 
-bool is_over(const PairGeometry& g, double beyond) { return g.place >= -beyond && g.place <= 1 + beyond; }
+/// Whether a node is over an edge lengthened by `extension` (of its length) at either end.
+bool is_over(const PairGeometry& g, double extension) { return g.place >= -extension && g.place <= 1 + extension; }
+
+/// Whether the outline of a grain has a convex corner between an edge and the next one, or the previous one.
+bool is_convex_corner(const Vector2& tangent, const Vector2& neighbour_tangent, bool neighbour_is_next) {
+    const double turn = tangent.x * neighbour_tangent.y - tangent.y * neighbour_tangent.x;
+    return neighbour_is_next ? turn > sin_corner : turn < -sin_corner;
+}
 
 /// Of the two edges next to edge `i` around a convex corner of the grain, the one to whose face the node is nearest, if nearer
 /// than `depth` (m); −1 if there is none among the watched pairs.
-std::int32_t nearer_face(const Group& group, std::int32_t i, double depth) {
-    const SurfaceEdge& edge = group.edge(i);
-    const Vector2 t = group.geometry(i).tangent;
+std::int32_t nearer_face(const NodePairs& pairs, std::int32_t i, double depth) {
+    const SurfaceEdge& edge = pairs.edge(i);
+    const Vector2 tangent = pairs.geometry(i).tangent;
     std::int32_t found = -1;
-    for (std::int32_t k = 0; k < group.size(); ++k) {
-        const std::int32_t index = group.edge_index(k);
-        if (index != edge.previous && index != edge.next) {
+    for (std::int32_t k = 0; k < pairs.size(); ++k) {
+        const std::int32_t neighbour = pairs.pair(k).edge;
+        if (neighbour != edge.previous && neighbour != edge.next) {
             continue;
         }
-        const Vector2 other = group.geometry(k).tangent;
-        const double turn = t.x * other.y - t.y * other.x;
-        const bool convex = index == edge.next ? turn > corner : turn < -corner;
-        if (convex && !group.contact(k).active && group.depth(k) < depth) {
-            depth = group.depth(k);
+        if (is_convex_corner(tangent, pairs.geometry(k).tangent, neighbour == edge.next) && !pairs.contact(k).active &&
+            pairs.depth(k) < depth) {
+            depth = pairs.depth(k);
             found = k;
         }
     }
     return found;
 }
 
-/// The edge on which the contact of a node that has left edge `i` at its end continues: the one of the same surface whose depth
-/// differs least; −1 for none.
-std::int32_t next_edge(const Group& group, std::int32_t i) {
-    const PairGeometry from = group.geometry(i);
-    double nearest = slack / from.inv_length;
+/// The edge on which the contact of a node that has left edge `i` at its end continues: the one of the same surface, of whatever
+/// grain, whose depth differs least, and by no more than the edge was followed beyond its end; −1 for none.
+std::int32_t next_edge(const NodePairs& pairs, std::int32_t i) {
+    const PairGeometry from = pairs.geometry(i);
+    double min_change = detection_rule::end_tolerance / from.inv_length;
     std::int32_t found = -1;
-    for (std::int32_t k = 0; k < group.size(); ++k) {
-        const PairGeometry g = group.geometry(k);
-        const double step = std::abs(g.depth - from.depth);
-        if (k != i && !group.contact(k).active && is_over(g, slack) && dot(g.normal, from.normal) > aligned && step < nearest) {
-            nearest = step;
+    for (std::int32_t k = 0; k < pairs.size(); ++k) {
+        const PairGeometry to = pairs.geometry(k);
+        const double depth_change = std::abs(to.depth - from.depth);
+        if (k != i && !pairs.contact(k).active && is_over(to, detection_rule::end_tolerance) &&
+            dot(to.normal, from.normal) > cos_same_surface && depth_change < min_change) {
+            min_change = depth_change;
             found = k;
         }
     }
@@ -104,115 +122,100 @@ std::int32_t next_edge(const Group& group, std::int32_t i) {
 }
 
 /// Removes a contact and its forces.
-void clear(Group& group, std::int32_t i) {
-    group.contact(i) = NodeEdgeContact{};
-    std::fill_n(group.forces(i), 3, Vector2{});
+void clear(NodePairs& pairs, std::int32_t i) {
+    pairs.contact(i) = NodeEdgeContact{};
+    std::fill_n(pairs.forces(i), 3, Vector2{});
 }
 
 /// Ends a contact as its node slips off; the energy of its springs is lost and booked as friction.
-void end_contact(Group& group, std::int32_t i) {
-    group.chunk.friction += node_edge_energy(group.chunk.parameters.law, group.contact(i));
-    clear(group, i);
+void end_contact(NodePairs& pairs, std::int32_t i) {
+    pairs.data.friction += node_edge_energy(pairs.data.parameters.law, pairs.contact(i));
+    clear(pairs, i);
 }
 
-/// Transfers a contact to edge `to` with its force and energy.
-void transfer_to_adjacent_edge(Group& group, std::int32_t from, std::int32_t to) {
-    NodeEdgeContact contact = group.contact(from);
-    contact.initial_overlap = group.depth(to) - contact.overlap;
-    group.contact(to) = contact;
-    clear(group, from);
+/// Transfers a contact to edge `to`, of the same grain or another. Overlap and elastic slip stay, and with them its energy and
+/// the magnitudes of its forces; their directions are those of the new edge from now on.
+void transfer_contact(NodePairs& pairs, std::int32_t from, std::int32_t to) {
+    NodeEdgeContact contact = pairs.contact(from);
+    contact.initial_overlap = pairs.depth(to) - contact.overlap;
+    pairs.contact(to) = contact;
+    clear(pairs, from);
 }
 
 /// The edge on which contact `i` continues; −1 if it ends.
-std::int32_t continue_contact(Group& group, std::int32_t i) {
-    std::int32_t on = i;
-    if (const std::int32_t face = nearer_face(group, i, group.depth(i) - group.contact(i).initial_overlap); face >= 0) {
-        on = group.depth(face) > 0 ? face : -1;
-    } else if (!is_over(group.geometry(i), slack)) {
-        on = next_edge(group, i);
+///
+/// Near a convex corner the nearer face carries the contact. For the contact, the surface of the grain lies the initial overlap
+/// behind its edge, as there it bears no force; a face without a contact lies where it is. So the overlap with the one is
+/// compared with the depth behind the other. A node that is not behind the other face is outside the grain, and its contact ends.
+std::int32_t continue_contact(NodePairs& pairs, std::int32_t i) {
+    std::int32_t to = i;
+    const double overlap = pairs.depth(i) - pairs.contact(i).initial_overlap;
+    if (const std::int32_t face = nearer_face(pairs, i, overlap); face >= 0) {
+        to = pairs.depth(face) > 0 ? face : -1;
+    } else if (!is_over(pairs.geometry(i), detection_rule::end_tolerance)) {
+        to = next_edge(pairs, i);
     }
-    if (on < 0) {
-        end_contact(group, i);
-    } else if (on != i) {
-        transfer_to_adjacent_edge(group, i, on);
+    if (to < 0) {
+        end_contact(pairs, i);
+    } else if (to != i) {
+        transfer_contact(pairs, i, to);
     }
-    return on;
+    return to;
 }
 
-/// Decides how the contacts of a node continue; those that do become active.
-void continue_contacts(Group& group) {
-    std::array<std::int32_t, 16> active{};
-    std::size_t count = 0;
-    for (std::int32_t i = 0; i < group.size(); ++i) {
-        NodeEdgeContact& contact = group.contact(i);
-        if (contact.active && count < active.size()) {
-            active[count++] = i;
-        } else if (!contact.active && contact.release_correction != 0) {
-            clear(group, i);
+void append_active(NodePairs& pairs, std::int32_t i) {
+    append_active(pairs.data.assemblage.surface, pairs.data.chunk, pairs.index_in_list(i), pairs.data.state.contact_pairs);
+}
+
+/// Decides how the contacts of a node continue; those that do become active. Those of before are noted first, as one that is
+/// transferred to a later pair must not be treated twice.
+void continue_contacts(NodePairs& pairs) {
+    std::vector<std::int32_t>& active = pairs.data.scratch.active;
+    active.clear();
+    for (std::int32_t i = 0; i < pairs.size(); ++i) {
+        if (const NodeEdgeContact& contact = pairs.contact(i); contact.active) {
+            active.push_back(i);
+        } else if (contact.release_correction != 0) {
+            clear(pairs, i);
         }
     }
-    for (std::size_t k = 0; k < count; ++k) {
-        if (const std::int32_t on = continue_contact(group, active[k]); on >= 0) {
-            append_active(group.chunk.assemblage.surface, group.chunk.index, group.pair(on), group.chunk.state.contact_pairs);
+    for (const std::int32_t i : active) {
+        if (const std::int32_t to = continue_contact(pairs, i); to >= 0) {
+            append_active(pairs, to);
         }
     }
 }
 
-/// The area that is still available at a node: that of its bonds at the start, for which the stable step was found, less the area
-/// that its bonds and node–edge contacts occupy now. Without this limit many corners at one end of an edge would be stiffer
-/// together than any bond was.
-double available_area(const GrainSurface& surface, const std::vector<ContactGeometry>& contacts, const ContactPairList& list,
-                      std::int32_t node) {
-    double area = 2 * surface.tributary[node] - list.occupied_area[node];
-    for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
-        const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
-        area -= contact >= 0 && list.released[contact] == 0 ? contacts[contact].point_area : 0.0;
-    }
-    return area;
-}
-
-/// Area of a new contact: the tributary area of the node, or less where other contacts already occupy the node or the end of the
-/// edge.
-double area_of(const Group& group, std::int32_t i) {
-    const Assemblage& a = group.chunk.assemblage;
-    const auto available = [&](std::int32_t node) {
-        return available_area(a.surface, a.contacts, group.chunk.state.contact_pairs, node);
-    };
-    const double tributary = a.surface.tributary[group.node()];
-    const std::int32_t end = group.edge(i).nodes[group.geometry(i).place < 0.5 ? 0 : 1];
-    const double of_bonds = std::clamp(std::min(available(group.node()), available(end)), min_area * tributary, tributary);
-    const Chunk& chunk = group.chunk;
-    const ContactPairList& list = chunk.state.contact_pairs;
-    return std::min(of_bonds, stable_area(a, chunk.parameters, list, list.pairs[group.pair(i)], group.geometry(i).place));
-}
-
-/// Whether a contact may begin: the node is inside the grain, came in through this edge, and has no other contact with this grain
-/// or with the same surface.
-bool may_begin(const Group& group, std::int32_t i) {
-    const PairGeometry g = group.geometry(i);
-    if (group.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {
+/// Whether a contact may begin: the node is behind the edge and over it but for its corner zones, belongs to this edge and not to
+/// a neighbouring face, and has no other contact with this grain or with the same surface. A node deep inside the grain is kept
+/// out even in a corner zone, and even where it has a contact with the same surface of another grain.
+bool may_begin(const NodePairs& pairs, std::int32_t i) {
+    const PairGeometry g = pairs.geometry(i);
+    if (pairs.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {
         return false;
     }
-    const bool is_deep = g.depth > deep * group.chunk.assemblage.surface.mean_length;
-    if (!is_deep && !is_over(g, -corner_zone)) {
+    const bool is_deep = g.depth > detection_rule::deep_node_depth * pairs.data.assemblage.surface.mean_length;
+    if (!is_deep && !is_over(g, -detection_rule::corner_zone)) {
         return false;
     }
-    for (std::int32_t k = 0; k < group.size(); ++k) {
-        if (group.contact(k).active &&
-            (group.edge(k).grain == group.edge(i).grain || (!is_deep && dot(group.geometry(k).normal, g.normal) > aligned))) {
+    for (std::int32_t k = 0; k < pairs.size(); ++k) {
+        if (pairs.contact(k).active && (pairs.edge(k).grain == pairs.edge(i).grain ||
+                                        (!is_deep && dot(pairs.geometry(k).normal, g.normal) > cos_same_surface))) {
             return false;
         }
     }
-    return !came_through_neighbour(group.chunk.assemblage, group.chunk.state,
-                                   group.chunk.state.contact_pairs.pairs[group.pair(i)], g, 0);
+    constexpr double margin = 0;
+    return !belongs_to_neighbour(pairs.data.assemblage, pairs.data.state, pairs.pair(i), g, margin);
 }
 
-void begin_contacts(Group& group) {
-    for (std::int32_t i = 0; i < group.size(); ++i) {
-        if (may_begin(group, i)) {
-            const PairGeometry g = group.geometry(i);
-            group.contact(i) = {true, g.place < 0.5, area_of(group, i), g.depth, 0, 0, 0};
-            append_active(group.chunk.assemblage.surface, group.chunk.index, group.pair(i), group.chunk.state.contact_pairs);
+/// Begins contacts; their areas are found when all chunks are done (`find_areas_of_new_contacts`).
+void begin_contacts(NodePairs& pairs) {
+    for (std::int32_t i = 0; i < pairs.size(); ++i) {
+        if (may_begin(pairs, i)) {
+            const PairGeometry g = pairs.geometry(i);
+            pairs.contact(i) = {.active = true, .near_first = g.place < 0.5, .area = area_not_found, .initial_overlap = g.depth};
+            append_active(pairs, i);
+            pairs.data.state.contact_pairs.active.changed[pairs.data.chunk] = 1;  // even where one of the same pair has ended
         }
     }
 }
@@ -226,53 +229,106 @@ bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, c
     return std::find(nodes.begin(), nodes.end(), node) == nodes.end();
 }
 
+/// Half of the two outline edges of a node (1 m thick), less the points of its contacts that have not been released and what
+/// node–edge contacts occupy.
+double available_area(const Assemblage& a, const ContactPairList& list, std::int32_t node) {
+    const GrainSurface& surface = a.surface;
+    double area = 2 * surface.tributary[node] - list.occupied_area[node];
+    for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
+        const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
+        area -= contact >= 0 && list.released[contact] == 0 ? a.contacts[contact].point_area : 0.0;
+    }
+    return area;
+}
+
+/// Calls `visit` with the index of each active contact that has not ended and the two nodes whose area it occupies: its own, and
+/// the nearer end of its edge.
+template <class Visit>
+void for_occupied(const ContactPairList& list, Visit&& visit) {
+    list.for_active([&](std::int32_t i) {
+        if (list.active.live[i] != 0) {
+            const auto& [node, first, second] = list.active.nodes[i];
+            visit(i, node, list.active.place[i] < 0.5 ? first : second);
+        }
+    });
+}
+
 }  // namespace
 
-bool came_through_neighbour(const Assemblage& a, const State& s, const CandidatePair& pair, const PairGeometry& g,
-                            double margin) {
+bool belongs_to_neighbour(const Assemblage& a, const State& s, const CandidatePair& pair, const PairGeometry& g, double margin) {
     const SurfaceEdge& edge = a.surface.edges[pair.edge];
-    for (const std::int32_t index : {edge.previous, edge.next}) {
-        if (index < 0) {
+    for (const std::int32_t neighbour : {edge.previous, edge.next}) {
+        if (neighbour < 0) {
             continue;
         }
-        const SurfaceEdge& neighbour = a.surface.edges[index];
-        const PairGeometry other = pair_geometry(a, s, CandidatePair{pair.node, index});
-        const double turn = g.tangent.x * other.tangent.y - g.tangent.y * other.tangent.x;
-        const bool convex = index == edge.next ? turn > corner : turn < -corner;
-        const double front =
-            is_between_others(a, s, pair.node, neighbour) ? std::min(g.depth, bond_width * a.surface.mean_length) : g.depth;
-        if (convex && other.depth < front - margin) {
+        const PairGeometry other = pair_geometry(a, s, CandidatePair{pair.node, neighbour});
+        const double limit = is_between_others(a, s, pair.node, a.surface.edges[neighbour])
+                                 ? std::min(g.depth, bond_width * a.surface.mean_length)
+                                 : g.depth;
+        if (is_convex_corner(g.tangent, other.tangent, neighbour == edge.next) && other.depth < limit - margin) {
             return true;
         }
     }
     return false;
 }
 
-void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t index, State& s) {
+void find_occupied_area(const Assemblage& a, ContactPairList& list) {
+    list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
+    for_occupied(list, [&list](std::int32_t i, std::int32_t node, std::int32_t end) {
+        list.occupied_area[node] += list.active.area[i];
+        list.occupied_area[end] += list.active.area[i];
+    });
+}
+
+void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
-    const Range groups = list.chunks[index];
-    const std::int32_t origin = list.first_watched(index);
-    const std::int32_t count = list.watched_groups[groups.end - 1].end - origin;
-    prefetch(list, {origin, origin + count});
-    store_active(index, list);
-    static thread_local PairGeometries geometry;
-    Chunk chunk{a, parameters, s, geometry, index};
-    geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[origin + i]; });
-    const auto for_groups = [&](auto&& act) {
+    bool has_new = false;
+    for_occupied(list, [&](std::int32_t i, std::int32_t /*node*/, std::int32_t /*end*/) {
+        has_new = has_new || list.active.area[i] == area_not_found;
+    });
+    if (!has_new) {
+        return;
+    }
+    find_occupied_area(a, list);
+    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
+        if (list.active.area[i] != area_not_found) {
+            return;
+        }
+        const double tributary = a.surface.tributary[node];
+        const double available = std::min(available_area(a, list, node), available_area(a, list, end));
+        const double of_bonds = std::clamp(available, min_area * tributary, tributary);
+        const double area = take_stable_area(a, parameters, list.pairs[list.active.pair[i]], of_bonds, s);
+        list.active.area[i] = list.contacts[list.active.pair[i]].area = area;
+        list.occupied_area[node] += area;
+        list.occupied_area[end] += area;
+    });
+}
+
+void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {
+    ContactPairList& list = s.contact_pairs;
+    const Range groups = list.chunks[chunk];
+    const std::int32_t begin = list.first_watched(chunk);
+    const std::int32_t count = list.watched_groups[groups.end - 1].end - begin;
+    prefetch(list, {begin, begin + count});
+    store_active(chunk, list);  // what continues is decided in the list
+    static thread_local Scratch scratch;
+    ChunkData data{a, parameters, s, scratch, chunk};
+    scratch.geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[begin + i]; });
+    const auto for_nodes = [&](auto&& act) {
         for (std::int32_t i = groups.begin; i < groups.end; ++i) {
-            Group group{chunk, list.watched_groups[i], origin};
-            act(group);
+            NodePairs pairs{data, list.watched_groups[i], begin};
+            act(pairs);
         }
     };
-    const std::int32_t before = list.active.count[index];
-    list.active.count[index] = 0;
-    list.active.changed[index] = 0;
-    for_groups(continue_contacts);
-    move_active_contacts(a, parameters, index, s);
-    store_active(index, list);
-    for_groups(begin_contacts);
-    list.active.changed[index] = list.active.changed[index] != 0 || list.active.count[index] != before ? 1 : 0;
-    list.friction[index] += chunk.friction;
+    const std::int32_t count_before = list.active.count[chunk];
+    list.active.count[chunk] = 0;
+    list.active.changed[chunk] = 0;
+    for_nodes(continue_contacts);
+    move_active_contacts(a, parameters, chunk, s);
+    store_active(chunk, list);  // a contact that has just ended is no obstacle to a new one
+    for_nodes(begin_contacts);  // after the move: a new contact begins without a force at the present displacements
+    list.active.changed[chunk] = list.active.changed[chunk] != 0 || list.active.count[chunk] != count_before ? 1 : 0;
+    list.friction[chunk] += data.friction;
 }
 
 }  // namespace graincrack

@@ -25,7 +25,7 @@ inline PairGeometry pair_geometry(const Assemblage& a, const State& s, const Can
 class PairGeometries {
 public:
     /// Finds the geometry of `count` pairs in the present displacements.
-    /// \param pair_at (i): the pair's place in the list
+    /// \param pair_at (i): the pair's index in the list
     template <class PairAt>
     void find(const Assemblage& a, const State& s, std::int32_t count, PairAt&& pair_at) {
         make_room(static_cast<std::size_t>(count));

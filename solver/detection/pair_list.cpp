@@ -135,7 +135,7 @@ double distance_along(const PairGeometry& g, double inset) {
 /// How far a node has to move to where a node–edge contact may begin, m; 0 or less there.
 double travel_to_begin(const PairGeometry& g, double mean_length) {
     return std::min(std::max(-g.depth, distance_along(g, detection_rule::corner_zone)),
-                    std::max(detection_rule::deep * mean_length - g.depth, distance_along(g, 0)));
+                    std::max(detection_rule::deep_node_depth * mean_length - g.depth, distance_along(g, 0)));
 }
 
 /// Decides which pairs of a node are watched until the next update.
@@ -204,13 +204,13 @@ private:
     [[nodiscard]] bool may_be_in_contact(std::int32_t pair, const PairGeometry& g) const {
         const double near = reach(pair);
         if (travel_to_begin(g, assemblage_.surface.mean_length) < near &&
-            !came_through_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
+            !belongs_to_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
             return true;
         }
         if (active_.empty()) {
             return false;
         }
-        const double margin = near + detection_rule::slack / g.inv_length;
+        const double margin = near + detection_rule::end_tolerance / g.inv_length;
         return (g.depth < overlap_ + near && is_beside_active(pair)) ||
                (distance_along(g, 0) < margin && is_at_depth_of_active(g, margin));
     }
@@ -277,17 +277,6 @@ void watch_pairs(const Assemblage& a, double duration, double speed_p95, State& 
     }
     list.friction.assign(list.chunks.size(), 0.0);
     load_active(a, list);
-}
-
-/// The area of each node that contacts occupy; empty where no pair is watched.
-void find_occupied_area(const Assemblage& a, ContactPairList& list) {
-    list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
-    list.for_active([&list](std::int32_t i) {
-        const auto& [node, first, second] = list.active.nodes[i];
-        const double area = list.active.live[i] * list.active.area[i];
-        list.occupied_area[node] += area;
-        list.occupied_area[list.active.place[i] < 0.5 ? first : second] += area;
-    });
 }
 
 /// Forces of all node–edge contacts in the present displacements, without moving them.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "solver/detection/pair_geometry.hpp"
 
@@ -97,20 +96,21 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
     }
 }
 
-double stable_area(const Assemblage& a, const StepParameters& p, const ContactPairList& list, const CandidatePair& pair,
-                   double place) {
-    double area = std::numeric_limits<double>::infinity();
+double take_stable_area(const Assemblage& a, const StepParameters& p, const CandidatePair& pair, double wanted, State& s) {
     if (!p.mass_scaling.is_on()) {
-        return area;
+        return wanted;
     }
-    const UnitLoads unit = unit_loads(a, p.mass_scaling, pair, place);
+    std::vector<double>& cluster_load = s.contact_pairs.cluster_load;
+    const UnitLoads unit = unit_loads(a, p.mass_scaling, pair, pair_geometry(a, s, pair).place);
+    double area = wanted;
     for (std::size_t k = 0; k < 3; ++k) {
         if (unit.load[k] > 0) {
             const double most = max_load(p, unit.cluster[k]);
-            const double left = std::max(most - list.cluster_load[unit.cluster[k]], share_of_new_contact * most);
+            const double left = std::max(most - cluster_load[unit.cluster[k]], share_of_new_contact * most);
             area = std::min(area, left / unit.load[k]);
         }
     }
+    add_load(unit, area, cluster_load);
     return area;
 }
 

@@ -29,9 +29,9 @@ namespace graincrack {
 /// mass scaling it does nothing.
 void limit_contact_areas(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
-/// Largest area of a new contact of a pair beside those that were there at the last update, m²; infinite without mass scaling.
-/// \param place of the node along the edge, 0 to 1
-double stable_area(const Assemblage& assemblage, const StepParameters& parameters, const ContactPairList& list,
-                   const CandidatePair& pair, double place);
+/// Area of a new contact, at most `wanted` (m²), beside those that were there at the last update or began since; its load is
+/// added to those of its clusters. Without mass scaling it is `wanted`.
+double take_stable_area(const Assemblage& assemblage, const StepParameters& parameters, const CandidatePair& pair, double wanted,
+                        State& state);
 
 }  // namespace graincrack

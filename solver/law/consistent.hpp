@@ -1,4 +1,5 @@
-// The variant `consistent`: the paper's curves with one damage variable, an energy, and a dissipation that is never negative.
+// The variant `consistent`: the curves of Kazerani & Zhao (2014) with one damage variable, an energy, and a dissipation that is
+// never negative.
 //
 // Of the cohesion of a point the share β remains (1 at first), and a share a carries friction (0 at first):
 //

@@ -299,7 +299,7 @@ Stage read_stage(Program& program, TomlTable& table) {
                stage);
     stage.must_end_by = table.text("must_end_by").value_or("");
     const auto is_end = [&](const Condition& c) { return c.name == stage.must_end_by; };
-    const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == "rest" && stage.rest) ||
+    const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == ended_by_rest && stage.rest) ||
                          (stage.must_end_by == "peak_drop" && stage.peak_drop) ||
                          std::any_of(stage.until.begin(), stage.until.end(), is_end);
     if (!has_end) {

@@ -229,7 +229,7 @@ std::string StageController::end_reason(const StageFeedback& f) {
         return "peak_drop";
     }
     if (stage.rest && is_at_rest(f, *stage.rest)) {
-        return "rest";
+        return ended_by_rest;
     }
     // Half a step of round-off must not cost an interval.
     constexpr double round_off = 1e-9;

@@ -1,6 +1,7 @@
 #include "solver/loading/standard_tests.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "solver/setup/transit_time.hpp"
@@ -8,10 +9,18 @@
 namespace graincrack {
 namespace {
 
-constexpr double start_transits = 10;     // wave transits the platens take to reach a fixed speed
-constexpr double ramp_transits = 40;      // the pressure takes at least where the rate is not fixed: nothing breaks on the way
-constexpr double give_up_transits = 200;  // that the isotropic stage may take to come to rest
-constexpr double isotropic_rest = 2e-3;   // unbalanced ratio, and relative error of the axial pressure, at its end
+// Times in transits of a bar wave through the specimen.
+
+/// In which the platens reach a fixed speed, and at least that in which the pressure rises then.
+constexpr double start_transits = 10;
+/// In which the pressure rises where the rate is not fixed: slowly enough that nothing breaks on the way.
+constexpr double pressure_transits = 40;
+/// That the isotropic stage may take to come to rest.
+constexpr double give_up_transits = 200;
+/// Unbalanced ratio, and relative error of the axial pressure, at the end of the isotropic stage.
+constexpr double isotropic_rest = 2e-3;
+
+constexpr const char* membrane_name = "membrane";
 
 TimeFunction ramp(double value, double duration) {
     TimeFunction f;
@@ -21,10 +30,11 @@ TimeFunction ramp(double value, double duration) {
     return f;
 }
 
-/// The pressure rises as slowly as the test goes on.
-double pressure_time(const LoadingRequest& request, double height, const Rock& rock, double transit_time) {
+/// Time in which the confining pressure rises, s. At a fixed rate this is as long as the platens then take to the same axial
+/// stress in an elastic bar.
+double pressure_rise_time(const LoadingRequest& request, double height, const Rock& rock, double transit_time) {
     if (request.rate != RateKind::fixed) {
-        return ramp_transits * transit_time;
+        return pressure_transits * transit_time;
     }
     const double as_fast_as_the_test = request.confining_pressure / rock.young_modulus * height / (2 * request.platen_speed);
     return std::max(start_transits * transit_time, as_fast_as_the_test);
@@ -32,7 +42,7 @@ double pressure_time(const LoadingRequest& request, double height, const Rock& r
 
 BoundaryCondition membrane() {
     BoundaryCondition condition;
-    condition.name = "membrane";
+    condition.name = membrane_name;
     condition.region.parts = {"left", "right"};
     condition.is_set[static_cast<std::size_t>(Action::pressure)] = true;
     return condition;
@@ -42,20 +52,21 @@ Stage isotropic(double pressure, double ramp_time, double transit_time) {
     Stage stage;
     stage.name = isotropic_stage;
     stage.platens = PressureServo{ramp(pressure, ramp_time)};
-    stage.settings["membrane"][static_cast<std::size_t>(Action::pressure)] = ramp(pressure, ramp_time);
+    stage.settings[membrane_name][static_cast<std::size_t>(Action::pressure)] = ramp(pressure, ramp_time);
     stage.longest_time = ramp_time + give_up_transits * transit_time;
     stage.rest = isotropic_rest;
-    stage.must_end_by = "rest";
+    stage.must_end_by = ended_by_rest;
     return stage;
 }
 
 PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
     const bool apart = request.test == TestKind::tension;
     const double speed = apart ? -request.platen_speed : request.platen_speed;
-    switch (request.rate) {
-        case RateKind::fixed: break;
-        case RateKind::automatic: return AutomaticRate{apart, request.rate_tolerance, request.rate_share};
-        case RateKind::blocks: return LoadingBlocks{speed, request.block_steps, request.rate_tolerance};
+    if (request.rate == RateKind::automatic) {
+        return AutomaticRate{apart, request.rate_tolerance, request.rate_share};
+    }
+    if (request.rate == RateKind::blocks) {
+        return LoadingBlocks{speed, request.block_steps, request.rest_tolerance};
     }
     return ramp(speed, start_transits * transit_time);
 }
@@ -69,8 +80,8 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     program.platens = {request.test == TestKind::tension, request.max_strain};
     if (request.confining_pressure > 0) {
         program.boundary_conditions = {membrane()};
-        program.stages = {
-            isotropic(request.confining_pressure, pressure_time(request, specimen.height, rock, transit_time), transit_time)};
+        program.stages = {isotropic(request.confining_pressure, pressure_rise_time(request, specimen.height, rock, transit_time),
+                                    transit_time)};
     }
     Stage axial;
     axial.name = axial_stage;

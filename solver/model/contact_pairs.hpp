@@ -52,7 +52,7 @@ struct ActiveContacts {
     std::vector<double> place;                                                             ///< as in `PairGeometry`
     std::vector<Vector2> forces;                                                           ///< [3] on the nodes, N
     std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
-    std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before
+    std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before, or one that began anew
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const ActiveContacts& contacts);
@@ -78,12 +78,12 @@ struct ContactPairList {
     std::vector<Vector2> displacement_at_search;   ///< [n] m
     bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search
     double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
-    std::vector<double> occupied_area;             ///< [n] area of a node that contacts occupy, at the last update, m²
-    std::vector<double> cluster_load;  ///< [clusters] L_C at the last update (stable_area.hpp), m²; with mass scaling
-    std::int64_t next_update = 0;      ///< step
+    std::vector<double> occupied_area;  ///< [n] area of a node that contacts occupied when one began, or at the last update, m²
+    std::vector<double> cluster_load;   ///< [clusters] L_C likewise (stable_area.hpp), m²; empty without mass scaling
+    std::int64_t next_update = 0;       ///< step before which the list is updated again
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
-    /// Calls `visit` with the place of each active contact.
+    /// Calls `visit` with the index of each active contact in `active`.
     template <class Visit>
     void for_active(Visit&& visit) const {
         for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(chunks.size()); ++chunk) {

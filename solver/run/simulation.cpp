@@ -50,7 +50,7 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
     h.rate = r.loading.test == TestKind::program ? "program" : name_of(r.loading.rate);
-    h.rate_tolerance = r.loading.rate == RateKind::fixed ? 0 : r.loading.rate_tolerance;
+    h.rate_tolerance = r.loading.control_tolerance();
     h.rate_share = r.loading.rate_share;
     h.platen_speed = r.loading.rate == RateKind::automatic ? 0 : r.loading.platen_speed;
     h.damping = r.damping;

@@ -100,6 +100,9 @@ struct Condition {
     double value = 0;
 };
 
+/// What ends a stage whose specimen has come to rest, in `must_end_by` and in the record of stages.
+inline constexpr const char* ended_by_rest = "rest";
+
 /// [stage.NAME]
 struct Stage {
     std::string name;
@@ -113,7 +116,7 @@ struct Stage {
 };
 
 struct Program {
-    std::string file;  ///< where it was read from
+    std::string file;  ///< where it was read from, for messages; of a standard test its name
     std::string name;
     std::string text;                ///< the file as it is
     std::vector<std::string> order;  ///< of stages by name; a name may come again

@@ -42,13 +42,23 @@ constexpr std::string_view name_of(RateKind rate) {
 struct LoadingRequest {
     TestKind test = TestKind::uniaxial;
     RateKind rate = RateKind::fixed;
-    double platen_speed = 5e-3;  ///< of each platen, m/s; not of `automatic`
-    double rate_tolerance = default_rate_tolerance;
-    double rate_share = 1;  ///< of all speeds of `automatic`, see `RateControl`
+    double platen_speed = 5e-3;                      ///< of each platen, m/s; not of `automatic`
+    double rate_tolerance = default_rate_tolerance;  ///< of `automatic`, see `AutomaticRate`
+    double rest_tolerance = default_rest_tolerance;  ///< of `blocks`: unbalanced ratio that counts as rest between them
+    double rate_share = 1;                           ///< of all speeds of `automatic`, see `RateControl`
     std::int64_t block_steps = 5000;
     double confining_pressure = 0;  ///< Pa
     double platen_friction = 0;     ///< rad
     double max_strain = 0.015;
+    /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
+    [[nodiscard]] double control_tolerance() const {
+        switch (rate) {
+            case RateKind::fixed: return 0;
+            case RateKind::automatic: return rate_tolerance;
+            case RateKind::blocks: return rest_tolerance;
+        }
+        return 0;
+    }
 };
 
 /// Everything a run is made of, besides the specimen.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
@@ -16,18 +17,21 @@ namespace graincrack {
 
 namespace {
 
-template <class Stage>
-void for_each_chunk(Range chunks, const Stage& stage) {
+template <class Act>
+void for_each_chunk(Range chunks, const Act& act) {
     for (std::int32_t chunk = chunks.begin; chunk < chunks.end; ++chunk) {
-        stage(chunk);
+        act(chunk);
     }
 }
 
 /// Whether the last detection found other active contacts than there were before.
 bool have_changed(const ContactPairList& list) {
-    const auto& changed = list.active.changed;
-    return std::any_of(changed.begin(), changed.begin() + static_cast<std::ptrdiff_t>(list.chunks.size()),
-                       [](std::uint8_t flag) { return flag != 0; });
+    for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {
+        if (list.active.changed[chunk] != 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// The steps of one thread of the team: its share of the chunks of grains, vertex clusters, contacts and candidate pairs, and the
@@ -48,13 +52,13 @@ public:
           contacts_(share_of(a.contact_chunks.size(), thread, team.size())),
           pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
 
-    /// A step of nodes that move with their own masses.
+    /// A step of nodes that move with their own masses. The work of loads is booked at the old velocity, then at the new one.
     void advance(std::int64_t step, bool detects_contacts) {
         for_each_chunk(grains_, [&](std::int32_t chunk) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);  // at the old velocities
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
             integrate_nodes(a_, boundary_, parameters_, chunk, s_);
-            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);  // at the new ones
+            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
         });
         team_.wait();
         advance_contact_forces(step, detects_contacts);
@@ -91,12 +95,13 @@ private:
         });
         team_.wait();
         if (detects_contacts) {
-            index_changed_contacts();
+            complete_detection();
         }
     }
-    void index_changed_contacts() {
+    void complete_detection() {
         if (have_changed(s_.contact_pairs)) {
             if (is_first_) {
+                find_areas_of_new_contacts(a_, parameters_, s_);
                 index_node_forces(a_, s_.contact_pairs);
             }
             team_.wait();
@@ -113,15 +118,15 @@ private:
     Range grains_, clusters_, contacts_, pairs_;
 };
 
-/// The steps between two updates of the pair list, with a team of threads.
-void advance_steps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int64_t n_steps,
-                   ThreadTeam& team, LoadingClock& clock, State& s) {
+/// The steps between two updates of the pair list, with a team of threads. Steps with detection are counted from the start, so
+/// that they are the same however the steps are divided into calls.
+void advance_between_updates(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters,
+                             std::int64_t n_steps, ThreadTeam& team, LoadingClock& clock, State& s) {
     const std::int64_t first_step = s.step + 1;
-    LoadingClock clock_at_end = clock;
+    LoadingClock clock_after = clock;  // each thread has a clock of its own; all end alike
     team.run([&](int thread) {
         ThreadSteps steps(a, boundary, parameters, clock, thread, team, s);
         for (std::int64_t step = first_step; step < first_step + n_steps; ++step) {
-            // Counted from the start of the run, so that a continued run detects in the same steps.
             const bool detects_contacts = (step - 1) % s.contact_pairs.detection_interval == 0;
             if (parameters.mass_scaling.is_on()) {
                 steps.advance_scaled(step, detects_contacts);
@@ -131,10 +136,10 @@ void advance_steps(const Assemblage& a, const Boundary& boundary, const StepPara
         }
         steps.store_contacts();
         if (thread == 0) {
-            clock_at_end = steps.clock();
+            clock_after = steps.clock();
         }
     });
-    clock = clock_at_end;
+    clock = clock_after;
     s.step += n_steps;
     s.time = time_of(s, s.step, parameters.time_step);
 }
@@ -149,7 +154,7 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
         if (s.step >= s.contact_pairs.next_update) {
             update_pair_list(a, parameters, s);
         }
-        advance_steps(a, boundary, parameters, std::min(end, s.contact_pairs.next_update) - s.step, team, clock, s);
+        advance_between_updates(a, boundary, parameters, std::min(end, s.contact_pairs.next_update) - s.step, team, clock, s);
     }
     s.loading = clock.now();
 }

@@ -1,5 +1,5 @@
-// The explicit step: contact law, node–edge contacts → nodal forces (elements, contacts, platens, loads) → damping →
-// integration.
+// The explicit step: nodal forces (contacts, elements, node–edge contacts, platens, loads) → damping and integration → platens
+// and amplitudes at the new time → contact law → node–edge contacts, these two at the new displacements.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace graincrack {
 
 /// Advances the state by `n_steps` steps under `loading` with a team of threads. On entry and on return contact forces
-/// and histories belong to the present displacements (see `start`). Results do not depend on its size.
+/// and histories belong to the present displacements (see `start`). Results do not depend on the size of the team.
 void advance(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters,
              const IntervalLoading& loading, std::int64_t n_steps, ThreadTeam& team, State& state);
 

@@ -54,12 +54,13 @@ LoadedSpecimen loose_grains(VectorTarget target) {
 }
 
 /// Node–edge contacts alone, moved or detected where they are.
-void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool is_detection) {
+void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool detects_contacts) {
     LoadedSpecimen loaded = loose_grains(target);
     loaded.parameters.time_step = 0;
     for (auto _ : timer) {
         for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(loaded.state.contact_pairs.chunks.size()); ++chunk) {
-            (is_detection ? detect_contacts : move_active_contacts)(loaded.assemblage, loaded.parameters, chunk, loaded.state);
+            (detects_contacts ? detect_contacts : move_active_contacts)(loaded.assemblage, loaded.parameters, chunk,
+                                                                        loaded.state);
         }
     }
     count(timer, loaded, 1);

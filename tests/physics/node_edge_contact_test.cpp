@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
 #include "solver/detection/pair_list.hpp"
 #include "tests/support/check.hpp"
@@ -129,6 +130,7 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
         for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
             detect_contacts(run.assemblage, run.parameters, chunk, s);
         }
+        find_areas_of_new_contacts(run.assemblage, run.parameters, s);
         for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
             force += s.contact_pairs.pairs[i].node == node ? s.contact_pairs.forces[3 * i] : Vector2{};
         }
@@ -186,6 +188,7 @@ struct Led {
         for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
             detect_contacts(run.assemblage, run.parameters, chunk, s);
         }
+        find_areas_of_new_contacts(run.assemblage, run.parameters, s);
         Vector2 force;
         for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
             force += s.contact_pairs.pairs[i].node == node ? s.contact_pairs.forces[3 * i] : Vector2{};
@@ -212,6 +215,105 @@ TEST(NodeEdgeContact, ACornerThatSlipsInBesideABondIsCaught) {
         // By design a node may be 0.6 % deep before a contact begins; it is to stay above 1 %.
         EXPECT_LT(depth, 0.008 * edge);
     }
+}
+
+// Corners of three large grains reach the same end of a small grain's edge in one detection and a fourth one in the next, between
+// two updates of the pair list: together they may not be stiffer than the bonds for which the stable step was found.
+TEST(NodeEdgeContact, CornersAtOneEndOfAnEdgeShareItsArea) {
+    const double a = 4e-3;
+    std::vector<test::Point> points{{-a, 0}, {0, -a}, {a, 0}};
+    std::vector<test::Triangle> triangles{{0, 1, 2}};
+    for (const auto& [x, height] : {test::Point{-0.9 * a, 1e-5}, {-0.8 * a, 1e-5}, {-0.7 * a, 1e-5}, {-0.6 * a, 3e-5}}) {
+        const auto corner = static_cast<int>(points.size());
+        points.insert(points.end(), {{x, height}, {x + 0.02 * a, height + 3 * a}, {x - 0.02 * a, height + 3 * a}});
+        triangles.push_back({corner, corner + 1, corner + 2});
+    }
+    SmallRun run(test::specimen_of_triangles(points, triangles), test::augig_law());
+    run.begin();
+    State& s = run.state;
+    const GrainSurface& surface = run.assemblage.surface;
+    const std::int32_t small = surface.grain_of_node[run.assemblage.node_of_specimen[0]];
+    const auto raise = [&](const Vector2& by) {
+        for (std::size_t i = 0; i < s.displacement.size(); ++i) {
+            s.velocity[i] = surface.grain_of_node[i] == small ? (1 / run.parameters.time_step) * by : Vector2{};
+            s.displacement[i] += run.parameters.time_step * s.velocity[i];
+        }
+    };
+    const auto detect = [&] {
+        for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.contact_pairs.chunks.size()); ++chunk) {
+            detect_contacts(run.assemblage, run.parameters, chunk, s);
+        }
+        find_areas_of_new_contacts(run.assemblage, run.parameters, s);
+    };
+    raise({0, 2e-5});
+    update_pair_list(run.assemblage, run.parameters, s);
+    detect();
+    raise({0, 2e-5});
+    detect();
+    double area = 0;
+    double least = 0;  // that contacts have even where nothing is available
+    int contacts = 0;
+    for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
+        if (const NodeEdgeContact& contact = s.contact_pairs.contacts[i]; contact.active) {
+            area += contact.area;
+            least += 0.1 * surface.tributary[s.contact_pairs.pairs[i].node];
+            ++contacts;
+        }
+    }
+    ASSERT_EQ(contacts, 4);
+    EXPECT_LE(area, 2 * surface.tributary[run.assemblage.node_of_specimen[0]] + least);
+}
+
+// A corner deep in many grains at once has a contact with each of them, and keeps them all.
+TEST(NodeEdgeContact, NoContactOfANodeWithManyIsLost) {
+    const double a = 4e-3;
+    const int many = 20;
+    std::vector<test::Point> points;
+    std::vector<test::Triangle> triangles;
+    for (int i = 0; i < many; ++i) {
+        points.insert(points.end(), {{-a, 0}, {0, -a}, {a, 0}});
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    points.insert(points.end(), {{0, 1e-5}, {a / 2, a}, {-a / 2, a}});
+    triangles.push_back({3 * many, 3 * many + 1, 3 * many + 2});
+    Led led(test::specimen_of_triangles(points, triangles));
+    const ContactPairList& list = led.run.state.contact_pairs;
+    const auto contacts = [&] {
+        int count = 0;
+        list.for_active([&](std::int32_t i) { count += list.pairs[list.active.pair[i]].node == led.node ? 1 : 0; });
+        return count;
+    };
+    const double edge = led.run.assemblage.surface.mean_length;
+    led.lead({0, -1e-5 - 0.007 * edge});
+    ASSERT_EQ(contacts(), many);
+    led.lead({0, -1e-6 * edge});
+    EXPECT_EQ(contacts(), many);
+}
+
+// A contact that ends and begins anew between two detections, at the same pair, is a new one: it needs an area.
+TEST(NodeEdgeContact, AContactThatBeginsAnewIsNotTakenForTheOldOne) {
+    const double a = 4e-3;
+    Led led(test::specimen_of_triangles({{-a, 0}, {0, -a}, {a, 0}, {0, 1e-5}, {a / 2, a}, {-a / 2, a}}, {{0, 1, 2}, {3, 4, 5}}));
+    State& s = led.run.state;
+    ContactPairList& list = s.contact_pairs;
+    led.lead({0, -2e-5});
+    ASSERT_EQ(list.chunks.size(), 1U);
+    ASSERT_EQ(list.active.count[0], 1);
+    const auto move = [&](double by) {
+        for (std::size_t i = 0; i < s.displacement.size(); ++i) {
+            const bool is_led = led.run.assemblage.surface.grain_of_node[i] == led.run.assemblage.surface.grain_of_node[led.node];
+            s.displacement[i].y += is_led ? by : 0;
+        }
+    };
+    move(2e-5);
+    move_active_contacts(led.run.assemblage, led.run.parameters, 0, s);
+    ASSERT_EQ(list.active.live[0], 0);
+    move(-2e-5);
+    detect_contacts(led.run.assemblage, led.run.parameters, 0, s);
+    ASSERT_EQ(list.active.count[0], 1);
+    EXPECT_EQ(list.active.changed[0], 1);
+    find_areas_of_new_contacts(led.run.assemblage, led.run.parameters, led.run.state);
+    EXPECT_GT(list.active.area[0], 0);
 }
 
 /// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it.

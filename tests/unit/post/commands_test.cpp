@@ -44,6 +44,16 @@ TEST_F(Commands, InfoNamesKindCountsAndDatasets) {
     EXPECT_NE(specimen.find("every dataset was read"), std::string::npos);
 }
 
+TEST_F(Commands, InfoDoesNotInventWhatIsMissing) {
+    H5Output file(folder_.file("bare.h5"), "run");
+    file.create_group("/specimen");
+    file.create_group("/run");
+    file.commit();
+    const std::string info = output_of({"info", folder_.file("bare.h5")});
+    EXPECT_NE(info.find("  seed                     unknown\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("  steps                    unknown\n"), std::string::npos) << info;
+}
+
 TEST_F(Commands, DigestIsThatOfTheContent) {
     const std::vector<std::string> call{"info", folder_.file("run.h5"), "--digest"};
     const std::string first = output_of(call);
@@ -62,6 +72,33 @@ TEST_F(Commands, HistoryHasUnitsAndTheSignsOfTheFile) {
     EXPECT_EQ(test::field(table, "time_s", 100), "1");
     EXPECT_EQ(test::field(table, "axial_stress_Pa", 100), "-1.25e+08");  // compression is negative here
     EXPECT_EQ(test::field(table, "tensile_cracks", 100), "20");
+}
+
+TEST_F(Commands, StagesAreThoseOfAProgram) {
+    test::expect_one_line<InputError>(
+        [&] {
+            output_of({"history", folder_.file("run.h5"), "--stages"});
+        },
+        {"run.h5", "recorded only for runs of `graincrack-solve program`"});
+    RunWriter writer(H5Output(folder_.file("program.h5"), "run"), test::Recipe{}.specimen, test::synthetic_header({}));
+    writer.append_history(test::synthetic_history({}));
+    H5Output& file = writer.file();
+    const std::vector<double> times{0, 1};
+    for (const char* dataset : {"/program/begin", "/program/end"}) {
+        file.write<double>(dataset, times, {times.size()}, "s", "of each stage");
+    }
+    file.attribute("/program", "stages", std::vector<std::string>{"press", "push"});
+    file.attribute("/program", "ended_by", std::vector<std::string>{"rest"});
+    Provenance provenance;
+    provenance.tool = "synthetic";
+    provenance.command_line = {"synthetic"};
+    provenance.libraries = {"none"};
+    writer.finish(test::synthetic_header({}), {}, provenance);
+    test::expect_one_line<InputError>(
+        [&] {
+            output_of({"history", folder_.file("program.h5"), "--stages"});
+        },
+        {"program.h5", "stages differ in number"});
 }
 
 TEST_F(Commands, FpzTableHoldsThePapersNumbers) {

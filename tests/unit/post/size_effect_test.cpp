@@ -55,7 +55,9 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
         runs.push_back(run_of(edge, 120e6, "uniaxial"));
     }
     std::ostringstream out;
-    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse);
+    std::ostringstream notes;
+    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
+    EXPECT_EQ(notes.str(), "");
     const std::string table = out.str();
     EXPECT_EQ(test::parse_tsv(table).size(), 5U);
     EXPECT_EQ(test::field(table, "test"), "brazilian");
@@ -76,10 +78,11 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
 
 TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
     std::ostringstream out;
+    std::ostringstream notes;
     // Seeds of one size differ by half a percent in their mean edge: no line goes through them.
     const std::vector<RunData> one{run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)};
-    test::expect_one_line<InputError>([&] { write_size_effect_table(out, one, TableFormat::tsv, StrainLimitRuns::refuse); },
-                                      {"one mean edge (2 mm)"});
+    test::expect_one_line<InputError>(
+        [&] { write_size_effect_table(out, one, TableFormat::tsv, StrainLimitRuns::refuse, notes); }, {"one mean edge (2 mm)"});
     std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
     at_strain_limit[1].header.stop_reason = "strain limit";
     at_strain_limit[1].history = [] {
@@ -89,8 +92,12 @@ TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
         return test::synthetic_history(recipe);
     }();
     test::expect_one_line<InputError>(
-        [&] { write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::refuse); }, {"strain limit"});
+        [&] { write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::refuse, notes); },
+        {"strain limit"});
     EXPECT_EQ(out.str(), "");
+    write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::accept, notes);
+    EXPECT_EQ(test::field(out.str(), "runs_at_strain_limit"), "1");
+    EXPECT_NE(notes.str().find("size-effect: 1 of 2 runs were stopped at the strain limit"), std::string::npos) << notes.str();
 }
 
 }  // namespace

@@ -158,8 +158,8 @@ TEST(StandardTest, BlocksRestBetweenThem) {
     LoadingRequest request;
     request.rate = RateKind::blocks;
     request.block_steps = 100;
-    request.rate_tolerance = 1e-4;
     Led led(request);
+    EXPECT_EQ(std::get<LoadingBlocks>(*led.program.stages.back().platens).rest, default_rest_tolerance);
     led.row(0);
     EXPECT_EQ(led.stages.interval_steps(1e-7), 20);
     double time = 0;
