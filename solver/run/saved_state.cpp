@@ -181,8 +181,8 @@ bool same_mesh(const Specimen& a, const Specimen& b) {
            a.element_grain == b.element_grain;
 }
 
-/// Whether an array belongs to mass scaling alone.
-bool is_of_clusters(std::string_view name) { return name == "cluster_load" || name == "cluster_near_platen"; }
+/// Whether states of older files lack an array. What they lack is found anew in the first step.
+bool is_newer(std::string_view name) { return name == "cluster_load" || name == "cluster_near_platen"; }
 
 /// \throws InputError where a state cannot go on as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
@@ -208,9 +208,6 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     if (old.contact_law != name_of(request.law)) {
         refuse(fmt::format("has the contact law {}, not {}, whose histories are others; --contact-law {} fits", old.contact_law,
                            name_of(request.law), old.contact_law));
-    }
-    if (setup.mass_scaling_factor > 0 && !run.file().has(path_of("cluster_near_platen"))) {
-        refuse("was made when mass scaling still ended with the first contact between fragments; run the test again");
     }
     if (old.mass_scaling_factor != setup.mass_scaling_factor) {
         refuse(fmt::format("has the mass-scaling factor {}, not {}; it must stay what it is", old.mass_scaling_factor,
@@ -321,7 +318,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         value = static_cast<std::decay_t<decltype(value)>>(file.attribute<double>(group, name));
     });
     visit_arrays(s, [&](const char* name, auto& items) {
-        if (!is_of_clusters(name) || file.has(path_of(name))) {  // states of older files without mass scaling lack them
+        if (!is_newer(name) || file.has(path_of(name))) {
             read_array(file, name, items);
         }
     });

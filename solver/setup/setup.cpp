@@ -16,7 +16,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
     s.boundary = make_program_boundary(s.assemblage, specimen, program, r.contact, r.loading.platen_friction);
     const ContactLaw& law = s.parameters.law;
     if (r.mass_scaling) {
-        s.added_mass = scale_mass_of_stiffest_elements(s.assemblage, s.boundary, law, r.material.rock.density, max_added_mass);
+        s.added_mass = scale_mass_of_stiffest_elements(s.assemblage, r.material.rock.density, max_added_mass);
         s.mass_scaling_factor =
             r.mass_scaling_factor ? *r.mass_scaling_factor : sufficient_mass_scaling(s.assemblage, s.boundary, law);
     }

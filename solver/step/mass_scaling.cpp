@@ -126,6 +126,8 @@ ClusterState make_cluster_state(const MassScaling& scaling) {
 
 void complete_cluster_state(const MassScaling& scaling, State& s) {
     ClusterState& g = s.clusters;
+    s.contact_pairs.cluster_load.resize(scaling.clusters.size());
+    g.near_platen.resize(scaling.nodes.size());
     g.constraining_platen.resize(scaling.clusters.size());
     g.inverse_mass.resize(scaling.clusters.size());
     for (std::int32_t cluster = 0; cluster < static_cast<std::int32_t>(scaling.clusters.size()); ++cluster) {

@@ -28,7 +28,7 @@ Case make_case(const Specimen& specimen, double share) {
     Case c{make_assemblage(specimen, rock(), PlaneCondition::strain), {}};
     LoadingRequest loading;
     c.boundary = test::boundary_of_test(c.assemblage, specimen, loading, test::augig_contact());
-    c.added = scale_mass_of_stiffest_elements(c.assemblage, c.boundary, test::augig_law(), rock().density, share);
+    c.added = scale_mass_of_stiffest_elements(c.assemblage, rock().density, share);
     return c;
 }
 Specimen rectangle(int elements_per_edge = 1) {
@@ -45,7 +45,7 @@ TEST(AddedMass, IsWhatWasAskedForAndNoMore) {
     for (const double share : {0.005, 0.02, 0.1}) {
         const Case c = make_case(specimen, share);
         EXPECT_LE(c.added, share * (1 + 1e-6));
-        EXPECT_GE(c.added, 0.5 * share);  // half for each of two needs that may be the same
+        EXPECT_GE(c.added, 0.999 * share);
         EXPECT_NEAR(sum(c.assemblage.mass) / sum(c.assemblage.rock_mass) - 1, c.added, 1e-12);
         for (std::size_t i = 0; i < c.assemblage.mass.size(); ++i) {
             EXPECT_GE(c.assemblage.mass[i], c.assemblage.rock_mass[i]);
@@ -79,16 +79,14 @@ TEST(AddedMass, KeepsCentresOfMass) {
     }
 }
 
-TEST(AddedMass, MakesBothStepsLonger) {
+TEST(AddedMass, MakesTheStepWithMassScalingLonger) {
     for (const int elements_per_edge : {1, 2}) {
         const Specimen specimen = rectangle(elements_per_edge);
         const Case before = make_case(specimen, 0);
         const Case after = make_case(specimen, max_added_mass);
-        for (const double factor : {0.0, 100.0}) {
-            const double gain = stable_time_step(after.assemblage, after.boundary, test::augig_law(), factor) /
-                                stable_time_step(before.assemblage, before.boundary, test::augig_law(), factor);
-            EXPECT_GT(gain, 1.02) << elements_per_edge << " elements an edge, factor " << factor;
-        }
+        const double gain = stable_time_step(after.assemblage, after.boundary, test::augig_law(), 100) /
+                            stable_time_step(before.assemblage, before.boundary, test::augig_law(), 100);
+        EXPECT_GT(gain, 1.05) << elements_per_edge << " elements an edge";
     }
 }
 
@@ -96,11 +94,10 @@ TEST(AddedMass, MakesBothStepsLonger) {
 TEST(AddedMass, OfEqualGrainsIsSpread) {
     Assemblage a = make_assemblage(test::union_jack_grid(4, 4, 0.02, 0.02), rock(), PlaneCondition::strain);
     const std::vector<double> before = a.mass;
-    a.surface.edges.clear();  // nothing holds them
-    const double added = scale_mass_of_stiffest_elements(a, {}, test::augig_law(), rock().density, 0.1);
-    EXPECT_NEAR(added, 0.05, 1e-6);  // both needs are the same
+    const double added = scale_mass_of_stiffest_elements(a, rock().density, 0.1);
+    EXPECT_NEAR(added, 0.1, 1e-6);
     for (std::size_t i = 0; i < before.size(); ++i) {
-        EXPECT_NEAR(a.mass[i], 1.05 * before[i], 1e-6 * before[i]);
+        EXPECT_NEAR(a.mass[i], 1.1 * before[i], 1e-6 * before[i]);
     }
 }
 
