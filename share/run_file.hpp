@@ -52,7 +52,7 @@ struct RunHeader {
     // set when the run ends
     std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
-    std::int64_t integrations = 0;    ///< steps, a step of n substeps counted n times; 0 in older files
+    std::int64_t integrations = 0;    ///< steps; in files of older versions a step of n substeps counted n times, or 0
     double isotropic_end_time = 0;    ///< end of the isotropic stage (triaxial), s; 0 without one
     double peak_axial_stress = 0;     ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
     double energy_scale = 0;          ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
