@@ -8,12 +8,14 @@
 namespace graincrack {
 namespace {
 
-void expect_jaeger(double angle, double pressure) {
+void expect_jaeger(double angle, double pressure, bool mass_scaling = false) {
     const test::JointedTest joint{angle * test::degree, pressure * test::MPa};
     const Specimen specimen = test::jointed_rectangle(16, 16, 0.06, 0.2, joint.angle, test::Blocks::of_grains);
     EXPECT_EQ(specimen.n_grains(), 1024U);
-    const TestOutcome outcome = run_test(specimen, joint.request(), "joint", Verbosity::quiet);
-    const std::string name = fmt::format("1,024 grains, {} deg, {} MPa", angle, pressure);
+    SimulationRequest request = joint.request();
+    request.mass_scaling = mass_scaling;
+    const TestOutcome outcome = run_test(specimen, request, "joint", Verbosity::quiet);
+    const std::string name = fmt::format("1,024 grains, {} deg, {} MPa{}", angle, pressure, mass_scaling ? ", mass scaling" : "");
     EXPECT_EQ(outcome.header.stop_reason, "strain limit");
     test::verify("specimens: strength of a joint, " + name + " (MPa)", outcome.header.peak_axial_stress / test::MPa,
                  joint.strength() / test::MPa, 0.02, "Jaeger, to 2 %");
@@ -23,6 +25,8 @@ TEST(JointInGrains, At50DegreesUnder5MPa) { expect_jaeger(50, 5); }
 TEST(JointInGrains, At50DegreesUnder20MPa) { expect_jaeger(50, 20); }
 TEST(JointInGrains, At62DegreesUnder5MPa) { expect_jaeger(62, 5); }
 TEST(JointInGrains, At62DegreesUnder20MPa) { expect_jaeger(62, 20); }
+TEST(JointInGrains, At50DegreesUnder20MPaWithMassScaling) { expect_jaeger(50, 20, true); }
+TEST(JointInGrains, At62DegreesUnder5MPaWithMassScaling) { expect_jaeger(62, 5, true); }
 
 }  // namespace
 }  // namespace graincrack
