@@ -8,7 +8,7 @@ namespace {
 
 constexpr double max_damping_load = 2e-3;  // friction multiplies what damping carries: a strength is off by up to five times that
 constexpr double max_inertia = 0.1;        // what counts at most: kinetic energy 1e-3 of the stored energy
-constexpr double max_rise = 0.06;          // of the strain that it may rise by in a transit: platens rattle otherwise
+constexpr double max_rise = 0.015;         // of the strain that it may rise by in a transit: failure takes time
 constexpr double follow_transits = 4;      // in which the speed rises at most e-fold; it falls in half of that
 constexpr double slowest = 0.05;           // of the speed that the tolerance means without damage
 constexpr double smoothing_transits = 1;   // over which measures are smoothed
