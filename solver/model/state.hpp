@@ -99,9 +99,9 @@ struct State {
     std::vector<double> slip;               ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;       ///< [2 c] 1 once the point has passed its peak
     std::vector<std::uint8_t> residual;     ///< [2 c] 1 once nothing but friction is left (`is_residual`)
-    std::vector<double> next_mark;          ///< [2 c] the first of `cohesion_marks` that the point has not fallen below; 0 if broken
-    PointHistories points;                  ///< [2 c] the rest of their histories; see `point_history`
-    std::vector<double> fracture_energy;    ///< [2 c] J dissipated by each point so far
+    std::vector<double> next_mark;  ///< [2 c] the first of `cohesion_marks` that the point has not fallen below; 0 if broken
+    PointHistories points;          ///< [2 c] the rest of their histories; see `point_history`
+    std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
     std::vector<GrainSums> grain_sums;              ///< by chunk of grains

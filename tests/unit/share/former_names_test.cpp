@@ -26,14 +26,10 @@ TEST(FormerNames, AHistoryAndAHeaderOfSchema1AreReadAsTheyWere) {
 TEST(FormerNames, EveryRenamedDatasetAndAttributeOfAProgramIsFound) {
     const TemporaryFolder folder;
     const H5Input run(unpack_schema_1(folder, "program"), "run");
-    for (const std::string name : {"integrity",          "residual",
-                                   "debonded",           "released",
-                                   "candidate_pairs",    "pair_forces",
-                                   "pair_groups",        "watched_pairs",
-                                   "watched_groups",     "watched_chunks",
-                                   "pair_friction",      "occupied_area",
-                                   "velocity",           "cluster_energies",
-                                   "node_edge_contacts", "displacement_at_search"}) {
+    for (const std::string name :
+         {"integrity", "residual", "debonded", "released", "candidate_pairs", "pair_forces", "pair_groups", "watched_pairs",
+          "watched_groups", "watched_chunks", "pair_friction", "occupied_area", "velocity", "cluster_energies",
+          "node_edge_contacts", "displacement_at_search"}) {
         EXPECT_TRUE(run.has("/state/" + name)) << name;
     }
     for (const std::string name : {"pair_friction_before", "next_list_update", "wants_rebuild", "travel_since_rebuild",
