@@ -55,14 +55,8 @@ struct CohesiveFrictional {
             advance_residual(law, to, r);
             return;
         }
-        const SofteningResponse now = softening(law, softening_point(h, to));
-        r.traction = {now.normal, now.shear};
-        r.dissipation.fracture += now.fracture;
-        r.dissipation.friction += now.friction;
-        h.integrity = now.integrity;
-        h.slip = now.slip;
+        advance_softening<CohesiveFrictional>(law, to, r);
         h.separated = h.separated || (to.opening >= 0 && h.integrity == 0);
-        h.motion = to;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }

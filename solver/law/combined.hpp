@@ -116,7 +116,7 @@ struct Combined {
         const double passes = passes_peak(at.open, p.largest_open) + passes_peak(at.slid, p.largest_slid);
         return {.normal = closed ? law.kt * p.opening : open,
                 .shear = shear + (closed ? friction.shear : 0.0),
-                .integrity = 1,
+                .integrity = p.integrity,
                 .slip = closed ? friction.slip : p.slip,
                 // The fall of the energy with history, at the mean of both motions: each part is at least zero.
                 .fracture = 0.5 * (cohesive_energy(law, from, old) - cohesive_energy(law, from, now) +
@@ -155,15 +155,7 @@ struct Combined {
             return;
         }
         pass_peaks(law, to, r);
-        const SofteningResponse now = softening(law, softening_point(h, to));
-        r.traction = {now.normal, now.shear};
-        r.dissipation.fracture += now.fracture;
-        r.dissipation.friction += now.friction;
-        h.largest_open = now.largest_open;
-        h.largest_slid = now.largest_slid;
-        h.slip = now.slip;
-        h.separated = h.separated || cohesion_of(law, h).left == 0;
-        h.motion = to;
+        h.separated = advance_softening<Combined>(law, to, r) == 0 || h.separated;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }

@@ -97,6 +97,21 @@ bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactRespo
     return true;
 }
 
+/// Moves a point past its peak by the softening response, whether that holds or not. \return the cohesion that is left
+template <class Law>
+double advance_softening(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
+    const SofteningResponse now = Law::softening(law, softening_point(r.history, to));
+    r.traction = {now.normal, now.shear};
+    r.dissipation.fracture += now.fracture;
+    r.dissipation.friction += now.friction;
+    r.history.integrity = now.integrity;
+    r.history.slip = now.slip;
+    r.history.largest_open = now.largest_open;
+    r.history.largest_slid = now.largest_slid;
+    r.history.motion = to;
+    return now.remaining_cohesion;
+}
+
 /// Moves a point on which nothing but friction is left; one that is open has separated.
 inline void advance_residual(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
     const ResidualResponse residual = residual_response(law, residual_point(r.history, to));
