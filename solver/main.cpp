@@ -25,8 +25,8 @@ using namespace graincrack;
 void print_plan(const SimulationPlan& plan) {
     constexpr double assumed_ns_per_grain_step = 40;
     fmt::print("grains\t{}\nelements\t{}\nnodes\t{}\ncontacts\t{}\n", plan.grains, plan.elements, plan.nodes, plan.contacts);
-    fmt::print("stable_time_step_s\t{:.4g}\ntime_step_s\t{:.4g}\nmax_steps\t{}\n", plan.stable_time_step, plan.time_step,
-               plan.max_steps);
+    fmt::print("mass_scaling_factor\t{:.4g}\nstable_time_step_s\t{:.4g}\ntime_step_s\t{:.4g}\nmax_steps\t{}\n",
+               plan.mass_scaling_factor, plan.stable_time_step, plan.time_step, plan.max_steps);
     fmt::print("memory_MB\t{:.4g}\nfile_size_at_most_MB\t{:.4g}\n", static_cast<double>(plan.memory) * 1e-6,
                static_cast<double>(plan.file_size) * 1e-6);
     fmt::print("estimated_time_at_most_s\t{:.0f}\n",
@@ -56,8 +56,9 @@ constexpr double trusted_residual = 0.005;
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
     const std::string strength = h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa; ", strength_of(h) * 1e-6) : "";
-    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason, h.steps,
-               h.time_step, strength, s.tensile_cracks, s.shear_cracks);
+    const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
+    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s{}; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason,
+               h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
     fmt::print(stderr,
                "{}: energy balance closes to {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} "
                "% of the "

@@ -30,6 +30,7 @@ struct RawOptions {
     std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
     std::optional<double> rate_share;
+    std::optional<bool> mass_scaling;
     std::string program;   ///< its file
     double damping = NAN;  ///< of a program; NaN if not given
 };
@@ -85,13 +86,15 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
     }
 }
 
-void add_method_options(CLI::App& command, SimulationRequest& request) {
+void add_method_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
     add_choice<DampingForm>(
         command, "--damping-form", request.damping_form, {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
         "combined: half against the motion, half with the rate of the force, so that steady sliding is hardly "
         "held back; local: all of it against the motion");
-    add_choice<bool>(command, "--mass-scaling", request.mass_scaling, {{"none", false}, {"selective", true}},
-                     "selective: nodes that contacts hold together move against each other with a multiple of their mass");
+    add_choice<std::optional<bool>>(
+        command, "--mass-scaling", raw.mass_scaling, {{"none", false}, {"selective", true}},
+        "selective: nodes that contacts hold together move against each other with a multiple of their mass, which allows a step "
+        "some ten times as long; selective unless given, none for what has no damping or makes waves");
     add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
                  "that multiple less one; as much as lets the grains alone limit the step unless given");
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
@@ -136,7 +139,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_checkpoint_option(command, request);
     command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
     add_sensitivity_flag(command, request);
-    add_method_options(command, request);
+    add_method_options(command, request, raw);
 }
 
 CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common, TestKind test,
@@ -162,7 +165,7 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
                  "friction angle between rock and platens instead of the material's");
     add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
                     "share of the unbalanced force that damps, instead of the program's own; it must have one of the two");
-    add_method_options(*command, options.request);
+    add_method_options(*command, options.request, raw);
     add_checkpoint_option(*command, options.request);
     add_sensitivity_flag(*command, options.request);
     command
@@ -172,6 +175,14 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
+}
+
+/// Why masses must stay as they are; "" where the test is quasi-static.
+std::string why_dynamic(const SimulationRequest& request) {
+    if (request.damping == 0) {
+        return "it has no damping";
+    }
+    return request.program ? request.program->why_dynamic() : "";
 }
 
 /// A program, its damping, and whether it can do with the masses it is asked to have.
@@ -195,12 +206,28 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
         throw UsageError("--sensitivity: tells what an axial strength depends on, and " + raw.program +
                          " has no [platens]; leave it out");
     }
-    const std::string why = request.damping == 0 ? "it has no damping" : request.program->why_dynamic();
-    if (request.mass_scaling && !why.empty()) {
+}
+
+/// Scaled masses for what is quasi-static, unless they were chosen; a run that goes on from another keeps what that has.
+void complete_mass_scaling(SimulationRequest& request, const RawOptions& raw) {
+    const std::string why = why_dynamic(request);
+    request.mass_scaling = raw.mass_scaling.value_or(why.empty());
+    if (!request.restart.empty() && raw.mass_scaling != false && !request.mass_scaling_factor) {
+        const double factor = RunReader(request.restart).header().mass_scaling_factor;
+        request.mass_scaling = raw.mass_scaling.value_or(factor > 0);
+        if (factor > 0) request.mass_scaling_factor = factor;
+    }
+    if (request.mass_scaling && request.program && !why.empty()) {
         throw UsageError(
-            fmt::format("--mass-scaling: {} is dynamic ({}), and scaled masses would move otherwise; "
-                        "--mass-scaling none fits",
-                        raw.program, why));
+            raw.mass_scaling
+                ? fmt::format(
+                      "--mass-scaling: {} is dynamic ({}), and scaled masses would move otherwise; --mass-scaling none fits",
+                      request.program->file, why)
+                : fmt::format("{}: has scaled masses, and {} is dynamic ({}); start from a run made with --mass-scaling none",
+                              request.restart, request.program->file, why));
+    }
+    if (request.mass_scaling_factor && !request.mass_scaling) {
+        throw UsageError("--mass-scaling-factor: there is no mass scaling to apply it to; give --mass-scaling selective too");
     }
 }
 
@@ -212,9 +239,6 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     if (request.vector_target && !is_available(*request.vector_target)) {
         throw UsageError(fmt::format("--vector: this processor has no {}; auto takes the widest it has, {}",
                                      name_of(*request.vector_target), name_of(widest_vector_target())));
-    }
-    if (request.mass_scaling_factor && !request.mass_scaling) {
-        throw UsageError("--mass-scaling-factor: there is no mass scaling to apply it to; give --mass-scaling selective too");
     }
 }
 
@@ -259,6 +283,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     if (program->parsed()) {
         complete_program(options.request, raw);
     }
+    complete_mass_scaling(options.request, raw);
     return options;
 }
 

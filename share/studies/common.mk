@@ -89,7 +89,6 @@ CONFINED ?= rt0.006
 # paper study that drop by 30 %, three peaks changed by more than 0.1 %: specimens whose grains interlock and whose stress rises again (cc a
 # quarter of UCS). Empty: the solver's default, which runs with a strain limit of their own or with frames have too.
 UNIAXIAL_PEAK_DROP ?= 0.15
-export GRAINCRACK_MASS_SCALING ?= selective
 export GRAINCRACK_FRAMES ?= 0
 
 # --- names of runs ---------------------------------------------------------------------------------------------------

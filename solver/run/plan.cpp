@@ -73,6 +73,7 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.elements = specimen.n_elements();
     plan.nodes = specimen.n_nodes();
     plan.contacts = specimen.n_contacts();
+    plan.mass_scaling_factor = setup.mass_scaling_factor;
     plan.stable_time_step = setup.stable_time_step;
     plan.time_step = setup.parameters.time_step;
     const LoadingLength length = driver.longest(plan.time_step);

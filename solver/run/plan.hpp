@@ -22,10 +22,11 @@ struct RunFileSize {
 
 struct SimulationPlan {
     std::size_t grains = 0, elements = 0, nodes = 0, contacts = 0;
-    double stable_time_step = 0;  ///< s
-    double time_step = 0;         ///< s
-    std::int64_t max_steps = 0;   ///< to the strain limit, with the longest that stages may wait for rest
-    std::size_t rows = 0;         ///< of the history in as many steps
+    double mass_scaling_factor = 0;  ///< 0: none
+    double stable_time_step = 0;     ///< s
+    double time_step = 0;            ///< s
+    std::int64_t max_steps = 0;      ///< to the strain limit, with the longest that stages may wait for rest
+    std::size_t rows = 0;            ///< of the history in as many steps
     /// Arrays of the run when it has made as many steps and all contact points have failed, bytes. The program, its libraries and
     /// the buffers of HDF5 take some 25 MB more. So do node–edge contacts, which nobody foresees: of a crushed specimen some
     /// three candidate pairs of 100 bytes a node.

@@ -210,8 +210,11 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
                            name_of(request.law), old.contact_law));
     }
     if (old.mass_scaling_factor != setup.mass_scaling_factor) {
-        refuse(fmt::format("has the mass-scaling factor {}, not {}; it must stay what it is", old.mass_scaling_factor,
-                           setup.mass_scaling_factor));
+        refuse(fmt::format("has the mass-scaling factor {0}, not {1}; {2} fits", old.mass_scaling_factor,
+                           setup.mass_scaling_factor,
+                           old.mass_scaling_factor > 0
+                               ? fmt::format("--mass-scaling selective --mass-scaling-factor {}", old.mass_scaling_factor)
+                               : "--mass-scaling none"));
     }
 }
 

@@ -74,7 +74,7 @@ struct SimulationRequest {
     double peak_drop = 0.3;  ///< of a standard test; 0: it goes on to the strain limit
     double damping = 0.8;
     DampingForm damping_form = DampingForm::combined;
-    bool mass_scaling = false;                  ///< selective
+    bool mass_scaling = false;                  ///< selective; the command line asks for it unless the test is dynamic
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
     bool save_state = false;                    ///< at the end, for another run to go on from

@@ -71,12 +71,46 @@ TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
             expect_same_arrays(program, as_test, "/frames/" + frame);
         }
     };
-    compare("uniaxial", "rectangle.h5", " --rate-tolerance 0.01", " --frames 4 ");
-    compare("triaxial", "rectangle.h5", " --confining-pressure 3MPa --rate-tolerance 0.02 --max-strain 0.008",
-            " --mass-scaling selective --frames 4 ");
+    compare("uniaxial", "rectangle.h5", " --rate-tolerance 0.01", " --mass-scaling none --frames 4 ");
+    compare("triaxial", "rectangle.h5", " --confining-pressure 3MPa --rate-tolerance 0.02 --max-strain 0.008", " --frames 4 ");
     compare("tension", "rectangle.h5", " --rate 100mm/s --max-strain 0.002", " --frames 4 ");
     compare("brazilian", "disc.h5", " --rate blocks --block-speed 100mm/s --block-steps 1000 --max-strain 0.004",
             " --plane stress --frames 4 ");
+}
+
+// Masses are scaled unless something is dynamic, or the user wants otherwise.
+TEST(Programs, MassesAreScaledForWhatIsQuasiStatic) {
+    const Shell shell;
+    lay_out(shell);
+    const auto factor = [&](const std::string& command) {
+        return std::atof(shell
+                             .must("graincrack-solve " + command +
+                                   " --material augig-granite --dry-run | "
+                                   "awk -F'\t' '$1 == \"mass_scaling_factor\" { print $2 }'")
+                             .c_str());
+    };
+    EXPECT_GT(factor("uniaxial bar.h5"), 10);
+    EXPECT_EQ(factor("uniaxial bar.h5 --mass-scaling-factor 30"), 30);
+    EXPECT_EQ(factor("uniaxial bar.h5 --mass-scaling none"), 0);
+    EXPECT_EQ(factor("uniaxial bar.h5 --damping none"), 0);
+    shell.must("graincrack-solve uniaxial bar.h5 --material augig-granite --print-program >press.toml");
+    EXPECT_GT(factor("program bar.h5 --program press.toml"), 10);
+    EXPECT_EQ(factor("program bar.h5 --program press.toml --damping none"), 0);
+    EXPECT_EQ(factor("program bar.h5 --program pulse.toml --damping 0.1"), 0);
+    // What goes on from a run keeps its masses; waves cannot go on from scaled ones.
+    const std::string first =
+        "graincrack-solve program bar.h5 --program press.toml --material augig-granite "
+        "--frames 0 --save-state --quiet ";
+    write_text(shell.file("press.toml"),
+               "name = \"press\"\nstages = [\"press\"]\ndamping = 0.8\n[platens]\n[stage.press]\n"
+               "platen_speed = \"10 mm/s\"\nuntil.time = \"20 us\"\n");
+    shell.must(first + "-o scaled.h5\n" + first + "--mass-scaling none -o plain.h5");
+    EXPECT_GT(factor("program bar.h5 --program press.toml --restart scaled.h5"), 10);
+    EXPECT_EQ(factor("program bar.h5 --program press.toml --restart plain.h5"), 0);
+    const Outcome outcome = shell.run(solve + "--program pulse.toml --damping 0.1 --restart scaled.h5 -o run.h5");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("scaled.h5: has scaled masses, and pulse.toml is dynamic (boundary.source"), std::string::npos)
+        << outcome.err;
 }
 
 // The pressure is reached first, also where the strain limit is below the strain of the isotropic stage.
@@ -103,7 +137,8 @@ platen_speed = { auto = "together", tolerance = 0.02 }
 until.peak_drop = 0.3
 )");
     const std::string table = shell.must(solve + "--program press.toml --sensitivity --frames 0 -o run.h5");
-    EXPECT_EQ(n_lines(table), 6) << table;
+    EXPECT_EQ(n_lines(table), 7) << table;
+    EXPECT_NE(table.find("a quarter of the mass scaling"), std::string::npos) << table;
     EXPECT_NE(table.find("half the rate"), std::string::npos) << table;
     EXPECT_NE(shell.must(solve + "--program press.toml --dry-run").find("max_steps"), std::string::npos);
     // A stage that must come to rest and does not: one line, no file.

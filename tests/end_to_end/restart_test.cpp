@@ -55,7 +55,7 @@ const std::string solve = "graincrack-solve program specimen.h5 --material augig
 
 TEST(Restart, GoesOnToTheByte) {
     for (const std::string options :
-         {"", "--mass-scaling selective ", "--contact-law cohesive-frictional --contact-cohesion 14MPa "}) {
+         {"--mass-scaling none ", "", "--contact-law cohesive-frictional --contact-cohesion 14MPa "}) {
         const Shell shell;
         lay_out(shell);
         shell.must(solve + options + "--program whole.toml -o whole.h5\n" + solve + options +
@@ -82,7 +82,7 @@ TEST(Restart, GoesOnToTheByte) {
 }
 
 TEST(Restart, ATestGoesOnFromItsCheckpoint) {
-    for (const std::string options : {"--mass-scaling selective --rate-tolerance 0.02 ", "--rate blocks --block-speed 0.5m/s "}) {
+    for (const std::string options : {"--rate-tolerance 0.02 ", "--mass-scaling none --rate blocks --block-speed 0.5m/s "}) {
         const Shell shell;
         shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
         const std::string test =
@@ -160,7 +160,7 @@ TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
     };
     refused("--program second.toml --restart first.h5 --plane stress", "plane condition");
     refused("--program second.toml --restart first.h5 --contact-law scaled", "--contact-law consistent fits");
-    refused("--program second.toml --restart first.h5 --mass-scaling selective", "mass-scaling factor");
+    refused("--program second.toml --restart first.h5 --mass-scaling none", "--mass-scaling selective --mass-scaling-factor");
     refused("--program second.toml --restart specimen.h5", "specimen.h5");
     shell.must("graincrack-solve program specimen.h5 --material augig-granite --quiet --program first.toml -o stateless.h5");
     refused("--program second.toml --restart stateless.h5", "--save-state");
