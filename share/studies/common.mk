@@ -80,11 +80,11 @@ GF ?=
 OPEN ?=
 LAW ?=
 MAX_STRAIN ?=
-# The loading rate of tests, as tokens of their names; empty: the solver's default, a rate tolerance of 0.0015. These values reduce the time
-# of uniaxial tests to a half, that of tests under pressure to a quarter to a half; share/doc/equilibrium.md has their effect on strengths.
+# The loading rate of tests, as tokens of their names; empty: the solver's default, a rate tolerance of 0.0015. This value reduces the time
+# of tests to some two thirds; share/doc/equilibrium.md has its effect on strengths.
 # Brazilian tests are short and keep the solver's default.
 UNIAXIAL ?= rt0.003
-CONFINED ?= rt0.006
+CONFINED ?= rt0.003
 # Of most uniaxial tests only the peak is used, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the
 # paper study that drop by 30 %, three peaks changed by more than 0.1 %: specimens whose grains interlock and whose stress rises again (cc a
 # quarter of UCS). Empty: the solver's default, which runs with a strain limit of their own or with frames have too.

@@ -8,7 +8,9 @@ namespace {
 
 constexpr double max_damping_load = 2e-3;  // friction multiplies what damping carries: a strength is off by up to five times that
 constexpr double max_inertia = 0.1;        // what counts at most: kinetic energy 1e-3 of the stored energy
-constexpr double max_rise = 0.015;         // of the strain that it may rise by in a transit: failure takes time
+constexpr double damage_rise = 0.015;      // of the strain that it may rise by in a transit: failures take time to spread
+constexpr double elastic_rise = 0.06;      // the same while hardly a contact is near failure
+constexpr double first_damage = 0.1;       // of a line across the specimen, from which on the former holds
 constexpr double follow_transits = 4;      // in which the speed rises at most e-fold; it falls in half of that
 constexpr double slowest = 0.05;           // of the speed that the tolerance means without damage
 constexpr double smoothing_transits = 1;   // over which measures are smoothed
@@ -20,13 +22,14 @@ double RateControl::allowed(double near_failure) const {
     return share_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, max_inertia));
 }
 
-double RateControl::max_speed(double strain) const {
-    return share_ * 0.5 * scales_.height / scales_.transit_time * max_rise * std::max(strain, scales_.min_strain);
+double RateControl::max_speed(double strain, double near_failure) const {
+    const double rise = std::clamp(damage_rise * first_damage / std::max(near_failure, 1e-9), damage_rise, elastic_rise);
+    return share_ * 0.5 * scales_.height / scales_.transit_time * rise * std::max(strain, scales_.min_strain);
 }
 
 double RateControl::min_speed(double strain, double allowed) const {
     const double wave_speed = scales_.height / scales_.transit_time;
-    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.min_strain), max_speed(strain));
+    return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.min_strain), max_speed(strain, 1));
 }
 
 double RateControl::next(const RateMeasures& now, double duration) {
@@ -44,7 +47,7 @@ double RateControl::next(const RateMeasures& now, double duration) {
     const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
     speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));
-    speed_ = std::min(std::max(speed_, min_speed(now.strain, limit)), max_speed(now.strain));
+    speed_ = std::min(std::max(speed_, min_speed(now.strain, limit)), max_speed(now.strain, near_failure_));
     return speed_;
 }
 
