@@ -8,8 +8,8 @@ build_packages=(
     libvtk9-dev nlohmann-json3-dev
     libegl-mesa0 libgl1-mesa-dri
 )
-# What the tests add: their framework, and the reader that share/doc/file-format.md shows.
-test_packages=(libgtest-dev python3-h5py)
+# What the tests add: their framework, and what share/python and its examples need.
+test_packages=(libgtest-dev python3-h5py python3-matplotlib)
 # What the benchmarks add.
 benchmark_packages=(libbenchmark-dev)
 # What checks the form of the sources.

@@ -1,0 +1,296 @@
+"""Reads what Graincrack writes: specimens, runs and tables.
+
+    from graincrack import Run, Specimen, Table
+
+    run = Run("uniaxial.h5")
+    run.test, run["contact_cohesion"]              # attributes of /run, SI units
+    run.history["axial_stress"]                    # a row of the history each, numpy arrays; tension is positive
+    run.history.unit("axial_stress")               # "Pa"
+    run.cracks["time_broken"]                      # a row for each contact point that failed
+    run.frame("peak")["displacement"]              # also "last", a number from 0, or the nearest to a time: frame(time=0.01)
+    run.specimen.nodes, run.specimen.elements      # positions (m) and triangles
+    Table("strength.tsv")["peak_compressive_stress"]   # a column without its unit; numbers, or texts where not all are numbers
+
+Files keep SI units and so do the arrays; a Table has the units of its columns. `frame_of_pandas()` of a history, the cracks or a
+Table is a pandas DataFrame, if pandas is there. Needs numpy and h5py (Debian: python3-h5py). The format is described in
+share/doc/file-format.md.
+"""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Iterator, Mapping
+
+import h5py
+import numpy as np
+
+__all__ = ["FormatError", "Group", "Run", "Specimen", "Table"]
+
+SCHEMA_VERSIONS = (1, 2)
+
+# Names of schema 1 for what schema 2 calls otherwise.
+_FORMER_NAMES = {
+    ("/run", "energy_balance_error"): "ledger_residual",
+    ("/history", "energy_balance_error"): "ledger_residual",
+    ("/history", "non_conservative_work"): "law_mismatch",
+}
+# Second names in /history, kept in files for scripts of schema 1.
+_SECOND_NAMES = {"/history": {"ledger_residual", "law_mismatch"}}
+
+
+class FormatError(ValueError):
+    """A file that is none of Graincrack's, or of another kind than was asked for."""
+
+
+def _text(value):
+    """Attributes as Python has them: texts, lists of texts, numbers."""
+    if isinstance(value, bytes):
+        return value.decode()
+    if isinstance(value, np.ndarray):
+        return [_text(v) for v in value] if value.dtype.kind in "SO" else value
+    return value.item() if isinstance(value, np.generic) else value
+
+
+class Group(Mapping):
+    """The datasets of an HDF5 group as arrays by name, each read when it is first asked for."""
+
+    def __init__(self, group: h5py.Group):
+        self._group = group
+        self._read: dict[str, np.ndarray] = {}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self._read:
+            self._read[name] = self._dataset(name)[()]
+        return self._read[name]
+
+    def __iter__(self) -> Iterator[str]:
+        second = _SECOND_NAMES.get(self._group.name, set()) if "energy_balance_error" in self._group else set()
+        return iter([name for name in self._group if name not in second])
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def unit(self, name: str) -> str:
+        """Its unit: "Pa", "m", "1" …"""
+        return _text(self._dataset(name).attrs["unit"])
+
+    def description(self, name: str) -> str:
+        """What it is, in a line."""
+        return _text(self._dataset(name).attrs["description"])
+
+    def names(self, name: str) -> list[str]:
+        """The meanings of 0, 1, … in a dataset of codes, as "tensile" and "shear" of the cracks' mode."""
+        return _text(self._dataset(name).attrs["names"])
+
+    def frame_of_pandas(self):
+        """As a pandas DataFrame; a dataset of several columns becomes name_0, name_1 …"""
+        import pandas
+
+        columns = {}
+        for name, values in self.items():
+            if values.ndim == 1:
+                columns[name] = values
+            else:
+                for i, column in enumerate(values.reshape(len(values), -1).T):
+                    columns[f"{name}_{i}"] = column
+        return pandas.DataFrame(columns)
+
+    def _dataset(self, name: str) -> h5py.Dataset:
+        found = self._group.get(name)
+        if found is None:
+            found = self._group.get(_FORMER_NAMES.get((self._group.name, name), name))
+        if not isinstance(found, h5py.Dataset):
+            raise KeyError(f"{self._group.file.filename}: no {self._group.name}/{name}; there are {', '.join(self)}")
+        return found
+
+
+class Specimen:
+    """A particle assemblage. `Specimen("specimen.h5")`, or `run.specimen`."""
+
+    def __init__(self, source: str | Path | h5py.File):
+        self._file = source if isinstance(source, h5py.File) else _open(source)
+
+    def __getitem__(self, attribute: str):
+        return _attribute(self._file, "/specimen", attribute)
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """Reference positions x y, [n, 2], m."""
+        return self._file["nodes/position"][()]
+
+    @property
+    def elements(self) -> np.ndarray:
+        """Nodes of each triangle, counter-clockwise, [e, 3]."""
+        return self._file["elements/nodes"][()]
+
+    @property
+    def grains(self) -> Group:
+        return Group(self._file["grains"])
+
+    @property
+    def contacts(self) -> Group:
+        return Group(self._file["contacts"])
+
+
+class Run:
+    """A run of graincrack-solve. `run["damping"]` is an attribute of /run."""
+
+    def __init__(self, path: str | Path):
+        self._file = _open(path)
+        if "run" not in self._file:
+            raise FormatError(f"{path}: a specimen, no run; give a file that graincrack-solve wrote")
+
+    def __getitem__(self, attribute: str):
+        return _attribute(self._file, "/run", attribute)
+
+    def __enter__(self) -> Run:
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Closes the file; what was not read before cannot be read any more."""
+        self._file.close()
+
+    @property
+    def test(self) -> str:
+        """uniaxial, triaxial, brazilian, tension or program."""
+        return self["test"]
+
+    @property
+    def attributes(self) -> dict:
+        """All attributes of /run, without their units."""
+        return {name: _text(value) for name, value in self._file["run"].attrs.items() if not name.endswith("_unit")}
+
+    @property
+    def provenance(self) -> dict:
+        return {name: _text(value) for name, value in self._file["provenance"].attrs.items()}
+
+    @property
+    def specimen(self) -> Specimen:
+        return Specimen(self._file)
+
+    @property
+    def history(self) -> Group:
+        return Group(self._file["history"])
+
+    @property
+    def cracks(self) -> Group:
+        return Group(self._file["cracks"])
+
+    @property
+    def frame_times(self) -> np.ndarray:
+        """s, ascending."""
+        return np.array([frame.attrs["time"] for frame in self._file["frames"].values()])
+
+    def frame(self, which: str | int = "last", *, time: float | None = None) -> Frame:
+        """A state: "last"; "peak", that of the largest axial stress; a number from 0; the one nearest to `time` (s)."""
+        frames = list(self._file["frames"].values())
+        if which == "peak" and time is None:
+            return self._frame_of_peak()
+        if time is not None:
+            which = int(np.argmin(np.abs(self.frame_times - time)))
+        elif which == "last":
+            which = len(frames) - 1
+        if not isinstance(which, int) or not -len(frames) <= which < len(frames):
+            raise KeyError(f"{self._file.filename}: no frame {which!r}; \"peak\", \"last\" or a number below {len(frames)} fits")
+        return Frame(frames[which])
+
+    def _frame_of_peak(self) -> Frame:
+        stress = self.history["axial_stress"] * (1 if self.test == "tension" else -1)
+        times = self.history["time"]
+        frame = self.frame(time=times[np.argmax(stress)])
+        if stress[np.argmin(np.abs(times - frame.time))] < 0.95 * stress.max():
+            raise KeyError(f"{self._file.filename}: no frame of the peak was kept; make the run with --frames 20")
+        return frame
+
+    def probe(self, name: str) -> Group:
+        """The rows of a program's probe."""
+        if f"probes/{name}" not in self._file:
+            there = ", ".join(self._file.get("probes", {})) or "none"
+            raise KeyError(f"{self._file.filename}: no probe {name!r}; there are {there}")
+        return Group(self._file[f"probes/{name}"])
+
+
+class Frame(Group):
+    """Displacements, stresses and contact states at a time."""
+
+    def __init__(self, group: h5py.Group):
+        super().__init__(group)
+        self.time = float(group.attrs["time"])  #: s
+        self.step = int(group.attrs["step"])
+
+
+class Table(Mapping):
+    """A table of graincrack-post (TSV): columns by name, with or without the unit that ends it."""
+
+    def __init__(self, path: str | Path):
+        with open(path, newline="") as file:
+            rows = list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
+        if not rows or any(len(row) != len(rows[0]) for row in rows):
+            raise FormatError(f"{path}: no table; a line of names and rows of as many fields, divided by tabulators, fit")
+        self._path = path
+        self._columns = {name: [row[i] for row in rows[1:]] for i, name in enumerate(rows[0])}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        cells = self._columns[self.column(name)]
+        try:
+            return np.array([float(cell) if cell else np.nan for cell in cells])
+        except ValueError:
+            return np.array(cells, dtype=object)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def column(self, name: str) -> str:
+        """The full name of a column, which ends in its unit: "peak_compressive_stress" is "peak_compressive_stress_MPa"."""
+        fits = [c for c in self._columns if c == name] or [c for c in self._columns if c.rpartition("_")[0] == name]
+        if len(fits) != 1:
+            raise KeyError(f"{self._path}: {'several columns' if fits else 'no column'} {name!r}; there are {', '.join(self)}")
+        return fits[0]
+
+    def unit(self, name: str) -> str:
+        """The unit that ends the column's name, "" where it has none."""
+        full = self.column(name)
+        unit = full.rpartition("_")[2]
+        return unit if unit in _UNITS else ""
+
+    def frame_of_pandas(self):
+        """As a pandas DataFrame."""
+        import pandas
+
+        return pandas.DataFrame({name: self[name] for name in self})
+
+
+# Units that end the names of columns (share/doc/tables.md).
+_UNITS = {"MPa", "GPa", "Pa", "mm", "m", "um", "deg", "rad", "percent", "J", "J/m2", "s", "N", "m/s", "kPa", "MPa/mm", "MPa.m^0.5"}
+
+
+def _open(path: str | Path) -> h5py.File:
+    try:
+        file = h5py.File(path, "r")
+    except FileNotFoundError:
+        raise
+    except OSError as error:
+        raise FormatError(f"{path}: no HDF5 file ({error})") from None
+    version = file.attrs.get("schema_version")
+    if "specimen" not in file or version is None:
+        raise FormatError(f"{path}: none of Graincrack's files; one of graincrack-mesh or graincrack-solve fits")
+    if int(version) not in SCHEMA_VERSIONS:
+        raise FormatError(f"{path}: schema {int(version)}; this module reads {' and '.join(map(str, SCHEMA_VERSIONS))}")
+    return file
+
+
+def _attribute(file: h5py.File, group: str, name: str):
+    attributes = file[group].attrs
+    if name not in attributes:
+        name = _FORMER_NAMES.get((group, name), name)
+    if name not in attributes:
+        there = ", ".join(sorted(a for a in attributes if not a.endswith("_unit")))
+        raise KeyError(f"{file.filename}: {group} has no {name!r}; there are {there}")
+    return _text(attributes[name])

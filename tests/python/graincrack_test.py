@@ -1,0 +1,112 @@
+"""Reads what the tools write and compares it with what graincrack-post prints. Usage: graincrack_test.py BIN PYTHON"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BIN, PYTHON = (Path(argument).resolve() for argument in sys.argv[1:3])
+sys.path.insert(0, str(PYTHON))
+
+import numpy as np  # noqa: E402
+
+from graincrack import FormatError, Run, Specimen, Table  # noqa: E402
+
+
+def tool(line: str) -> str:
+    """The output of a command of the tools."""
+    return subprocess.run(f"{BIN}/graincrack-{line}", shell=True, check=True, capture_output=True, text=True).stdout
+
+
+class ReadsWhatTheToolsWrite(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        os.chdir(cls.folder.name)
+        tool("mesh rectangle --width 20mm --height 40mm --edge 4mm --quiet -o specimen.h5")
+        test = "solve uniaxial specimen.h5 --material augig-granite --rate 200mm/s --max-strain 0.012 --quiet "
+        tool(test + "--frames 8 -o run.h5")
+        tool(test + "--frames 0 -o end.h5")
+        Path("strength.tsv").write_text(tool("post strength run.h5 --quiet"))
+        Path("history.tsv").write_text(tool("post history run.h5"))
+
+    @classmethod
+    def tearDownClass(cls):
+        os.chdir("/")
+        cls.folder.cleanup()
+
+    def test_a_history_is_what_the_postprocessor_prints(self):
+        run, printed = Run("run.h5"), Table("history.tsv")
+        self.assertEqual(run.history.unit("axial_stress"), "Pa")
+        self.assertEqual(printed.unit("axial_stress"), "Pa")
+        self.assertIn("energy_balance_error", run.history)
+        self.assertNotIn("ledger_residual", list(run.history))
+        for name in run.history:
+            np.testing.assert_allclose(printed[name], run.history[name], rtol=1e-6, atol=1e-300, err_msg=name)
+
+    def test_the_peak_is_that_of_the_table(self):
+        run, strength = Run("run.h5"), Table("strength.tsv")
+        self.assertAlmostEqual(-run.history["axial_stress"].min() / 1e6, strength["peak_compressive_stress"][0], places=3)
+        self.assertEqual(strength["test"][0], run.test)
+        peak = run.frame("peak")
+        at_peak = run.history["time"][run.history["axial_stress"].argmin()]
+        self.assertAlmostEqual(peak.time, at_peak, delta=2 * np.diff(run.history["time"]).max())
+        self.assertEqual(peak["displacement"].shape, run.specimen.nodes.shape)
+        self.assertEqual(run.frame("last").step, run.history["step"][-1])
+        self.assertEqual(run.frame(0).time, run.frame_times[0])
+
+    def test_cracks_are_those_that_are_counted(self):
+        run, strength = Run("run.h5"), Table("strength.tsv")
+        self.assertGreater(len(run.cracks["mode"]), 10)
+        self.assertEqual(run.cracks.names("mode"), ["tensile", "shear"])
+        self.assertEqual(run.history["tensile_cracks"][-1], (run.cracks["mode"] == 0).sum() / 2)
+        peak_time = run.history["time"][run.history["axial_stress"].argmin()]
+        before = run.cracks["time"] <= peak_time
+        self.assertEqual(strength["shear_cracks"][0], (run.cracks["mode"][before] == 1).sum() / 2)
+
+    def test_attributes_and_specimen(self):
+        run, specimen = Run("run.h5"), Specimen("specimen.h5")
+        self.assertEqual(run["material"], "Augig granite")
+        self.assertEqual(run.attributes["mass_scaling"], "selective")
+        self.assertEqual(run.provenance["tool"], "graincrack-solve")
+        self.assertEqual(specimen["width"], 0.02)
+        np.testing.assert_array_equal(specimen.nodes, run.specimen.nodes)
+        corners = specimen.nodes[specimen.elements]
+        edges = corners[:, 1:] - corners[:, :1]
+        area = 0.5 * (edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])
+        self.assertAlmostEqual(area.sum(), 0.02 * 0.04, places=12)
+        np.testing.assert_allclose(area, specimen.grains["area"], rtol=1e-9)
+
+    def test_what_does_not_fit_is_said(self):
+        Path("text.h5").write_text("no HDF5")
+        Path("ragged.tsv").write_text("a\tb\n1\n")
+        for path, kind, message in (
+            ("text.h5", Run, "text.h5: no HDF5 file"),
+            ("specimen.h5", Run, "specimen.h5: a specimen, no run"),
+            ("ragged.tsv", Table, "ragged.tsv: no table"),
+        ):
+            with self.assertRaisesRegex(FormatError, message):
+                kind(path)
+        run = Run("run.h5")
+        for read, message in (
+            (lambda: run.history["stress"], "no /history/stress; there are .*axial_stress"),
+            (lambda: run["colour"], "/run has no 'colour'"),
+            (lambda: run.frame(99), "no frame 99"),
+            (lambda: Run("end.h5").frame("peak"), "end.h5: no frame of the peak"),
+            (lambda: run.probe("end"), "no probe 'end'"),
+            (lambda: Table("strength.tsv")["stress"], "no column 'stress'"),
+        ):
+            with self.assertRaisesRegex(KeyError, message):
+                read()
+
+    def test_examples_draw(self):
+        environment = {**os.environ, "PYTHONPATH": str(PYTHON)}
+        for script, source in (("curve_and_cracks", "run.h5"), ("crack_map", "run.h5"), ("strengths", "strength.tsv")):
+            subprocess.run([sys.executable, PYTHON / "examples" / f"{script}.py", source, f"{script}.png"], check=True, env=environment)
+            self.assertGreater(Path(f"{script}.png").stat().st_size, 10000, script)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
