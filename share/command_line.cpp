@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "share/completion.hpp"
 #include "share/configuration_file.hpp"
 #include "share/option_names.hpp"
 #include "share/processors.hpp"
@@ -425,6 +426,11 @@ void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& o
             return text + "\nCLI11 " CLI11_VERSION;
         },
         "print version, commit and libraries and exit");
+    app.add_option_function<std::string>(
+           "--completion", [&app](const std::string& shell) { throw CLI::CallForVersion(completion_script(app, shell), 0); },
+           "print a script that completes command lines and exit")
+        ->type_name("bash|zsh")
+        ->configurable(false);
     app.config_formatter(std::make_shared<ConfigurationFile>(app));
     app.allow_config_extras(CLI::config_extras_mode::error);
     app.set_config("--config", "", "TOML file with options by their names")->type_name("FILE")->configurable(false);

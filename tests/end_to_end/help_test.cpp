@@ -141,6 +141,28 @@ TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
     }
 }
 
+TEST(Help, CompletionOffersWhatFits) {
+    const Shell shell;
+    const auto offered = [&](const std::string& tool, const std::string& line) {
+        return shell.must("bash -c 'source <(graincrack-" + tool + " --completion bash); COMP_WORDS=(" + line +
+                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _graincrack_" + tool + "; echo \"${COMPREPLY[*]}\"'");
+    };
+    EXPECT_EQ(offered("solve", "graincrack-solve un"), "uniaxial\n");
+    EXPECT_EQ(offered("solve", "graincrack-solve uniaxial specimen.h5 --mass-scaling \"\""), "none selective\n");
+    EXPECT_EQ(offered("solve", "graincrack-solve triaxial --conf"), "--config --confining-pressure\n");
+    EXPECT_EQ(offered("solve", "graincrack-solve uniaxial --confi"), "--config\n");
+    EXPECT_EQ(offered("post", "graincrack-post plot lenn"), "lennard-jones\n");
+    EXPECT_EQ(offered("mesh", "graincrack-mesh rectangle --wid"), "--width\n");
+    EXPECT_EQ(offered("mesh", "graincrack-mesh disc --wid"), "\n");
+    for (const char* tool : {"mesh", "solve", "post"}) {
+        shell.must(std::string("graincrack-") + tool + " --completion bash | bash -n");
+        EXPECT_TRUE(shell.must(std::string("graincrack-") + tool + " --completion zsh").starts_with("#compdef graincrack-"));
+    }
+    const Outcome unknown = shell.run("graincrack-solve --completion fish");
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_EQ(unknown.err, "graincrack-solve: --completion: unknown shell \"fish\"; one of bash|zsh fits\n");
+}
+
 TEST(Help, VersionNamesToolAndLibraries) {
     const Shell shell;
     for (const auto& [tool, library] : {std::pair{"mesh", "CGAL"}, {"solve", "HDF5"}, {"post", "VTK"}}) {

@@ -16,6 +16,11 @@ TEST(Install, ToolsFindTheMaterialsTheyCameWith) {
         "graincrack-solve brazilian disc.h5 --material of-this-place --max-strain 0.0003 --rate 400mm/s --quiet -o run.h5");
     EXPECT_NE(shell.must(tools + "graincrack-post info run.h5").find("Of this place alone"), std::string::npos);
     EXPECT_NE(content_of(shell.file("moved/share/graincrack/doc/file-format.md")), "");
+    for (const char* file : {"doc/graincrack/README.md", "doc/graincrack/copyright", "doc/graincrack/CITATION.cff",
+                             "bash-completion/completions/graincrack-solve", "zsh/vendor-completions/_graincrack-post"}) {
+        EXPECT_NE(content_of(shell.file(std::string("moved/share/") + file)), "") << file;
+    }
+    EXPECT_EQ(shell.run("grep -rlF " GRAINCRACK_BIN " moved").out, "");  // nothing of the build is in it
     EXPECT_EQ(shell.must("PYTHONPATH=moved/lib/python3/dist-packages /usr/bin/python3 -c \"import graincrack; "
                          "print(graincrack.Run('run.h5').test)\""),
               "brazilian\n");
