@@ -20,6 +20,10 @@ TEST(Install, ToolsFindTheMaterialsTheyCameWith) {
                              "bash-completion/completions/graincrack-solve", "zsh/vendor-completions/_graincrack-post"}) {
         EXPECT_NE(content_of(shell.file(std::string("moved/share/") + file)), "") << file;
     }
+    EXPECT_EQ(
+        shell.must("cd moved/share/doc/graincrack; for page in README.md share/doc/*.md; do grep -oE '\\]\\([^)#:]+' $page | "
+                   "cut -c3- | while read -r link; do test -e $(dirname $page)/$link || echo $page $link; done; done"),
+        "");
     EXPECT_EQ(shell.run("grep -rlF " GRAINCRACK_BIN " moved").out, "");  // nothing of the build is in it
     EXPECT_EQ(shell.must("PYTHONPATH=moved/lib/python3/dist-packages /usr/bin/python3 -c \"import graincrack; "
                          "print(graincrack.Run('run.h5').test)\""),
