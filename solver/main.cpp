@@ -122,6 +122,7 @@ int solve(int argc, char** argv) {
     catch_stop_signals();
     const H5Input input(options->specimen, "specimen");
     const Specimen specimen = read_specimen(input);
+    require_shape(options->request.loading.test, specimen, input.name());
     if (options->print_program) {
         print_program(*options, specimen);
         return 0;
