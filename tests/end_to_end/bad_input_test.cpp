@@ -189,6 +189,7 @@ const std::vector<BadInput> postprocessor{
     {"ThresholdsOfADisc", "graincrack-post plot thresholds run.h5 -o t.png", 3, "brazilian"},
     {"MissingMaterial", "graincrack-post fpz --material cheese", 3, "cheese"},
     {"MaterialMissesAProperty", "graincrack-post fpz --material no-density.toml", 3, "density"},
+    {"TemplateOverAFile", "graincrack-post material init no-density", 5, "no-density.toml: exists"},
     {"UnknownKey", "graincrack-post strength run.h5 --config unknown-key.toml", 2, "gravity"},
     {"MissingFolder", "graincrack-post plot cracks run.h5 -o nowhere/out.png", 5, "nowhere"},
     {"AFileForAFolder", "graincrack-post cracks run.h5 -o text.h5", 5, "text.h5"},

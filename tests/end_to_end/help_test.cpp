@@ -66,6 +66,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post envelope",
                                 "post trend",
                                 "post fpz",
+                                "post material init",
                                 "post cracks",
                                 "post size-effect",
                                 "post ccd design",
