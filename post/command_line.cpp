@@ -17,6 +17,7 @@
 #include "post/commands/fpz.hpp"
 #include "post/commands/history.hpp"
 #include "post/commands/info.hpp"
+#include "post/commands/material.hpp"
 #include "post/commands/measures.hpp"
 #include "post/commands/plot.hpp"
 #include "post/commands/report.hpp"
@@ -45,6 +46,7 @@ std::vector<Command> commands() {
         envelope_command(),
         size_effect_command(),
         trend_command(),
+        material_command(),
         fpz_command(),
         ccd_command(),
         cracks_command(),

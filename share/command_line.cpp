@@ -11,6 +11,7 @@
 #include "share/completion.hpp"
 #include "share/configuration_file.hpp"
 #include "share/option_names.hpp"
+#include "share/option_variables.hpp"
 #include "share/processors.hpp"
 #include "share/provenance.hpp"
 #include "share/units.hpp"
@@ -44,9 +45,7 @@ std::string help_command(CLI::App& app) {
 void name_variables(CLI::App& app) {
     for (CLI::Option* option : app.get_options()) {
         if (!option->get_configurable() || option->get_lnames().empty() || !option->get_envname().empty()) continue;
-        std::string name = "GRAINCRACK_" + option->get_lnames().front();
-        for (char& c : name) c = c == '-' ? '_' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        option->envname(name);
+        option->envname(variable_of(option->get_lnames().front()));
     }
 }
 
@@ -134,6 +133,40 @@ std::string help_of(const std::string& help, const Quantity& quantity) {
         if (unit.symbol != "1") symbols.push_back(unit.symbol);
     }
     return fmt::format("{} [{}; {}]", help, bounds_text(quantity), fmt::join(symbols, ", "));
+}
+
+// --- notes -----------------------------------------------------------------------------------------------------------
+
+/// What bare numbers were taken for, as the options are read.
+std::vector<std::string>& bare_numbers() {
+    static std::vector<std::string> notes;
+    return notes;
+}
+
+/// Remembers a length or stress without a unit: 80 is meant as 80 mm more often than as the 80 m that it is.
+void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
+    if (quantity.dimension != Dimension::length && quantity.dimension != Dimension::stress) return;
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || rest != end || value == 0) return;
+    const std::string note = fmt::format("{}: {} has no unit and was taken for {} {}", where, text, text, quantity.unit());
+    if (std::find(bare_numbers().begin(), bare_numbers().end(), note) == bare_numbers().end()) bare_numbers().push_back(note);
+}
+
+double read_quantity(const std::string& text, const Quantity& quantity, const std::string& where) {
+    const double value = parse_quantity(text, quantity, where);
+    note_bare_number(text, quantity, where);
+    return value;
+}
+
+/// What the user may have meant otherwise, and with --verbose the options that hold; nothing with --quiet.
+void print_notes(const CLI::App& app) {
+    if (app.count("--quiet") > 0) return;
+    for (const auto& notes : {bare_numbers(), misspelt_variables()}) {
+        for (const std::string& note : notes) std::cerr << app.get_name() << ": note: " << note << '\n';
+    }
+    if (app.count("--verbose") > 0) std::cerr << effective_configuration(app);
 }
 
 // --- errors ----------------------------------------------------------------------------------------------------------
@@ -229,7 +262,7 @@ std::string missing_message(const Call& call) {
     for (const CLI::App* each : running(call.app)) {
         for (const CLI::Option* option : each->get_options()) {
             if (!option->get_required() || option->count() > 0) continue;
-            return fmt::format("{}: missing; it is needed: {}", shown_name(*option), option->get_description());
+            return fmt::format("{}: missing; give the {}", shown_name(*option), option->get_description());
         }
         if (each->get_subcommands().size() < each->get_require_subcommand_min()) return subcommand_message(*each, "");
     }
@@ -353,7 +386,7 @@ CLI::Option* add_quantity(CLI::App& app, const std::string& option, double& targ
                           const std::string& help, const std::string& default_text) {
     const std::string where = detail::long_name(option);
     return detail::add_value(
-        app, option, [&target, quantity, where](const std::string& text) { target = parse_quantity(text, quantity, where); },
+        app, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
         help_of(help, quantity), type_name(quantity.dimension), default_text);
 }
 
@@ -361,7 +394,7 @@ CLI::Option* add_quantity(CLI::App& app, const std::string& option, std::optiona
                           const std::string& help) {
     const std::string where = detail::long_name(option);
     return detail::add_value(
-        app, option, [&target, quantity, where](const std::string& text) { target = parse_quantity(text, quantity, where); },
+        app, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
         help_of(help, quantity), type_name(quantity.dimension), "");
 }
 
@@ -438,7 +471,8 @@ void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& o
         ->configurable(false);
     const auto say = [&options](Verbosity verbosity) { return [&options, verbosity] { options.verbosity = verbosity; }; };
     CLI::Option* quiet = app.add_flag_callback("-q,--quiet", say(Verbosity::quiet), "say nothing but errors");
-    CLI::Option* verbose = app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "say more");
+    CLI::Option* verbose =
+        app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "say more: the options that hold, as TOML");
     quiet->excludes(verbose);
 }
 
@@ -461,6 +495,7 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
             }
         }
     });
+    bare_numbers().clear();
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {
@@ -476,7 +511,10 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
             for (const CLI::Option* option : each->get_options()) file->apply_default(option);
         }
     }
-    if (!print_config) return true;
+    if (!print_config) {
+        print_notes(app);
+        return true;
+    }
     for (CLI::Option* option : required) option->required();
     std::cout << effective_configuration(app);
     return false;

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "share/error.hpp"
+#include "share/incomplete_material.hpp"
 #include "share/toml_file.hpp"
 #include "share/units.hpp"
 
@@ -89,7 +90,14 @@ std::vector<Table> tables_of(Material& material) {
     return tables;
 }
 
-Material read_material_file(const fs::path& file) {
+/// A needed key that is not there.
+struct MissingKey {
+    std::string name;     ///< "rock.density"
+    std::string meaning;  ///< "mass density of the rock, in kg/m3"
+};
+
+/// \param missing gets the needed keys that are not there
+Material read_material_file(const fs::path& file, std::vector<MissingKey>& missing) {
     const TomlFile toml = read_toml(file.string());
     Material material;
     material.file = file;
@@ -139,13 +147,23 @@ Material read_material_file(const fs::path& file) {
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
     for (const auto& [table, keys] : tables) {
         for (const Key& key : keys) {
-            if (key.needed && !key.found) {
-                throw InputError(fmt::format("{}: {}.{} is missing; it is the {}, in {}", toml.file, table, key.name,
-                                             key.quantity.meaning, key.quantity.unit()));
-            }
+            if (!key.needed || key.found) continue;
+            missing.push_back({table + "." + key.name, fmt::format("{}, in {}", key.quantity.meaning, key.quantity.unit())});
         }
     }
     return material;
+}
+
+/// All at once, so that a file is completed in one go.
+void refuse_missing(const fs::path& file, const std::vector<MissingKey>& missing) {
+    if (missing.empty()) return;
+    if (missing.size() == 1) {
+        throw InputError(fmt::format("{}: {} is missing; it is the {}", file.string(), missing[0].name, missing[0].meaning));
+    }
+    std::string list;
+    for (const MissingKey& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key.name, key.meaning);
+    throw InputError(fmt::format("{}: {} keys are missing: {}; graincrack-post material init writes a template with every key",
+                                 file.string(), missing.size(), list));
 }
 
 /// Folders in which a name is looked up. An installation finds its folder relative to the program, so that it may be moved.
@@ -169,17 +187,20 @@ const std::vector<Quantity>& laboratory_quantities() {
     return quantities;
 }
 
-Material read_material(const std::string& name_or_file) {
+namespace {
+
+/// The file of a material.
+fs::path find_material(const std::string& name_or_file) {
     if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
     std::error_code ignored;
     const fs::path path(name_or_file);
     if (name_or_file.find('/') != std::string::npos || path.extension() == ".toml" || fs::is_regular_file(path, ignored)) {
-        return read_material_file(path);
+        return path;
     }
     std::vector<std::string> known;
     for (const fs::path& folder : material_folders()) {
         const fs::path file = folder / (name_or_file + ".toml");
-        if (fs::is_regular_file(file, ignored)) return read_material_file(file);
+        if (fs::is_regular_file(file, ignored)) return file;
         for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator(); entry.increment(ignored)) {
             if (ignored) break;
             if (entry->path().extension() == ".toml") known.push_back(entry->path().stem().string());
@@ -192,6 +213,32 @@ Material read_material(const std::string& name_or_file) {
     throw InputError(fmt::format("material {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too",
                                  name_or_file, suggestion(name_or_file, known),
                                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(folders, ", ")));
+}
+
+}  // namespace
+
+Material read_material(const std::string& name_or_file) {
+    const fs::path file = find_material(name_or_file);
+    std::vector<MissingKey> missing;
+    Material material = read_material_file(file, missing);
+    refuse_missing(file, missing);
+    return material;
+}
+
+IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
+    std::vector<MissingKey> missing;
+    IncompleteMaterial read{read_material_file(find_material(name_or_file), missing), {}};
+    for (const MissingKey& key : missing) read.missing.push_back(key.name);
+    return read;
+}
+
+std::vector<std::string> material_keys() {
+    Material material;
+    std::vector<std::string> names;
+    for (const auto& [table, keys] : tables_of(material)) {
+        for (const Key& key : keys) names.push_back(table + "." + key.name);
+    }
+    return names;
 }
 
 FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where) {

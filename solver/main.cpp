@@ -55,7 +55,8 @@ constexpr double trusted_residual = 0.005;
 
 void print_summary(const SimulationSummary& s) {
     const RunHeader& h = s.header;
-    const std::string strength = h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa; ", strength_of(h) * 1e-6) : "";
+    const std::string strength =
+        h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa (plane {}); ", strength_of(h) * 1e-6, name_of(h.plane)) : "";
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
     fmt::print(stderr, "{}: {} after {} steps of {:.3g} s{}; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason,
                h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
@@ -122,6 +123,7 @@ int solve(int argc, char** argv) {
     catch_stop_signals();
     const H5Input input(options->specimen, "specimen");
     const Specimen specimen = read_specimen(input);
+    require_shape(options->request.loading.test, specimen, input.name());
     if (options->print_program) {
         print_program(*options, specimen);
         return 0;

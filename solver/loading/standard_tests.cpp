@@ -1,9 +1,12 @@
 #include "solver/loading/standard_tests.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
 
+#include "share/error.hpp"
 #include "solver/setup/transit_time.hpp"
 
 namespace graincrack {
@@ -92,6 +95,21 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     std::transform(program.stages.begin(), program.stages.end(), std::back_inserter(program.order),
                    [](const Stage& stage) { return stage.name; });
     return program;
+}
+
+void require_shape(TestKind test, const Specimen& specimen, const std::string& file) {
+    if (test == TestKind::brazilian && specimen.shape == "rectangle") {
+        throw InputError(
+            fmt::format("{}: is a rectangle, and a Brazilian test loads a disc; make one by graincrack-mesh disc, or "
+                        "load the rectangle by uniaxial, triaxial, tension or program",
+                        file));
+    }
+    if (test != TestKind::brazilian && test != TestKind::program && specimen.shape == "disc") {
+        throw InputError(
+            fmt::format("{}: is a disc, and a {} test loads a rectangle; make one by graincrack-mesh rectangle, or "
+                        "load the disc by brazilian or program",
+                        file, name_of(test)));
+    }
 }
 
 Program program_of(const SimulationRequest& request, const Specimen& specimen) {

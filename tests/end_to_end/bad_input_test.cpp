@@ -22,6 +22,9 @@ void lay_out(const Shell& shell, const std::string& command) {
     lines += "material=" GRAINCRACK_SOURCE "/share/materials/augig-granite.toml\n";
     lines += "grep -v '^density' $material >no-density.toml\n";
     lines += "echo 'gravity = 1' >unknown-key.toml\n";
+    if (command.find("rectangle.h5") != std::string::npos) {
+        lines += "graincrack-mesh rectangle --width 20mm --height 40mm --grains 60 --quiet -o rectangle.h5\n";
+    }
     if (command.find("run.h5") != std::string::npos) {
         lines += "graincrack-solve brazilian disc.h5 -o run.h5" + elastic + "\n";
         lines += "size=$(stat -c %s run.h5)\nhead -c $((size * 3 / 4)) run.h5 >truncated-run.h5\n";
@@ -140,6 +143,12 @@ const std::vector<BadInput> solver{
      "--mass-scaling-factor"},
     {"UnknownMassScaling", "graincrack-solve brazilian disc.h5 --material augig-granite --mass-scaling all -o out.h5", 2,
      "--mass-scaling"},
+    {"RectangleAsDisc", "graincrack-solve brazilian rectangle.h5 --material augig-granite -o out.h5", 3,
+     "rectangle.h5: is a rectangle"},
+    {"DiscAsRectangle", "graincrack-solve uniaxial disc.h5 --material augig-granite -o out.h5", 3, "disc.h5: is a disc"},
+    {"DiscInTension", "graincrack-solve tension disc.h5 --material augig-granite --dry-run", 3, "disc.h5: is a disc"},
+    {"DiscUnderPressure", "graincrack-solve triaxial disc.h5 --material augig-granite --confining-pressure 4MPa --print-program",
+     3, "disc.h5: is a disc"},
     {"Variable", "GRAINCRACK_RATE=5kg graincrack-solve brazilian disc.h5 --material augig-granite -o out.h5", 2,
      "GRAINCRACK_RATE"},
 };
@@ -180,6 +189,7 @@ const std::vector<BadInput> postprocessor{
     {"ThresholdsOfADisc", "graincrack-post plot thresholds run.h5 -o t.png", 3, "brazilian"},
     {"MissingMaterial", "graincrack-post fpz --material cheese", 3, "cheese"},
     {"MaterialMissesAProperty", "graincrack-post fpz --material no-density.toml", 3, "density"},
+    {"TemplateOverAFile", "graincrack-post material init no-density", 5, "no-density.toml: exists"},
     {"UnknownKey", "graincrack-post strength run.h5 --config unknown-key.toml", 2, "gravity"},
     {"MissingFolder", "graincrack-post plot cracks run.h5 -o nowhere/out.png", 5, "nowhere"},
     {"AFileForAFolder", "graincrack-post cracks run.h5 -o text.h5", 5, "text.h5"},

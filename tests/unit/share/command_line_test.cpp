@@ -194,11 +194,33 @@ TEST_F(CommandLine, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
     EXPECT_EQ(given.options.max_strain, 0.01);
 }
 
+TEST_F(CommandLine, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothing) {
+    const auto notes = [](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"uniaxial", "a.h5", "-o", "b.h5"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        testing::internal::CaptureStderr();
+        Tool tool;
+        EXPECT_TRUE(tool.parse(arguments));
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(notes({"--edge", "80"}), "graincrack-try: note: --edge: 80 has no unit and was taken for 80 m\n");
+    EXPECT_EQ(notes({"--edge", "80", "--quiet"}), "");
+    EXPECT_EQ(notes({"--edge", "80mm", "--spread", "0.1"}), "");
+    set("GRAINCRACK_MAX_STRIAN", "0.02");
+    set("GRAINCRACK_SOMETHING_ELSE", "1");
+    set("GRAINCRACK_CONFINING_PRESSURE", "4MPa");  // of another tool or subcommand
+    EXPECT_EQ(notes({}),
+              "graincrack-try: note: GRAINCRACK_MAX_STRIAN: no option has this variable, so that it does nothing; did you mean "
+              "GRAINCRACK_MAX_STRAIN?\n");
+    EXPECT_EQ(notes({"--quiet"}), "");
+    EXPECT_NE(notes({"--verbose"}).find("max-strain"), std::string::npos);
+}
+
 TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({}), "no subcommand given; one of uniaxial, triaxial fits");
     EXPECT_EQ(complaint({"uniaxal", "a.h5"}),
               "unknown subcommand \"uniaxal\"; did you mean uniaxial? one of uniaxial, triaxial fits");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5"}), "--output: missing; it is needed: run file");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5"}), "--output: missing; give the run file");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--egde", "4mm"}),
               "--egde: unknown option; did you mean --edge? see graincrack-try uniaxial --help");
     EXPECT_EQ(complaint({"uniaxial", "--egde=4mm"}),

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "share/error.hpp"
+#include "share/incomplete_material.hpp"
 #include "share/toml_file.hpp"
 
 namespace graincrack {
@@ -54,6 +56,47 @@ protected:
     const std::string contact = "[contact]\ntensile_strength = '24.15MPa'\ncohesion = '74.57 MPa'\nfriction_angle = '48.76deg'\n";
     const std::string stone = "name = 'stone'\n" + rock + contact;
 };
+
+/// The template with all of its keys set.
+std::string filled_template() {
+    std::istringstream lines(material_template("marble"));
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_key = line.starts_with("# ") && line.find(" = ") != std::string::npos && line[2] >= 'a' && line[2] <= 'z';
+        text += (is_key ? line.substr(2) : line) + "\n";
+    }
+    return text;
+}
+
+TEST_F(MaterialFile, TheTemplateHasEveryKeyAndReadsOnceItIsFilled) {
+    const std::string as_it_is = complaint(material_template("marble"));
+    EXPECT_TRUE(as_it_is.starts_with("9 keys are missing: ")) << as_it_is;
+    const fs::path file = write(filled_template());
+    EXPECT_EQ(read_material(file.string()).name, "marble");
+    const TomlFile toml = read_toml(file.string());
+    std::vector<std::string> keys;
+    for (const TomlEntry& entry : toml.entries) {
+        if (!entry.section.empty()) keys.push_back(entry.section.front() + "." + entry.key);
+    }
+    EXPECT_EQ(keys, material_keys());
+    EXPECT_NE(material_template("marble").find("Zhang 2002"), std::string::npos);
+}
+
+TEST_F(MaterialFile, LaboratoryValuesAreEnoughForTheRockOfAProcessZone) {
+    const fs::path file = write(
+        "name = 'marble'\n[laboratory]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\n"
+        "tensile_strength = '6.88 MPa'\n");
+    std::vector<std::string> notes;
+    const Rock marble = rock_of_laboratory(read_incomplete_material(file.string()), notes);
+    EXPECT_EQ(marble.young_modulus, 49e9);
+    EXPECT_DOUBLE_EQ(marble.mode_i_toughness, 1e6);
+    EXPECT_DOUBLE_EQ(marble.mode_ii_toughness, 2e6);
+    EXPECT_EQ(notes.size(), 5U);
+    EXPECT_NE(notes[3].find("Zhang 2002"), std::string::npos) << notes[3];
+    notes.clear();
+    EXPECT_EQ(rock_of_laboratory(read_incomplete_material("augig-granite"), notes).mode_i_toughness, 1.5e6);
+    EXPECT_TRUE(notes.empty());
+}
 
 TEST_F(MaterialFile, AugigGraniteHasThePublishedNumbers) {
     const Material granite = read_material("augig-granite");
@@ -112,7 +155,12 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
         "normal_stiffness, shear_stiffness, fracture_energy, mode_ii_fracture_energy, open_shear_strength, "
         "residual_tensile_strength, residual_cohesion, residual_friction_angle");
     EXPECT_EQ(complaint("colour = 'red'\n" + stone), "line 1: unknown key colour; known outside of tables is only name");
-    EXPECT_EQ(complaint("name = 'x'\n" + contact), "rock.young_modulus is missing; it is the Young's modulus of the rock, in Pa");
+    EXPECT_EQ(complaint("name = 'x'\n" + contact +
+                        "[rock]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\ndensity = 2700\n"
+                        "mode_i_toughness = 1e6\n"),
+              "2 keys are missing: rock.mode_ii_toughness (fracture toughness K_IIC of the rock, in Pa.m^0.5), "
+              "rock.tensile_strength (tensile strength of the rock, in Pa); graincrack-post material init writes a template with "
+              "every key");
     EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
               "contact.friction_angle is missing; it is the friction angle phi_c of a contact, in rad");
     EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
