@@ -8,6 +8,7 @@
 #include <span>
 
 #include "share/error.hpp"
+#include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
 #include "share/quantities.hpp"
 #include "share/schema.hpp"
@@ -24,7 +25,7 @@ std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
 }
 
 template <class T, std::size_t n>
-std::vector<std::array<T, n>> rows_of(const H5Input& file, const schema::Dataset& dataset) {
+std::vector<std::array<T, n>> table_of(const H5Input& file, const schema::Dataset& dataset) {
     const Extents extents = file.extents(dataset.path);
     if (extents.size() != 2 || extents[1] != n) {
         throw InputError(fmt::format("{}: dataset {} needs {} columns", file.name(), dataset.path, n));
@@ -86,7 +87,12 @@ void check_sizes(const Specimen& s, const Checker& check) {
                   "contacts/grain_boundary and contacts/nodes differ in length");
     check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
     check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
-    check.require(s.height > 0 && s.width > 0, "width and height must be positive");
+    check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
+                  "width and height must be positive and finite");
+    check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        check.require(s.grain_area[g] > 0 && std::isfinite(s.grain_area[g]), "area of a grain must be positive and finite", g);
+    }
 }
 
 void check_elements(const Specimen& s, const Checker& check) {
@@ -275,17 +281,17 @@ Specimen read_specimen(const H5Input& file) {
     for (const StatisticAttribute& a : statistic_attributes) {
         s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
     }
-    s.node_position = rows_of<double, 2>(file, schema::node_position);
-    s.element_nodes = rows_of<std::int32_t, 3>(file, schema::element_nodes);
-    s.element_grain = file.read<std::int32_t>(schema::element_grain.path);
-    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path);
+    s.node_position = table_of<double, 2>(file, schema::node_position);
+    s.element_nodes = table_of<std::int32_t, 3>(file, schema::element_nodes);
+    s.element_grain = file.read<std::int32_t>(schema::element_grain.path, {s.n_elements()});
+    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path, {rows_of(file, schema::grain_phase.path)});
     s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
-    s.grain_area = file.read<double>(schema::grain_area.path);
-    s.contact_nodes = rows_of<std::int32_t, 4>(file, schema::contact_nodes);
-    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path);
-    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path);
-    s.boundary_edges = rows_of<std::int32_t, 2>(file, schema::boundary_edges);
-    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path);
+    s.grain_area = file.read<double>(schema::grain_area.path, {s.n_grains()});
+    s.contact_nodes = table_of<std::int32_t, 4>(file, schema::contact_nodes);
+    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path, {s.n_contacts()});
+    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path, {s.n_contacts()});
+    s.boundary_edges = table_of<std::int32_t, 2>(file, schema::boundary_edges);
+    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path, {s.n_boundary_edges()});
     s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
     validate(s, file.name());
     return s;

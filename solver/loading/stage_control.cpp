@@ -69,6 +69,7 @@ void StageController::visit_state(Self& self, Visit&& visit) {
     visit("feedback.unbalanced_ratio", self.feedback_.unbalanced_ratio);
     visit("feedback.kinetic_energy", self.feedback_.rate.kinetic_energy);
     visit("feedback.stored_energy", self.feedback_.rate.stored_energy);
+    visit("feedback.rate.unbalanced_ratio", self.feedback_.rate.unbalanced_ratio);
     visit("feedback.force_difference", self.feedback_.rate.force_difference);
     visit("feedback.damping_load", self.feedback_.rate.damping_load);
     visit("feedback.near_failure", self.feedback_.rate.near_failure);

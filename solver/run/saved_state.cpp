@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <span>
@@ -99,6 +100,9 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("displacement_at_search", s.contact_pairs.displacement_at_search);
     visit("occupied_area", s.contact_pairs.occupied_area);
     visit("cluster_load", s.contact_pairs.cluster_load);
+    visit("active_pairs", s.contact_pairs.active.pair);
+    visit("active_counts", s.contact_pairs.active.count);
+    visit("next_mark", s.next_mark);
     visit("cluster_near_platen", s.clusters.near_platen);
     visit("cluster_energies", s.clusters.sums);
 }
@@ -181,8 +185,11 @@ bool same_mesh(const Specimen& a, const Specimen& b) {
            a.element_grain == b.element_grain;
 }
 
-/// Whether states of older files lack an array. What they lack is found anew in the first step.
-bool is_newer(std::string_view name) { return name == "cluster_load" || name == "cluster_near_platen"; }
+/// Whether states of files before schema 3 may lack an array. What they lack is found anew, some of it in the first step.
+bool is_newer(std::string_view name) {
+    constexpr std::array names{"cluster_load", "cluster_near_platen", "active_pairs", "active_counts", "next_mark"};
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// \throws InputError where a state cannot go on as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
@@ -260,6 +267,18 @@ void restore_marks(const RunReader& run, const std::vector<Crack>& cracks, const
     }
 }
 
+FrameProgress read_frame_progress(const H5Input& file) {
+    const std::string group = schema::state_group;
+    FrameProgress progress;
+    progress.next = file.attribute<double>(group, "next_frame");
+    progress.interval = file.attribute<double>(group, "frame_interval");
+    progress.regular = static_cast<int>(file.attribute<std::int64_t>(group, "regular_frames"));
+    for (const std::int64_t role : file.attribute<std::vector<std::int64_t>>(group, "frame_roles")) {
+        progress.roles.push_back(static_cast<FrameRole>(role));
+    }
+    return progress;
+}
+
 StageControllerState read_loading(const H5Input& file) {
     const std::string group = schema::state_group;
     // The first files of schema 1 have no stages; only a checkpoint needs them.
@@ -296,6 +315,18 @@ void write_saved_state(H5Output& file, const State& state, const StageController
     file.attribute(group, "energy_balance_error", energy_balance_error);
 }
 
+void write_frame_progress(H5Output& file, const FrameProgress& progress) {
+    const std::string group = schema::state_group;
+    std::vector<std::int64_t> roles;
+    for (const FrameRole role : progress.roles) {
+        roles.push_back(static_cast<std::int64_t>(role));
+    }
+    file.attribute(group, "next_frame", progress.next);
+    file.attribute(group, "frame_interval", progress.interval);
+    file.attribute(group, "regular_frames", std::int64_t{progress.regular});
+    file.attribute(group, "frame_roles", roles);
+}
+
 std::size_t size_of_saved_state(const State& state) {
     std::size_t numbers = state.failed.size() * width_of<ContactHistory>();
     visit_arrays(state, [&]<class Item>(const char* /*name*/, const std::vector<Item>& items) {
@@ -318,7 +349,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         value = static_cast<std::decay_t<decltype(value)>>(file.attribute<double>(group, name));
     });
     visit_arrays(s, [&](const char* name, auto& items) {
-        if (!is_newer(name) || file.has(path_of(name))) {
+        if (file.version() >= 3 || !is_newer(name) || file.has(path_of(name))) {
             read_array(file, name, items);
         }
     });
@@ -330,7 +361,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         }
     }
     complete_cluster_state(setup.parameters.mass_scaling, s);
-    load_active(setup.assemblage, s.contact_pairs);
+    (s.contact_pairs.active.pair.empty() ? load_active : resume_active)(setup.assemblage, s.contact_pairs);
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     const RunHeader& old = run.header();
@@ -341,9 +372,14 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     book_change(old, setup, s);
     saved.loading = read_loading(file);
     saved.cracks = run.cracks();
-    restore_marks(run, saved.cracks, setup.parameters.law, s);
+    if (!file.has(path_of("next_mark"))) {
+        restore_marks(run, saved.cracks, setup.parameters.law, s);
+    }
     saved.energy_scale = old.energy_scale;
     saved.energy_balance_error = file.attribute<double>(group, "energy_balance_error");
+    if (old.stop_reason == "checkpoint") {
+        saved.frames = read_frame_progress(file);
+    }
     return saved;
 }
 
