@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "share/h5_digest.hpp"
 #include "share/h5_open.hpp"
 #include "share/h5_structure.hpp"
+#include "share/output_lock.hpp"
 
 namespace graincrack {
 
@@ -303,6 +305,7 @@ struct H5Output::State {
     std::string name;
     std::string part;  // the file until commit; empty for a pipe
     bool committed = false;
+    std::optional<OutputLock> lock;
     Handle file;
     ~State() {
         file.reset();
@@ -333,6 +336,7 @@ H5Output::H5Output(const std::string& path, std::string_view kind) : state_(std:
         if (!folder.empty() && !std::filesystem::is_directory(folder)) {
             throw OutputError(fmt::format("{}: the folder {} does not exist", path, folder.string()));
         }
+        state_->lock.emplace(path);
         state_->part = path + ".part";
         state_->file = Handle(H5Fcreate(state_->part.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
     }

@@ -122,6 +122,27 @@ void check_elements(const Specimen& s, const Checker& check) {
     }
 }
 
+/// The declared size must be that of the mesh: platens, strains and stresses go by it. The outline of a disc lies inside its
+/// circle, by at most the rise of its longest edge at either side.
+void check_size(const Specimen& s, const Checker& check) {
+    constexpr double tolerance = 0.01;  // of a size: the strength is off by as much
+    double longest = 0;
+    for (const auto& [i, j] : s.boundary_edges) {
+        longest = std::max(
+            longest, std::hypot(s.node_position[i][0] - s.node_position[j][0], s.node_position[i][1] - s.node_position[j][1]));
+    }
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+        const auto [low, high] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
+                                                     [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+        const double extent = (*high)[axis] - (*low)[axis];
+        const double declared = axis == 0 ? s.width : s.height;
+        const double rise = s.shape == "rectangle" ? 0 : longest * longest / (2 * declared);
+        check.require(extent <= (1 + tolerance) * declared && extent + rise >= (1 - tolerance) * declared,
+                      axis == 0 ? "width is more than 1 % off the extent of the nodes along x"
+                                : "height is more than 1 % off the extent of the nodes along y");
+    }
+}
+
 /// Sides of the elements from node to node, counter-clockwise, sorted.
 using Sides = std::vector<std::array<std::int32_t, 2>>;
 Sides element_sides(const Specimen& s) {
@@ -236,6 +257,7 @@ void validate(const Specimen& specimen, const std::string& where) {
     const Sides sides = element_sides(specimen);
     check_contacts(specimen, sides, check);
     check_boundary(specimen, sides, check);
+    check_size(specimen, check);
 }
 
 void write_specimen(H5Output& file, const Specimen& s) {

@@ -73,6 +73,9 @@ void print_summary(const SimulationSummary& s) {
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
+    if (!s.equilibrium_warning.empty()) {
+        fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
+    }
     if (h.energy_balance_error > trusted_residual) {
         fmt::print(
             stderr,

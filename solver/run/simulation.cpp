@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "share/equilibrium.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "solver/loading/standard_tests.hpp"
@@ -82,6 +83,7 @@ public:
           crack_log_(state_.failed.size()),
           header_(make_header(request, program_, setup_)),
           progress_(label, verbosity),
+          verbosity_(verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         if (request.checkpoint_interval) {
             checkpoint_clock_.emplace(*request.checkpoint_interval);
@@ -162,8 +164,10 @@ private:
         }
         if (writer_ && !checkpoint_.empty()) {
             write_checkpoint();
-            fmt::print(stderr, "{}: {} has the test so far; the same command with --restart {} goes on from there\n",
-                       header_.test, checkpoint_, checkpoint_);
+            if (verbosity_ != Verbosity::quiet) {
+                fmt::print(stderr, "{}: {} has the test so far; the same command with --restart {} goes on from there\n",
+                           header_.test, checkpoint_, checkpoint_);
+            }
         }
         throw Interrupted(stop_signal() != 0 ? stop_signal() : SIGTERM);
     }
@@ -198,6 +202,9 @@ private:
         if (history_[HistoryColumn::time].back() != state_.time ||
             history_[HistoryColumn::step].back() != static_cast<double>(state_.step)) {
             throw InputError(run.name() + ": its state is not that of the last row of its history: the file is damaged");
+        }
+        for (const double work : history_[HistoryColumn::energy_external]) {
+            worked_ = std::max(worked_, std::abs(work));
         }
         last_axial_stress_ = history_[HistoryColumn::axial_stress].back();
         peak_ = run.header().peak_axial_stress;
@@ -269,7 +276,10 @@ private:
         // What is dynamic may be all motion, and store next to nothing.
         const double scale = energies.stored() + (is_dynamic_ ? energies.kinetic : 0);
         header_.energy_scale = std::max(header_.energy_scale, scale);
-        const double residual = header_.energy_scale > 0 ? energies.balance_error() / header_.energy_scale : 0;
+        worked_ = std::max(worked_, std::abs(energies.external));
+        // Where next to nothing is stored yet, an error is small or large against what the platens have worked.
+        const double judged = std::max(header_.energy_scale, worked_);
+        const double residual = judged > 0 ? energies.balance_error() / judged : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
             throw_unstable(residual);
         }
@@ -328,8 +338,8 @@ private:
         driver_.complete(header_, state_.time);
         complete_header(history_, specimen_.width, header_);
         header_.energy_balance_error = header_.energy_scale > 0 ? largest_balance_error_ / header_.energy_scale : 0;
-        if (header_.energy_balance_error > unstable_residual) {
-            throw_unstable(header_.energy_balance_error);
+        if (const double judged = std::max(header_.energy_scale, worked_); largest_balance_error_ > unstable_residual * judged) {
+            throw_unstable(largest_balance_error_ / judged);
         }
     }
 
@@ -348,10 +358,12 @@ private:
     CrackLog crack_log_;
     RunHeader header_;
     Progress progress_;
+    Verbosity verbosity_;
     History history_;
     ThreadTeam team_;
     RateMeasures rate_;  ///< of the last row
     std::size_t rows_written_ = 0;
+    double worked_ = 0;                 ///< largest external work so far, absolute, J
     double largest_balance_error_ = 0;  ///< of the energy balance, J
     double last_axial_stress_ = 0;      ///< tension positive, Pa
     double peak_ = 0;                   ///< of it since contacts have failed, absolute, Pa
@@ -377,6 +389,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     simulation.write_to(output);
     SimulationSummary summary;
     summary.header = simulation.run();
+    summary.equilibrium_warning = equilibrium_warning(summary.header, simulation.outcome().history);
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
