@@ -90,9 +90,6 @@ void check_sizes(const Specimen& s, const Checker& check) {
     check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
                   "width and height must be positive and finite");
     check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");
-    for (std::size_t g = 0; g < s.n_grains(); ++g) {
-        check.require(s.grain_area[g] > 0 && std::isfinite(s.grain_area[g]), "area of a grain must be positive and finite", g);
-    }
 }
 
 void check_elements(const Specimen& s, const Checker& check) {
@@ -118,6 +115,7 @@ void check_elements(const Specimen& s, const Checker& check) {
         }
     }
     for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        check.require(s.grain_area[g] > 0 && std::isfinite(s.grain_area[g]), "area of a grain must be positive and finite", g);
         check.require(s.grain_phase[g] < s.phase_names.size(), "grain names a phase that does not exist", g);
     }
 }

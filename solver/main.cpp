@@ -14,6 +14,7 @@
 #include "share/units.hpp"
 #include "solver/loading/program_text.hpp"
 #include "solver/loading/standard_tests.hpp"
+#include "solver/run/checkpoint.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/solve_options.hpp"
@@ -122,6 +123,7 @@ int solve(int argc, char** argv) {
         return 0;
     }
     catch_stop_signals();
+    catch_checkpoint_signal();
     const H5Input input(options->specimen, "specimen");
     const Specimen specimen = read_specimen(input);
     if (options->print_program) {

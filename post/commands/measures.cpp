@@ -41,6 +41,8 @@ Command strength_command() {
         {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"}, several_runs, add_strength_options,
         [](const StrengthOptions& options, const Call& call) {
             (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, options.format);
+            call.out.flush();
+            if (!call.out) return;
             for (const std::string& file : call.files) warn_of_equilibrium(file, call);
         });
 }

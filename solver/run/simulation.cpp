@@ -128,7 +128,7 @@ public:
             record();
             show_progress();
             header_.stop_reason = driver_.stop_reason(axial_strain());
-            if (header_.stop_reason.empty() && checkpoint_clock_ && checkpoint_clock_->is_due()) {
+            if (header_.stop_reason.empty() && writes_checkpoint_now()) {
                 write_checkpoint();
             }
         }
@@ -156,6 +156,14 @@ public:
     [[nodiscard]] std::string vector_target() const { return std::string(name_of(assemblage_.vector_target)); }
 
 private:
+    [[nodiscard]] bool writes_checkpoint_now() {
+        if (!writer_ || checkpoint_.empty()) {
+            return false;
+        }
+        const bool is_asked = take_checkpoint_request();
+        return is_asked || (checkpoint_clock_ && checkpoint_clock_->is_due());
+    }
+
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() const {
         const bool asked = request_.stops_after && request_.stops_after(history_.size());

@@ -162,8 +162,8 @@ def main():
                 right = code == 0 or (code in (3, 4) and len(lines) == 1)
                 if not right:
                     wrong += 1
-                    print(f"WRONG {file.name}: {what}: {' '.join(map(str, command[:3]))}: exit {code}", *lines[-2:], sep="\n    ")
-    print(f"hostile files: {tried} readings tried, {wrong} wrong (seed {options.seed}, one in {options.every})")
+                    print(f"WRONG {file.name}: {what}: {' '.join(map(str, command[:3]))}: exit {code}", *lines[-2:], sep="\n    ", flush=True)
+    print(f"hostile files: {tried} tries, {wrong} wrong (seed {options.seed}, one in {options.every})")
     sys.exit(wrong > 0)
 
 

@@ -19,6 +19,16 @@ TEST(Output, AStoppedRunLeavesACheckpointWithWhatThereIs) {
     shell.must("graincrack-post history run.h5.checkpoint\ngraincrack-post info --check run.h5.checkpoint");
 }
 
+TEST(Output, ASignalOfABatchSystemMakesACheckpointAndTheRunGoesOn) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5");
+    shell.must(
+        "graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o run.h5 &\n"
+        "for ((i = 0; i < 500; ++i)); do [[ -e run.h5.part ]] && break; sleep 0.02; done\nsleep 0.3\nkill -USR1 $!\n"
+        "for ((i = 0; i < 500; ++i)); do [[ -e run.h5.checkpoint ]] && break; sleep 0.02; done\n"
+        "graincrack-post info --check run.h5.checkpoint\nkill -0 $!\nkill -KILL $!\nwait $! || true");
+}
+
 TEST(Output, AFailedRunLeavesNothing) {
     const Shell shell;
     shell.must(make_disc + "disc.h5");
