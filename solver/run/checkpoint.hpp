@@ -29,7 +29,7 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// From here on SIGUSR1, by which batch systems warn, asks for a checkpoint and does not end the program.
+/// From here on SIGUSR1, by which schedulers warn, asks for a checkpoint and does not end the program.
 void catch_checkpoint_signal();
 /// Whether it has asked since the last call.
 bool take_checkpoint_request() noexcept;

@@ -19,7 +19,7 @@ TEST(Output, AStoppedRunLeavesACheckpointWithWhatThereIs) {
     shell.must("graincrack-post history run.h5.checkpoint\ngraincrack-post info --check run.h5.checkpoint");
 }
 
-TEST(Output, ASignalOfABatchSystemMakesACheckpointAndTheRunGoesOn) {
+TEST(Output, ASignalOfASchedulerMakesACheckpointAndTheRunGoesOn) {
     const Shell shell;
     shell.must(make_disc + "disc.h5");
     shell.must(
