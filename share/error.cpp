@@ -1,34 +1,71 @@
 #include "share/error.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
+
+#include "share/printable.hpp"
 
 namespace graincrack {
 namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
 
-void remember_signal(int signal) { caught_signal = signal; }
+/// The second signal ends the tool at once.
+void remember_signal(int signal) {
+    if (caught_signal != 0) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+    caught_signal = signal;
+}
 
 int report(const std::string& tool, const std::string& message, ExitCode code) {
-    std::string line = tool + ": " + message;
+    std::string line = message;
     for (char& c : line) {
         if (c == '\n') {
             c = ' ';
         }
     }
-    std::fprintf(stderr, "%s\n", line.c_str());
+    std::fprintf(stderr, "%s: %s\n", tool.c_str(), printable(line).c_str());
     return static_cast<int>(code);
+}
+
+/// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using it fails.
+void open_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0) {
+            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        }
+    }
+}
+
+/// \throws OutputError if not all that was printed has gone out
+void flush_stdout() {
+    errno = 0;
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw OutputError(std::string("stdout: could not be written whole") + (errno != 0 ? ": " : "") +
+                          (errno != 0 ? std::strerror(errno) : ""));
+    }
 }
 
 }  // namespace
 
 int run_tool(const std::string& tool, const std::function<int()>& body) {
+    open_closed_streams();
     std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
     try {
-        return body();
+        const int code = body();
+        flush_stdout();
+        return code;
     } catch (const Interrupted& stopped) {
         std::fprintf(stderr, "%s: stopped by signal %d\n", tool.c_str(), stopped.signal());
         return 128 + stopped.signal();

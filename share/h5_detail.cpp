@@ -63,17 +63,20 @@ void write_attribute(hid_t object, const std::string& name, const std::vector<st
     replace_attribute(object, name, H5T_STD_I64LE, vector_space(values.size()).get(), values.data());
 }
 void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& values) {
-    std::vector<const char*> pointers;
-    pointers.reserve(values.size());
+    std::size_t size = 1;
     for (const std::string& value : values) {
-        pointers.push_back(value.c_str());
+        size = std::max(size, value.size());
     }
-    replace_attribute(object, name, string_type().get(), vector_space(values.size()).get(), pointers.data());
+    std::string padded;
+    for (const std::string& value : values) {
+        padded += value + std::string(size - value.size(), '\0');
+    }
+    replace_attribute(object, name, fixed_string_type(size).get(), vector_space(values.size()).get(), padded.data());
 }
 
 namespace {
 
-/// Reads any string attribute, fixed or variable, scalar or vector (h5py writes variable ones).
+/// Reads any string attribute, fixed or variable (of files before schema 3), scalar or vector.
 bool read_strings(hid_t attribute, std::vector<std::string>& out) {
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);

@@ -5,6 +5,7 @@
 
 #include "share/error.hpp"
 #include "share/h5_detail.hpp"
+#include "share/h5_structure.hpp"
 
 namespace graincrack::h5 {
 namespace {
@@ -42,89 +43,126 @@ hid_t hash_type(hid_t type) {
     }
 }
 
-void digest_attributes(hid_t object, Sha256& hash) {
-    for (const std::string& name : attribute_names(object)) {
-        const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
-        const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-        const Handle space(H5Aget_space(attribute.get()), H5Sclose);
-        hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
-        std::vector<std::string> texts;
-        if (read_attribute(attribute.get(), texts)) {
-            for (const std::string& text : texts) {
-                hash.add(text);
-            }
-        } else if (const hid_t as = hash_type(type.get()); as >= 0) {
-            std::vector<char> bytes(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())) * H5Tget_size(as));
-            H5Aread(attribute.get(), as, bytes.data());
-            hash.add(bytes.data(), bytes.size());
-        }
-    }
-}
+/// Walks through a file whose groups are a tree (`require_tree`).
+class Content {
+public:
+    Content(hid_t file, const std::string& file_name, bool reads_variable)
+        : file_(file), file_name_(file_name), reads_variable_(reads_variable) {}
 
-void digest_object(hid_t file, const std::string& path, const std::string& file_name, const std::string& left_out, Sha256& hash) {
-    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
-    if (!object.valid()) {
-        throw InputError(fmt::format("{}: {} cannot be read", file_name, path));
+    /// Adds an object and all below it to a hash, but for the object `left_out`.
+    void digest(const std::string& path, const std::string& left_out, Sha256& hash) const {
+        const Handle object = open(path);
+        if (H5Iget_type(object.get()) == H5I_GROUP) {
+            hash.add(path + " group");
+            digest_attributes(object.get(), path, hash);
+            for (const std::string& child : children_of(path)) {
+                if (child != left_out) {
+                    digest(child, left_out, hash);
+                }
+            }
+            return;
+        }
+        hash.add(path + " " + shape_of(object.get()));
+        digest_attributes(object.get(), path, hash);
+        digest_values(object.get(), path, hash);
     }
-    if (H5Iget_type(object.get()) == H5I_GROUP) {
-        hash.add(path + " group");
-        digest_attributes(object.get(), hash);
-        for (const std::string& name : link_names(file, path)) {
-            const std::string child = (path == "/" ? "" : path) + "/" + name;
-            if (child != left_out) {
-                digest_object(file, child, file_name, left_out, hash);
+
+    /// Adds a line for each dataset.
+    void describe(const std::string& path, std::vector<std::string>& lines) const {
+        const Handle object = open(path);
+        if (H5Iget_type(object.get()) == H5I_GROUP) {
+            for (const std::string& child : children_of(path)) {
+                describe(child, lines);
+            }
+            return;
+        }
+        std::string line = path + " " + shape_of(object.get());
+        for (const char* name : {"unit", "description"}) {
+            std::string text;
+            const Handle attribute(H5Aexists(object.get(), name) > 0 ? H5Aopen(object.get(), name, H5P_DEFAULT) : -1, H5Aclose);
+            if (attribute.valid()) {
+                require_readable_attribute(attribute.get(), reads_variable_, file_name_, path, name);
+                line += read_attribute(attribute.get(), text) ? " " + text : "";
             }
         }
-        return;
+        lines.push_back(line);
     }
-    const Handle type(H5Dget_type(object.get()), H5Tclose);
-    const Handle space(H5Dget_space(object.get()), H5Sclose);
-    hash.add(path + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
-    digest_attributes(object.get(), hash);
-    const hid_t as = hash_type(type.get());
-    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
-    if (as < 0 || n == 0) {
-        return;
-    }
-    std::vector<char> bytes(n * H5Tget_size(as));
-    if (H5Dread(object.get(), as, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) {
-        throw InputError(fmt::format("{}: {} cannot be read: the file is damaged", file_name, path));
-    }
-    hash.add(bytes.data(), bytes.size());
-}
 
-void describe_object(hid_t file, const std::string& path, std::vector<std::string>& lines) {
-    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
-    if (H5Iget_type(object.get()) == H5I_GROUP) {
-        for (const std::string& name : link_names(file, path)) {
-            describe_object(file, (path == "/" ? "" : path) + "/" + name, lines);
+private:
+    [[nodiscard]] Handle open(const std::string& path) const {
+        Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
+        if (!object.valid()) {
+            throw InputError(fmt::format("{}: {} cannot be read", file_name_, path));
         }
-        return;
+        return object;
     }
-    const Handle type(H5Dget_type(object.get()), H5Tclose);
-    const Handle space(H5Dget_space(object.get()), H5Sclose);
-    std::string line = fmt::format("{} {} {}", path, type_name(type.get()), extents_text(space_extents(space.get())));
-    for (const char* name : {"unit", "description"}) {
-        std::string text;
-        const Handle attribute(H5Aexists(object.get(), name) > 0 ? H5Aopen(object.get(), name, H5P_DEFAULT) : -1, H5Aclose);
-        if (attribute.valid() && read_attribute(attribute.get(), text)) {
-            line += " " + text;
+    [[nodiscard]] std::vector<std::string> children_of(const std::string& path) const {
+        std::vector<std::string> children = link_names(file_, path);
+        for (std::string& child : children) {
+            child = (path == "/" ? "" : path) + "/" + child;
+        }
+        return children;
+    }
+    /// Type and extents.
+    static std::string shape_of(hid_t dataset) {
+        const Handle type(H5Dget_type(dataset), H5Tclose);
+        const Handle space(H5Dget_space(dataset), H5Sclose);
+        return type_name(type.get()) + " " + extents_text(space_extents(space.get()));
+    }
+    void digest_attributes(hid_t object, const std::string& path, Sha256& hash) const {
+        for (const std::string& name : attribute_names(object)) {
+            const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+            const auto refuse = [&] {
+                throw InputError(fmt::format("{}: attribute {} of {} cannot be read", file_name_, name, path));
+            };
+            if (!attribute.valid()) {
+                refuse();
+            }
+            require_readable_attribute(attribute.get(), reads_variable_, file_name_, path, name);
+            const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+            const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+            hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
+            std::vector<std::string> texts;
+            if (read_attribute(attribute.get(), texts)) {
+                for (const std::string& text : texts) {
+                    hash.add(text);
+                }
+            } else if (const hid_t as = hash_type(type.get()); as >= 0) {
+                std::vector<char> bytes(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())) * H5Tget_size(as));
+                if (!bytes.empty() && H5Aread(attribute.get(), as, bytes.data()) < 0) {
+                    refuse();
+                }
+                hash.add(bytes.data(), bytes.size());
+            }
         }
     }
-    lines.push_back(line);
-}
+    void digest_values(hid_t dataset, const std::string& path, Sha256& hash) const {
+        const std::size_t n = require_readable(dataset, file_name_, path);
+        const Handle type(H5Dget_type(dataset), H5Tclose);
+        const hid_t as = hash_type(type.get());
+        std::vector<char> bytes(n * H5Tget_size(as));
+        if (n > 0 && H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) {
+            throw InputError(fmt::format("{}: {} cannot be read: the file is damaged", file_name_, path));
+        }
+        hash.add(bytes.data(), bytes.size());
+    }
+
+    hid_t file_;
+    const std::string& file_name_;
+    bool reads_variable_;
+};
 
 }  // namespace
 
-std::string digest(hid_t file, const std::string& file_name, const std::string& left_out) {
+std::string digest(hid_t file, const std::string& file_name, const std::string& left_out, bool reads_variable) {
     Sha256 hash;
-    digest_object(file, "/", file_name, left_out, hash);
+    Content(file, file_name, reads_variable).digest("/", left_out, hash);
     return hash.hex();
 }
 
-std::vector<std::string> describe(hid_t file) {
+std::vector<std::string> describe(hid_t file, const std::string& file_name, bool reads_variable) {
     std::vector<std::string> lines;
-    describe_object(file, "/", lines);
+    Content(file, file_name, reads_variable).describe("/", lines);
     return lines;
 }
 

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -18,6 +18,9 @@
 #include "share/former_names.hpp"
 #include "share/h5_detail.hpp"
 #include "share/h5_digest.hpp"
+#include "share/h5_open.hpp"
+#include "share/h5_structure.hpp"
+#include "share/output_lock.hpp"
 
 namespace graincrack {
 
@@ -33,6 +36,7 @@ constexpr unsigned deflate_level = 1;         // measured: higher levels cost ti
 void silence_hdf5() {
     static const bool done = [] {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        H5PLset_loading_state(0);  // no file makes the library load code
         return true;
     }();
     static_cast<void>(done);
@@ -47,77 +51,6 @@ std::size_t product(const Extents& extents) {
 }
 
 std::vector<hsize_t> to_hsize(const Extents& extents) { return {extents.begin(), extents.end()}; }
-
-std::vector<char> read_stdin() {
-    std::vector<char> bytes;
-    std::vector<char> buffer(1 << 20);
-    while (true) {
-        const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n < 0) {
-            throw InputError(fmt::format("stdin: cannot be read: {}", std::strerror(errno)));
-        }
-        if (n == 0) {
-            return bytes;
-        }
-        bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + n);
-    }
-}
-
-/// Opens a file image by the core driver, which keeps a copy of its own. (H5LTopen_file_image makes no copy, but leaks.)
-Handle open_image(const std::vector<char>& bytes) {
-    if (bytes.empty()) {
-        throw InputError("stdin: empty: the program before wrote nothing; see its message");
-    }
-    const Handle access = property_list(H5P_FILE_ACCESS);
-    H5Pset_fapl_core(access.get(), 1 << 20, 0);
-    H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()),
-                      bytes.size());  // NOLINT: the C interface takes it non-const, and copies
-    return {H5Fopen("graincrack-stdin", H5F_ACC_RDONLY, access.get()), H5Fclose};
-}
-
-Handle open_path(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) {
-        throw InputError(fmt::format("{}: {}", path, errno == ENOENT ? "no such file" : std::strerror(errno)));
-    }
-    if (S_ISDIR(status.st_mode)) {
-        throw InputError(fmt::format("{}: is a folder, an HDF5 file is needed", path));
-    }
-    if (::access(path.c_str(), R_OK) != 0) {
-        throw InputError(fmt::format("{}: {}", path, std::strerror(errno)));
-    }
-    if (status.st_size == 0) {
-        throw InputError(fmt::format("{}: empty file, a file written by a Graincrack tool is needed", path));
-    }
-    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
-}
-
-/// Throws the error for an unreadable file: one with the HDF5 signature is truncated or damaged, any other is no HDF5 file.
-[[noreturn]] void throw_unreadable(const std::string& name, bool has_signature) {
-    if (has_signature) {
-        throw InputError(fmt::format("{}: truncated or damaged HDF5 file; write it again with the tool that made it", name));
-    }
-    throw InputError(fmt::format("{}: not an HDF5 file; a file written by a Graincrack tool is needed", name));
-}
-
-bool has_hdf5_signature(const char* bytes, std::size_t size) {
-    static constexpr unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
-    return size >= 8 && std::memcmp(bytes, signature, 8) == 0;
-}
-
-bool file_has_hdf5_signature(const std::string& path) {
-    char head[8] = {};
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (fd < 0) {
-        return false;
-    }
-    const ssize_t n = ::read(fd, head, sizeof head);
-    ::close(fd);
-    return has_hdf5_signature(head, n > 0 ? static_cast<std::size_t>(n) : 0);
-}
 
 /// Creation properties of a dataset: contiguous when small and of fixed size, else chunked along the first extent.
 Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool grows) {
@@ -221,14 +154,20 @@ H5Input H5Input::from_image(const std::vector<char>& image, const std::string& n
 }
 
 void H5Input::require_kind(std::string_view kind) {
+    const std::int64_t version = attribute_or<std::int64_t>("/", "schema_version", 0);
+    state_->version = std::min<std::int64_t>(version, schema_version);
     if (attribute_or<std::string>("/", "format", "") != "graincrack") {
         throw InputError(
             fmt::format("{}: an HDF5 file, but not a Graincrack one (no root attribute format = graincrack)", state_->name));
     }
-    state_->version = attribute_or<std::int64_t>("/", "schema_version", 0);
-    if (state_->version > schema_version) {
+    require_tree(state_->file.get(), state_->name);
+    if (version < 1) {
+        throw InputError(
+            fmt::format("{}: schema version {} is none; {} is that of today", state_->name, version, schema_version));
+    }
+    if (version > schema_version) {
         throw InputError(fmt::format("{}: schema version {} is newer than this build reads ({}); use a newer Graincrack",
-                                     state_->name, state_->version, schema_version));
+                                     state_->name, version, schema_version));
     }
     state_->kind = attribute_or<std::string>("/", "kind", "");
     if (!kind.empty() && state_->kind != kind) {
@@ -286,8 +225,7 @@ std::vector<std::string> H5Input::children(const std::string& group) const {
 template <class T>
 std::vector<T> H5Input::read(const std::string& dataset) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, state_->stored(dataset));
-    const Handle space(H5Dget_space(id.get()), H5Sclose);
-    std::vector<T> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
+    std::vector<T> values(require_readable(id.get(), state_->name, dataset));
     if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
         throw InputError(
             fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
@@ -296,11 +234,21 @@ std::vector<T> H5Input::read(const std::string& dataset) const {
 }
 
 template <class T>
+std::vector<T> H5Input::read(const std::string& dataset, const Extents& shape) const {
+    if (const Extents own = extents(dataset); own != shape) {
+        throw InputError(fmt::format("{}: dataset {} has the shape {}, not {}", state_->name, dataset, extents_text(own),
+                                     extents_text(shape)));
+    }
+    return read<T>(dataset);
+}
+
+template <class T>
 std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, state_->stored(dataset));
+    require_readable(id.get(), state_->name, dataset);
     const Handle space(H5Dget_space(id.get()), H5Sclose);
     std::vector<hsize_t> extents = to_hsize(space_extents(space.get()));
-    if (extents.empty() || first + count > extents[0]) {
+    if (extents.empty() || first > extents[0] || count > extents[0] - first) {
         throw InputError(fmt::format("{}: dataset {} has no rows {} to {}", state_->name, dataset, first, first + count));
     }
     std::vector<hsize_t> offset(extents.size(), 0);
@@ -324,6 +272,9 @@ T H5Input::attribute(const std::string& object, const std::string& attribute) co
     const Handle id(H5Aopen_by_name(state_->file.get(), state_->stored(object).c_str(), state_->stored(object, attribute).c_str(),
                                     H5P_DEFAULT, H5P_DEFAULT),
                     H5Aclose);
+    if (id.valid()) {
+        require_readable_attribute(id.get(), state_->version < 3, state_->name, object, attribute);
+    }
     T value{};
     if (!id.valid() || !read_attribute(id.get(), value)) {
         throw InputError(fmt::format("{}: attribute {} of {} has an unexpected type", state_->name, attribute, object));
@@ -342,11 +293,11 @@ T H5Input::attribute_or(const std::string& object, const std::string& name, T fa
     return has_attribute(object, name) ? attribute<T>(object, name) : fallback;
 }
 
-std::string H5Input::digest() const { return h5::digest(state_->file.get(), state_->name, "/provenance"); }
+std::string H5Input::digest() const { return h5::digest(state_->file.get(), state_->name, "/provenance", state_->version < 3); }
 
-void H5Input::check() const { static_cast<void>(h5::digest(state_->file.get(), state_->name, "")); }
+void H5Input::check() const { static_cast<void>(h5::digest(state_->file.get(), state_->name, "", state_->version < 3)); }
 
-std::vector<std::string> H5Input::describe() const { return h5::describe(state_->file.get()); }
+std::vector<std::string> H5Input::describe() const { return h5::describe(state_->file.get(), state_->name, state_->version < 3); }
 
 // --- writing ---------------------------------------------------------------------------------------------------------
 
@@ -354,6 +305,7 @@ struct H5Output::State {
     std::string name;
     std::string part;  // the file until commit; empty for a pipe
     bool committed = false;
+    std::optional<OutputLock> lock;
     Handle file;
     ~State() {
         file.reset();
@@ -384,6 +336,7 @@ H5Output::H5Output(const std::string& path, std::string_view kind) : state_(std:
         if (!folder.empty() && !std::filesystem::is_directory(folder)) {
             throw OutputError(fmt::format("{}: the folder {} does not exist", path, folder.string()));
         }
+        state_->lock.emplace(path);
         state_->part = path + ".part";
         state_->file = Handle(H5Fcreate(state_->part.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
     }
@@ -509,6 +462,12 @@ void H5Output::hard_link(const std::string& existing, const std::string& link) {
     }
 }
 
+void H5Output::copy(const H5Output& from, const std::string& object, const std::string& to) {
+    if (H5Ocopy(from.state_->file.get(), object.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
+        throw OutputError(fmt::format("{}: {} cannot be written; is the disk full?", state_->name, to));
+    }
+}
+
 void H5Output::remove(const std::string& object) { H5Ldelete(state_->file.get(), object.c_str(), H5P_DEFAULT); }
 
 void H5Output::move(const std::string& from, const std::string& to) {
@@ -546,8 +505,9 @@ void H5Output::commit() {
 
 // --- instantiations of the templates -----------------------------------------------------------------------------------
 
-#define GRAINCRACK_READ(T)                                              \
-    template std::vector<T> H5Input::read<T>(const std::string&) const; \
+#define GRAINCRACK_READ(T)                                                              \
+    template std::vector<T> H5Input::read<T>(const std::string&) const;                 \
+    template std::vector<T> H5Input::read<T>(const std::string&, const Extents&) const; \
     template std::vector<T> H5Input::read_rows<T>(const std::string&, std::size_t, std::size_t) const;
 GRAINCRACK_READ(double)
 GRAINCRACK_READ(float)

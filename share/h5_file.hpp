@@ -14,7 +14,7 @@ namespace graincrack {
 
 /// Version of the file layout this build writes. Newer files are refused, older ones are read: names and texts that changed are
 /// in share/former_names.
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// Version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();
@@ -52,6 +52,9 @@ public:
     /// \throws InputError naming file and path if it is missing or unreadable
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& dataset) const;
+    /// The same of a dataset that must have this shape. \throws InputError before anything is read if it has another
+    template <class T>
+    [[nodiscard]] std::vector<T> read(const std::string& dataset, const Extents& shape) const;
     /// Rows [first, first + count) of a dataset, flattened.
     template <class T>
     [[nodiscard]] std::vector<T> read_rows(const std::string& dataset, std::size_t first, std::size_t count) const;
@@ -109,6 +112,8 @@ public:
     /// A scalar quantity: attribute X and attribute X_unit.
     void quantity(const std::string& object, const std::string& name, double value, std::string_view unit);
 
+    /// Copies an object of another file with all that is in it.
+    void copy(const H5Output& from, const std::string& object, const std::string& to);
     void hard_link(const std::string& existing, const std::string& link);
     void remove(const std::string& object);
     void move(const std::string& from, const std::string& to);

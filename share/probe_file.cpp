@@ -8,6 +8,7 @@
 #include <span>
 
 #include "share/error.hpp"
+#include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
 
@@ -55,7 +56,11 @@ ProbeHistory read_probe(const H5Input& file, const std::string& name) {
         const std::string path = group_of(name) + "/" + column;
         probe.columns.push_back(
             {column, dimension_of(file.attribute<std::string>(path, "unit")), file.attribute<std::string>(path, "description")});
-        probe.values.push_back(file.read<double>(path));
+        const std::size_t rows = rows_of(file, path);
+        probe.values.push_back(read_finite(file, path, {probe.values.empty() ? rows : probe.values.front().size()}));
+    }
+    if (probe.values.empty()) {
+        throw InputError(fmt::format("{}: probe {} has no columns", file.name(), name));
     }
     return probe;
 }

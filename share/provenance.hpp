@@ -24,6 +24,7 @@ struct Provenance {
     std::vector<std::string> libraries;
     double wall_time = 0;  ///< s
     int threads = 1;
+    std::string vector_target;  ///< of a run: the instructions that its kernels used; any give the same content
 };
 
 /// Writes /provenance; host name and UTC time are added.

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "share/error.hpp"
+#include "share/file_checks.hpp"
 #include "share/former_names.hpp"
 #include "share/h5_file.hpp"
 #include "share/provenance.hpp"
@@ -93,7 +96,6 @@ void visit_header(Header& h, Visit&& visit) {
     visit("mass_scaling", h.mass_scaling);
     visit.newer("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
     visit.newer("added_mass", h.added_mass, Dimension::one);
-    visit("vector_target", h.vector_target);
     visit("stable_time_step", h.stable_time_step, Dimension::time);
     visit("time_step", h.time_step, Dimension::time);
     visit("stop_reason", h.stop_reason);
@@ -130,6 +132,7 @@ struct HeaderReader {
     }
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
+        require_finite(name, value);
     }
     void newer(const char* name, std::int64_t& value) const {
         value = file.attribute_or<std::int64_t>(schema::run_group, name, value);
@@ -139,6 +142,15 @@ struct HeaderReader {
     }
     void newer(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute_or<double>(schema::run_group, name, value);
+        require_finite(name, value);
+    }
+
+private:
+    void require_finite(const char* name, double value) const {
+        if (!std::isfinite(value)) {
+            throw InputError(fmt::format("{}: attribute {} of {} is {}; a finite number is needed", file.name(), name,
+                                         schema::run_group, value));
+        }
     }
 };
 
@@ -154,6 +166,11 @@ RunHeader read_header(const H5Input& file) {
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
     visit_header(header, HeaderReader{file});
+    if (header.time_step <= 0 || header.steps < 0) {
+        throw InputError(
+            fmt::format("{}: time_step and steps of {} are {} and {}; a positive step and no negative number are needed",
+                        file.name(), schema::run_group, header.time_step, header.steps));
+    }
     return header;
 }
 
@@ -247,10 +264,8 @@ void read_damage_columns(const H5Input& file, std::vector<Crack>& cracks) {
         if (!file.has(column.dataset.path)) {
             continue;
         }
-        const std::vector<double> values = file.read<double>(column.dataset.path);
-        if (values.size() != cracks.size()) {
-            throw InputError(fmt::format("{}: columns of {} differ in length", file.name(), schema::cracks_group));
-        }
+        const std::vector<double> values = file.read<double>(column.dataset.path, {cracks.size()});
+        require_all(file, column.dataset.path, values, "a finite number or NaN", [](double v) { return !std::isinf(v); });
         for (std::size_t i = 0; i < cracks.size(); ++i) {
             cracks[i].*column.value = values[i];
         }
@@ -276,7 +291,7 @@ struct RunWriter::State {
     struct Slot {
         std::string group;
         double time;
-        bool keep;
+        FrameRole role;
     };
     H5Output file;
     std::size_t rows = 0;        // rows of the history already written
@@ -308,7 +323,7 @@ void RunWriter::append_history(const History& history) {
     state_->file.flush();
 }
 
-void RunWriter::add_frame(const Frame& frame, bool keep) {
+void RunWriter::add_frame(const Frame& frame, FrameRole role) {
     const std::string group = fmt::format("{}/part{:06}", schema::frames_group, state_->next_frame++);
     H5Output& file = state_->file;
     file.create_group(group);
@@ -325,24 +340,39 @@ void RunWriter::add_frame(const Frame& frame, bool keep) {
     std::vector<State::Slot>& frames = state_->frames;
     const auto after =
         std::find_if(frames.begin(), frames.end(), [&](const State::Slot& slot) { return slot.time > frame.time; });
-    frames.insert(after, {group, frame.time, keep});
+    frames.insert(after, {group, frame.time, role});
     file.flush();
+}
+
+void RunWriter::add_frames(const RunWriter& other) {
+    for (const State::Slot& slot : other.state_->frames) {
+        const std::string group = fmt::format("{}/part{:06}", schema::frames_group, state_->next_frame++);
+        state_->file.copy(other.state_->file, slot.group, group);
+        state_->frames.push_back({group, slot.time, slot.role});
+    }
 }
 
 void RunWriter::thin_frames() {
     std::vector<State::Slot> left;
     bool drop = false;
     for (const State::Slot& slot : state_->frames) {
-        if (!slot.keep && drop) {
+        const bool is_regular = slot.role == FrameRole::regular;
+        if (is_regular && drop) {
             state_->file.remove(slot.group);
         } else {
             left.push_back(slot);
         }
-        if (!slot.keep) {
-            drop = !drop;
-        }
+        drop = is_regular ? !drop : drop;
     }
     state_->frames = std::move(left);
+}
+
+std::vector<FrameRole> RunWriter::frame_roles() const {
+    std::vector<FrameRole> roles;
+    for (const State::Slot& slot : state_->frames) {
+        roles.push_back(slot.role);
+    }
+    return roles;
 }
 
 H5Output& RunWriter::file() { return state_->file; }
@@ -396,42 +426,53 @@ const H5Input& RunReader::file() const { return state_->file; }
 
 History read_history(const H5Input& file) {
     History history;
+    const std::size_t rows = rows_of(file, history_path(0));
     for (std::size_t i = 0; i < n_history_columns; ++i) {
         const bool is_newer = i >= static_cast<std::size_t>(HistoryColumn::damping_load);  // may be missing from older files
-        history.columns[i] = is_newer && !file.has(history_path(i)) ? std::vector<double>(history.columns[0].size())
-                                                                    : file.read<double>(history_path(i));
-        if (history.columns[i].size() != history.columns[0].size()) {
-            throw InputError(fmt::format("{}: columns of {} differ in length", file.name(), schema::history_group));
-        }
+        history.columns[i] =
+            is_newer && !file.has(history_path(i)) ? std::vector<double>(rows) : read_finite(file, history_path(i), {rows});
+    }
+    const std::vector<double>& time = history[HistoryColumn::time];
+    if (!std::is_sorted(time.begin(), time.end())) {
+        throw InputError(fmt::format("{}: the times of {} do not ascend", file.name(), history_path(0)));
     }
     return history;
 }
 
-History RunReader::history() const { return read_history(state_->file); }
+History RunReader::history() const {
+    History history = read_history(state_->file);
+    if (history.size() == 0) {
+        throw InputError(fmt::format("{}: {} has no rows", name(), schema::history_group));
+    }
+    return history;
+}
 
 std::vector<Crack> RunReader::cracks() const {
     const H5Input& f = state_->file;
-    const std::vector<double> time = f.read<double>(schema::crack_time.path);
-    const auto step = f.read<std::int64_t>(schema::crack_step.path);
-    const auto contact = f.read<std::int32_t>(schema::crack_contact.path);
-    const auto point = f.read<std::uint8_t>(schema::crack_point.path);
-    const auto mode = f.read<std::uint8_t>(schema::crack_mode.path);
-    const auto mode_angle = f.read<double>(schema::crack_mode_angle.path);
-    const auto position = f.read<double>(schema::crack_position.path);
-    const auto orientation = f.read<double>(schema::crack_orientation.path);
-    const auto length = f.read<double>(schema::crack_length.path);
-    const auto opening = f.read<double>(schema::crack_opening.path);
-    const auto sliding = f.read<double>(schema::crack_sliding.path);
-    const auto energy = f.read<double>(schema::crack_energy.path);
-    const auto separated = f.read<double>(schema::crack_time_separated.path);
-    const std::size_t n = time.size();
-    for (const std::size_t size :
-         {step.size(), contact.size(), point.size(), mode.size(), mode_angle.size(), position.size() / 2, orientation.size(),
-          length.size(), opening.size(), sliding.size(), energy.size(), separated.size()}) {
-        if (size != n) {
-            throw InputError(fmt::format("{}: columns of {} differ in length", name(), schema::cracks_group));
-        }
-    }
+    const std::size_t n = rows_of(f, schema::crack_time.path);
+    const auto numbers = [&](const schema::Dataset& dataset) { return read_finite(f, dataset.path, {n}); };
+    const auto below = [&]<class T>(const schema::Dataset& dataset, std::size_t limit, T /*type*/) {
+        std::vector<T> values = f.read<T>(dataset.path, {n});
+        require_all(f, dataset.path, values, fmt::format("0 to {}", static_cast<double>(limit) - 1).c_str(),
+                    [limit](T value) { return value >= 0 && static_cast<std::size_t>(value) < limit; });
+        return values;
+    };
+    const std::size_t n_contacts = rows_of(f, schema::contact_nodes.path);
+    const std::vector<double> time = numbers(schema::crack_time);
+    const auto step = f.read<std::int64_t>(schema::crack_step.path, {n});
+    const auto contact = below(schema::crack_contact, n_contacts, std::int32_t{});
+    const auto point = below(schema::crack_point, 2, std::uint8_t{});
+    const auto mode = below(schema::crack_mode, 2, std::uint8_t{});
+    const std::vector<double> mode_angle = numbers(schema::crack_mode_angle);
+    const std::vector<double> position = read_finite(f, schema::crack_position.path, {n, 2});
+    const std::vector<double> orientation = numbers(schema::crack_orientation);
+    const std::vector<double> length = numbers(schema::crack_length);
+    const std::vector<double> opening = numbers(schema::crack_opening);
+    const std::vector<double> sliding = numbers(schema::crack_sliding);
+    const std::vector<double> energy = numbers(schema::crack_energy);
+    const auto separated = f.read<double>(schema::crack_time_separated.path, {n});
+    require_all(f, schema::crack_time_separated.path, separated, "a finite number or NaN",
+                [](double value) { return !std::isinf(value); });
     std::vector<Crack> cracks(n);
     for (std::size_t i = 0; i < n; ++i) {
         cracks[i] = {time[i],
@@ -460,6 +501,10 @@ std::vector<double> RunReader::frame_times() const {
     std::vector<double> times;
     for (const std::string& group : state_->frames) {
         times.push_back(state_->file.attribute<double>(group, "time"));
+        if (!std::isfinite(times.back()) || (times.size() > 1 && times.back() < times[times.size() - 2])) {
+            throw InputError(
+                fmt::format("{}: time {} of {} does not follow that of the frame before", name(), times.back(), group));
+        }
     }
     return times;
 }
@@ -468,13 +513,29 @@ Frame RunReader::frame(std::size_t index) const {
     if (index >= state_->frames.size()) {
         throw InputError(fmt::format("{}: there is no frame {}; the run has {}", name(), index, state_->frames.size()));
     }
+    const H5Input& file = state_->file;
     const std::string& group = state_->frames[index];
     Frame frame;
-    frame.time = state_->file.attribute<double>(group, "time");
-    frame.step = state_->file.attribute<std::int64_t>(group, "step");
-    visit_frame(frame, [&](const schema::Dataset& dataset, auto& rows, std::size_t /*split*/) {
-        using T = typename std::decay_t<decltype(rows)>::value_type::value_type;
-        unflatten(state_->file.read<T>(group + "/" + dataset.path), rows);
+    frame.time = file.attribute<double>(group, "time");
+    frame.step = file.attribute<std::int64_t>(group, "step");
+    const std::size_t nodes = rows_of(file, schema::node_position.path);
+    const std::size_t elements = rows_of(file, schema::element_nodes.path);
+    const std::size_t contacts = rows_of(file, schema::contact_nodes.path);
+    visit_frame(frame, [&](const schema::Dataset& dataset, auto& rows, std::size_t split) {
+        using Row = typename std::decay_t<decltype(rows)>::value_type;
+        using T = typename Row::value_type;
+        const std::size_t width = std::tuple_size_v<Row>;
+        const std::string_view array = dataset.path;
+        const bool is_nodal = array == schema::frame_displacement.path || array == schema::frame_velocity.path;
+        const std::size_t n = is_nodal ? nodes : array == schema::frame_element_stress.path ? elements : contacts;
+        const std::string path = group + "/" + dataset.path;
+        const std::vector<T> values = file.read<T>(path, split == 0 ? Extents{n, width} : Extents{n, split, width / split});
+        if constexpr (std::is_same_v<T, double>) {
+            require_all(file, path, values, "a finite number", [](double value) { return std::isfinite(value); });
+        } else {
+            require_all(file, path, values, "0 to 3", [](T value) { return value <= static_cast<T>(PointState::separated); });
+        }
+        unflatten(values, rows);
     });
     return frame;
 }

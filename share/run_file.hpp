@@ -46,9 +46,8 @@ struct RunHeader {
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
     double added_mass = 0;              ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
-    std::string vector_target = "plain";
-    double stable_time_step = 0;  ///< s
-    double time_step = 0;         ///< s
+    double stable_time_step = 0;        ///< s
+    double time_step = 0;               ///< s
     // set when the run ends
     std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
@@ -153,6 +152,14 @@ struct Frame {
     std::vector<std::array<std::uint8_t, 2>> state;     ///< [c] PointState
 };
 
+/// What becomes of a frame while a run goes on.
+enum class FrameRole : std::uint8_t {
+    regular,      ///< one of those at even distances, every second of which goes when there are too many
+    kept,         ///< stays: that of a peak, or the last
+    peak_so_far,  ///< in a checkpoint: stays, unless a higher peak comes
+    present       ///< in a checkpoint: the state of the checkpoint itself, which is no frame of the run
+};
+
 /// Writes a run while it is computed. Frames are thinned during the run, so that at the end between `frames` and 2 × `frames`
 /// evenly spaced ones are left, plus those marked to keep (peak, last).
 class RunWriter {
@@ -163,10 +170,13 @@ public:
 
     /// Appends rows [already written, history.size()) of the history and flushes.
     void append_history(const History& history);
-    /// Adds a frame; `keep` protects it from thinning.
-    void add_frame(const Frame& frame, bool keep);
-    /// Removes every second frame that is not kept.
+    void add_frame(const Frame& frame, FrameRole role);
+    /// Adds the frames that another run has so far, with their roles.
+    void add_frames(const RunWriter& other);
+    /// Removes every second regular frame.
     void thin_frames();
+    /// Roles of the frames in time order.
+    [[nodiscard]] std::vector<FrameRole> frame_roles() const;
     [[nodiscard]] std::size_t n_frames() const;
     /// The open file, for further groups of a run.
     [[nodiscard]] H5Output& file();

@@ -53,10 +53,7 @@ std::vector<SensitivityRow> read_sensitivity(const H5Input& file) {
         rows.push_back({changed, 0, 0, 0, 0, 0});
     }
     for (const Column& column : columns) {
-        const std::vector<double> values = file.read<double>(path_of(column));
-        if (values.size() != rows.size()) {
-            throw InputError(file.name() + ": columns of " + schema::sensitivity_group + " differ in length");
-        }
+        const std::vector<double> values = file.read<double>(path_of(column), {rows.size()});  // NaN where a value does not apply
         for (std::size_t i = 0; i < rows.size(); ++i) {
             rows[i].*column.member = values[i];
         }

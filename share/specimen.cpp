@@ -8,6 +8,7 @@
 #include <span>
 
 #include "share/error.hpp"
+#include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
 #include "share/quantities.hpp"
 #include "share/schema.hpp"
@@ -24,7 +25,7 @@ std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
 }
 
 template <class T, std::size_t n>
-std::vector<std::array<T, n>> rows_of(const H5Input& file, const schema::Dataset& dataset) {
+std::vector<std::array<T, n>> table_of(const H5Input& file, const schema::Dataset& dataset) {
     const Extents extents = file.extents(dataset.path);
     if (extents.size() != 2 || extents[1] != n) {
         throw InputError(fmt::format("{}: dataset {} needs {} columns", file.name(), dataset.path, n));
@@ -86,7 +87,9 @@ void check_sizes(const Specimen& s, const Checker& check) {
                   "contacts/grain_boundary and contacts/nodes differ in length");
     check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
     check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
-    check.require(s.height > 0 && s.width > 0, "width and height must be positive");
+    check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
+                  "width and height must be positive and finite");
+    check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");
 }
 
 void check_elements(const Specimen& s, const Checker& check) {
@@ -112,7 +115,29 @@ void check_elements(const Specimen& s, const Checker& check) {
         }
     }
     for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        check.require(s.grain_area[g] > 0 && std::isfinite(s.grain_area[g]), "area of a grain must be positive and finite", g);
         check.require(s.grain_phase[g] < s.phase_names.size(), "grain names a phase that does not exist", g);
+    }
+}
+
+/// The declared size must be that of the mesh: platens, strains and stresses go by it. The outline of a disc lies inside its
+/// circle, by at most the rise of its longest edge at either side.
+void check_size(const Specimen& s, const Checker& check) {
+    constexpr double tolerance = 0.01;  // of a size: the strength is off by as much
+    double longest = 0;
+    for (const auto& [i, j] : s.boundary_edges) {
+        longest = std::max(
+            longest, std::hypot(s.node_position[i][0] - s.node_position[j][0], s.node_position[i][1] - s.node_position[j][1]));
+    }
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+        const auto [low, high] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
+                                                     [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+        const double extent = (*high)[axis] - (*low)[axis];
+        const double declared = axis == 0 ? s.width : s.height;
+        const double rise = s.shape == "rectangle" ? 0 : longest * longest / (2 * declared);
+        check.require(extent <= (1 + tolerance) * declared && extent + rise >= (1 - tolerance) * declared,
+                      axis == 0 ? "width is more than 1 % off the extent of the nodes along x"
+                                : "height is more than 1 % off the extent of the nodes along y");
     }
 }
 
@@ -230,6 +255,7 @@ void validate(const Specimen& specimen, const std::string& where) {
     const Sides sides = element_sides(specimen);
     check_contacts(specimen, sides, check);
     check_boundary(specimen, sides, check);
+    check_size(specimen, check);
 }
 
 void write_specimen(H5Output& file, const Specimen& s) {
@@ -275,17 +301,17 @@ Specimen read_specimen(const H5Input& file) {
     for (const StatisticAttribute& a : statistic_attributes) {
         s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
     }
-    s.node_position = rows_of<double, 2>(file, schema::node_position);
-    s.element_nodes = rows_of<std::int32_t, 3>(file, schema::element_nodes);
-    s.element_grain = file.read<std::int32_t>(schema::element_grain.path);
-    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path);
+    s.node_position = table_of<double, 2>(file, schema::node_position);
+    s.element_nodes = table_of<std::int32_t, 3>(file, schema::element_nodes);
+    s.element_grain = file.read<std::int32_t>(schema::element_grain.path, {s.n_elements()});
+    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path, {rows_of(file, schema::grain_phase.path)});
     s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
-    s.grain_area = file.read<double>(schema::grain_area.path);
-    s.contact_nodes = rows_of<std::int32_t, 4>(file, schema::contact_nodes);
-    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path);
-    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path);
-    s.boundary_edges = rows_of<std::int32_t, 2>(file, schema::boundary_edges);
-    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path);
+    s.grain_area = file.read<double>(schema::grain_area.path, {s.n_grains()});
+    s.contact_nodes = table_of<std::int32_t, 4>(file, schema::contact_nodes);
+    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path, {s.n_contacts()});
+    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path, {s.n_contacts()});
+    s.boundary_edges = table_of<std::int32_t, 2>(file, schema::boundary_edges);
+    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path, {s.n_boundary_edges()});
     s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
     validate(s, file.name());
     return s;

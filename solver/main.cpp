@@ -14,6 +14,7 @@
 #include "share/units.hpp"
 #include "solver/loading/program_text.hpp"
 #include "solver/loading/standard_tests.hpp"
+#include "solver/run/checkpoint.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/solve_options.hpp"
@@ -75,6 +76,9 @@ void print_summary(const SimulationSummary& s) {
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
+    if (!s.equilibrium_warning.empty()) {
+        fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
+    }
     if (h.energy_balance_error > trusted_residual) {
         fmt::print(
             stderr,
@@ -121,6 +125,7 @@ int solve(int argc, char** argv) {
         return 0;
     }
     catch_stop_signals();
+    catch_checkpoint_signal();
     const H5Input input(options->specimen, "specimen");
     const Specimen specimen = read_specimen(input);
     require_shape(options->request.loading.test, specimen, input.name());

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "share/printable.hpp"
+
 namespace graincrack {
 
 Colour palette::series(std::size_t i) {
@@ -89,7 +91,8 @@ std::string escape_xml(const std::string& text) {
             case '<': out += "&lt;"; break;
             case '>': out += "&gt;"; break;
             case '"': out += "&quot;"; break;
-            default: out += c;
+            case '\n': out += c; break;
+            default: out += printable({&c, 1});
         }
     }
     return out;

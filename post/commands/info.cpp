@@ -5,7 +5,10 @@
 #include <ostream>
 
 #include "share/command_line.hpp"
+#include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
+#include "share/printable.hpp"
+#include "share/probe_file.hpp"
 #include "share/provenance.hpp"
 #include "share/run_file.hpp"
 #include "share/schema.hpp"
@@ -16,7 +19,7 @@ namespace graincrack {
 namespace {
 
 void line(std::ostream& out, const std::string& key, const std::string& value) {
-    out << fmt::format("  {:<24} {}\n", key, value);
+    out << fmt::format("  {:<24} {}\n", key, printable(value));
 }
 
 /// An integer attribute, "unknown" if it is missing.
@@ -25,16 +28,16 @@ void write_integer(std::ostream& out, const H5Input& file, const char* group, co
 }
 
 /// How many rows a dataset has, 0 if it is missing.
-std::string rows_of(const H5Input& file, const std::string& path) {
-    return std::to_string(file.has(path) ? file.extents(path).at(0) : 0);
+std::string count_of(const H5Input& file, const std::string& path) {
+    return std::to_string(file.has(path) ? graincrack::rows_of(file, path) : 0);
 }
 
 void write_counts(std::ostream& out, const H5Input& file) {
-    line(out, "grains", rows_of(file, schema::grain_phase.path));
-    line(out, "elements", rows_of(file, schema::element_nodes.path));
-    line(out, "nodes", rows_of(file, schema::node_position.path));
-    line(out, "contacts", rows_of(file, schema::contact_nodes.path));
-    line(out, "boundary_edges", rows_of(file, schema::boundary_edges.path));
+    line(out, "grains", count_of(file, schema::grain_phase.path));
+    line(out, "elements", count_of(file, schema::element_nodes.path));
+    line(out, "nodes", count_of(file, schema::node_position.path));
+    line(out, "contacts", count_of(file, schema::contact_nodes.path));
+    line(out, "boundary_edges", count_of(file, schema::boundary_edges.path));
 }
 
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
@@ -73,38 +76,51 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     number("time_step", Dimension::time);
     write_integer(out, file, group, "steps");
     word("stop_reason");
-    line(out, "history_rows", rows_of(file, std::string(schema::history_group) + "/time"));
+    line(out, "history_rows", count_of(file, std::string(schema::history_group) + "/time"));
     line(out, "frames", std::to_string(file.has(schema::frames_group) ? file.children(schema::frames_group).size() : 0));
-    line(out, "failed_contact_points", rows_of(file, schema::crack_time.path));
+    line(out, "failed_contact_points", count_of(file, schema::crack_time.path));
 }
 
 void write_datasets(std::ostream& out, const H5Input& file) {
     out << "  datasets\n";
-    for (const std::string& dataset : file.describe()) out << "    " << dataset << '\n';
+    for (const std::string& dataset : file.describe()) out << "    " << printable(dataset) << '\n';
 }
 
-void check_file(const H5Input& file) {
+/// Reads everything that tools read. A run from stdin, which can be read once only, is checked without its cracks and frames.
+void check_file(const H5Input& file, const std::string& path) {
     file.check();
     (void)read_specimen(file);
+    if (file.kind() != "run") return;
+    (void)read_history(file);
+    (void)read_sensitivity(file);
+    for (const std::string& probe : probe_names(file)) (void)read_probe(file, probe);
+    if (path == "-") return;
+    const RunReader run(path);
+    (void)run.cracks();
+    (void)run.frame_times();
+    for (std::size_t i = 0; i < run.n_frames(); ++i) (void)run.frame(i);
 }
 
 /// For a person: kind, attributes, counts and datasets. \param check also reads every dataset and validates the specimen
 void write_info(std::ostream& out, const std::string& path, bool check) {
     const H5Input file(path);
-    if (check) check_file(file);
-    out << file.name() << '\n';
+    if (check) check_file(file, path);
+    out << printable(file.name()) << '\n';
     line(out, "kind", fmt::format("{}, schema {}", file.kind(), file.attribute<std::int64_t>("/", "schema_version")));
     if (file.kind() == "run") write_run_lines(out, file);
     write_specimen_lines(out, file);
     write_datasets(out, file);
-    if (check) line(out, "check", "every dataset was read; the specimen is valid");
+    if (check)
+        line(out, "check",
+             file.kind() == "run" ? "every dataset was read; specimen and run are valid"
+                                  : "every dataset was read; the specimen is valid");
 }
 
 /// `digest  file`, as sha256sum prints it.
 void write_digest(std::ostream& out, const std::string& path, bool check) {
     const H5Input file(path);
-    if (check) check_file(file);
-    out << file.digest() << "  " << (path == "-" ? "-" : file.name()) << '\n';
+    if (check) check_file(file, path);
+    out << file.digest() << "  " << (path == "-" ? "-" : printable(file.name())) << '\n';
 }
 
 struct InfoOptions {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <functional>
 #include <sstream>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "post/cracks/run_state.hpp"
 #include "post/table/output_file.hpp"
 #include "share/error.hpp"
+#include "share/output_lock.hpp"
 
 namespace graincrack {
 
@@ -154,6 +156,9 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     std::vector<double> times;
     for (const std::size_t frame : frames) times.push_back(all_times[frame]);
     make_folder(folder);
+    const OutputLock lock(folder + "/cracks");
+    // The lists of files come last: a folder without them is not whole.
+    for (const char* list : {"/grains.pvd", "/cracks.pvd"}) std::remove((folder + list).c_str());
     const Breakup breakup = write_frames(run, frames, specimen, shown, options.label, folder, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options.events);
     const TableFormat format = options.format;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "share/error.hpp"
+#include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
 
@@ -49,7 +50,7 @@ SpecimenSummary specimen_summary(const H5Input& file) {
     summary.height = file.attribute<double>(schema::specimen_group, "height");
     summary.seed = file.attribute_or<std::int64_t>(schema::specimen_group, "seed", 0);
     summary.mean_edge = file.attribute_or<double>(schema::specimen_group, "mean_edge", unknown);
-    summary.grains = static_cast<std::int64_t>(file.extents(schema::grain_phase.path).at(0));
+    summary.grains = static_cast<std::int64_t>(rows_of(file, schema::grain_phase.path));
     return summary;
 }
 

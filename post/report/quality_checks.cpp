@@ -10,6 +10,7 @@
 
 #include "post/measure/test_label.hpp"
 #include "post/report/html.hpp"
+#include "share/equilibrium.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {
@@ -163,6 +164,11 @@ const std::vector<Check>& checks() {
         {"mass scaling", [](const TestReport& t) { return scaling_label(t.data.header); }},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
         {"warning", damping_load_warning},
+        {"warning",
+         [](const TestReport& t) {
+             const std::string warning = equilibrium_warning(t.data.header, t.data.history);
+             return warning.empty() ? warning : short_name(t) + ": " + warning;
+         }},
         {"warning", [](const TestReport& t) {
              return t.split && !t.split->warning.empty() ? short_name(t) + ": " + t.split->warning : std::string();
          }}};

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "share/error.hpp"
+#include "share/printable.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -18,7 +19,7 @@ std::string tsv_text(const Cell& cell) {
     std::string clean = cell.text();
     std::replace_if(
         clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-    return clean;
+    return printable(clean);
 }
 
 std::string json_string(const std::string& text) {
@@ -54,7 +55,7 @@ Cell count_cell(double count) {
 TableWriter::TableWriter(std::ostream& out, std::vector<std::string> columns, TableFormat format)
     : out_(out), columns_(std::move(columns)), format_(format) {
     if (format_ != TableFormat::tsv) return;
-    for (std::size_t i = 0; i < columns_.size(); ++i) out_ << (i == 0 ? "" : "\t") << columns_[i];
+    for (std::size_t i = 0; i < columns_.size(); ++i) out_ << (i == 0 ? "" : "\t") << printable(columns_[i]);
     out_ << '\n';
 }
 

@@ -27,7 +27,7 @@ import numpy as np
 
 __all__ = ["FormatError", "Group", "Run", "Specimen", "Table"]
 
-SCHEMA_VERSIONS = (1, 2)
+SCHEMA_VERSIONS = (1, 2, 3)
 
 # Names of schema 1 for what schema 2 calls otherwise.
 _FORMER_NAMES = {
@@ -282,7 +282,7 @@ def _open(path: str | Path) -> h5py.File:
     if "specimen" not in file or version is None:
         raise FormatError(f"{path}: none of Graincrack's files; one of graincrack-mesh or graincrack-solve fits")
     if int(version) not in SCHEMA_VERSIONS:
-        raise FormatError(f"{path}: schema {int(version)}; this module reads {' and '.join(map(str, SCHEMA_VERSIONS))}")
+        raise FormatError(f"{path}: schema {int(version)}; this module reads {", ".join(map(str, SCHEMA_VERSIONS))}")
     return file
 
 

@@ -169,7 +169,10 @@ double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& l
     return energy;
 }
 
-void load_active(const Assemblage& a, ContactPairList& list) {
+namespace {
+
+/// Room for all watched pairs, none of which is active.
+void clear_active(ContactPairList& list) {
     ActiveContacts& active = list.active;
     const std::size_t n = list.watched.size();
     active.pair.assign(n, -1);
@@ -181,6 +184,12 @@ void load_active(const Assemblage& a, ContactPairList& list) {
     active.forces.resize(3 * n);
     active.count.assign(list.chunks.size(), 0);
     active.changed.assign(list.chunks.size(), 0);
+}
+
+}  // namespace
+
+void load_active(const Assemblage& a, ContactPairList& list) {
+    clear_active(list);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
         const std::int32_t end = list.watched_groups[list.chunks[chunk].end - 1].end;
         for (std::int32_t i = list.first_watched(chunk); i < end; ++i) {
@@ -188,6 +197,18 @@ void load_active(const Assemblage& a, ContactPairList& list) {
             if (contact.active || contact.release_correction != 0) {
                 append_active(a.surface, chunk, list.watched[i], list);
             }
+        }
+    }
+    index_node_forces(a, list);
+}
+
+void resume_active(const Assemblage& a, ContactPairList& list) {
+    const std::vector<std::int32_t> pairs = list.active.pair;
+    const std::vector<std::int32_t> counts = list.active.count;
+    clear_active(list);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
+        for (std::int32_t i = 0; i < counts[chunk]; ++i) {
+            append_active(a.surface, chunk, pairs[list.first_watched(chunk) + i], list);
         }
     }
     index_node_forces(a, list);

@@ -19,6 +19,10 @@ void store_active(std::int32_t chunk, ContactPairList& list);
 /// Makes the contacts of the list active ones, after an update or where a run continues from a saved state.
 void load_active(const Assemblage& assemblage, ContactPairList& list);
 
+/// The same of a saved state, in which the active contacts have an order: forces and friction are summed in it. `active.pair` and
+/// `active.count` must be as they were saved.
+void resume_active(const Assemblage& assemblage, ContactPairList& list);
+
 /// Builds the index by which nodes find the forces of active contacts; needed after every detection that has changed them.
 void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 

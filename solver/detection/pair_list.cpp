@@ -37,7 +37,6 @@ constexpr double safety_factor = 8;
 constexpr double safety_factor_p95 = 2;
 /// Steps between two updates.
 constexpr std::int64_t min_steps = 4;
-constexpr std::int64_t max_steps = 128;
 constexpr std::int64_t detections_between_updates = 8;
 /// Groups of watched pairs, of one node each, in a chunk.
 constexpr std::size_t groups_per_chunk = 32;
@@ -369,7 +368,7 @@ Speeds find_speeds(const std::vector<Vector2>& velocity) {
 std::int64_t max_interval(double mean_length, double travel_p95, double travel_fastest) {
     const double steps = mean_length * std::min(max_travel_p95 / std::max(travel_p95, 1e-300),
                                                 max_travel_fastest / std::max(travel_fastest, 1e-300));
-    return std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, max_steps);
+    return std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, max_update_interval);
 }
 
 /// Largest distance of a node from its position at the last search, m; 0 before the first.
@@ -424,7 +423,8 @@ void update_pair_list(const Assemblage& a, const StepParameters& parameters, Sta
     list.detection_interval = std::max<std::int64_t>(longest / detections_between_updates, 1);
     watch_pairs(a, static_cast<double>(longest) * parameters.time_step, speeds.p95, s);
     find_occupied_area(a, list);
-    const double steps = travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_steps);
+    const double steps =
+        travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_update_interval);
     list.next_update = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, longest);
 }
 

@@ -10,6 +10,9 @@
 
 namespace graincrack {
 
+/// Most steps from one update to the next.
+inline constexpr std::int64_t max_update_interval = 128;
+
 /// Updates the list between two steps: finds points that have debonded, releases contacts that have moved far, searches anew
 /// where that or the travel of the nodes since the last search makes it necessary, limits areas to what the step allows, chooses
 /// the watched pairs, and sets the step of the next update (`next_update`). Serial; the result depends on the state only.

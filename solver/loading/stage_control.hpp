@@ -98,7 +98,8 @@ private:
     [[nodiscard]] std::string end_reason(const StageFeedback& feedback);
     [[nodiscard]] bool is_at_rest(const StageFeedback& feedback, double tolerance);
     [[noreturn]] void refuse_end(const StageFeedback& feedback, const std::string& reason) const;
-    [[nodiscard]] const TimeFunction& function_of(std::size_t amplitude) const;
+    /// Null where the present origin of an amplitude has no function for it.
+    [[nodiscard]] const TimeFunction* function_of(std::size_t amplitude) const;
 
     const Program& program_;
     AmplitudeNumbers numbers_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,8 @@
 
 namespace graincrack {
 namespace {
+
+volatile std::sig_atomic_t is_requested = 0;
 
 /// Options of a test as its header tells them, as words. Numbers with all their digits.
 std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) {
@@ -37,6 +40,16 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
 }
 
 }  // namespace
+
+void catch_checkpoint_signal() {
+    std::signal(SIGUSR1, [](int /*signal*/) { is_requested = 1; });
+}
+
+bool take_checkpoint_request() noexcept {
+    const bool requested = is_requested != 0;
+    is_requested = 0;
+    return requested;
+}
 
 bool is_checkpoint(const std::string& path) { return RunReader(path).header().stop_reason == "checkpoint"; }
 

@@ -29,6 +29,11 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// From here on SIGUSR1, by which schedulers warn, asks for a checkpoint and does not end the program.
+void catch_checkpoint_signal();
+/// Whether it has asked since the last call.
+bool take_checkpoint_request() noexcept;
+
 /// Whether a run file is a checkpoint, of a run that has not ended. \throws InputError if it is no run file
 bool is_checkpoint(const std::string& path);
 

@@ -9,17 +9,47 @@ namespace graincrack {
 FrameOutput::FrameOutput(int wanted, double first_interval, RunWriter& writer)
     : wanted_(wanted), interval_(first_interval), writer_(writer) {}
 
-void FrameOutput::regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
-    if (wanted_ == 0 || strain < next_) {
+void FrameOutput::go_on(const FrameProgress& progress, const RunReader& checkpoint) {
+    if (wanted_ == 0) {
         return;
     }
-    writer_.add_frame(make_frame(a, law, state), false);
-    ++regular_;
-    if (regular_ >= 2 * wanted_) {
+    next_ = progress.next;
+    interval_ = progress.interval;
+    regular_ = progress.regular;
+    for (std::size_t i = 0; i < progress.roles.size(); ++i) {
+        if (progress.roles[i] == FrameRole::peak_so_far) {
+            peak_ = checkpoint.frame(i);
+        } else if (progress.roles[i] != FrameRole::present) {
+            writer_.add_frame(checkpoint.frame(i), progress.roles[i]);
+        }
+    }
+    thin_if_too_many();
+}
+
+FrameProgress FrameOutput::save(const Assemblage& a, const ContactLaw& law, const State& state, RunWriter& checkpoint) const {
+    checkpoint.add_frames(writer_);
+    if (peak_) {
+        checkpoint.add_frame(*peak_, FrameRole::peak_so_far);
+    }
+    checkpoint.add_frame(make_frame(a, law, state), FrameRole::present);
+    return {next_, interval_, regular_, checkpoint.frame_roles()};
+}
+
+void FrameOutput::thin_if_too_many() {
+    while (regular_ >= 2 * wanted_) {
         writer_.thin_frames();
         regular_ = (regular_ + 1) / 2;
         interval_ *= 2;
     }
+}
+
+void FrameOutput::regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
+    if (wanted_ == 0 || strain < next_) {
+        return;
+    }
+    writer_.add_frame(make_frame(a, law, state), FrameRole::regular);
+    ++regular_;
+    thin_if_too_many();
     next_ = interval_ * (std::floor(strain / interval_) + 1);
 }
 
@@ -30,16 +60,16 @@ void FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, co
     if (is_highest) {
         peak_ = make_frame(a, law, state);
     } else if (has_fallen && peak_) {
-        writer_.add_frame(*peak_, true);
+        writer_.add_frame(*peak_, FrameRole::kept);
         peak_.reset();
     }
 }
 
 void FrameOutput::last(const Assemblage& a, const ContactLaw& law, const State& state) {
     if (peak_ && peak_->step < state.step) {
-        writer_.add_frame(*peak_, true);
+        writer_.add_frame(*peak_, FrameRole::kept);
     }
-    writer_.add_frame(make_frame(a, law, state), true);
+    writer_.add_frame(make_frame(a, law, state), FrameRole::kept);
 }
 
 }  // namespace graincrack

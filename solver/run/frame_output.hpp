@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "share/run_file.hpp"
 #include "solver/model/assemblage.hpp"
@@ -10,12 +11,24 @@
 
 namespace graincrack {
 
+/// Where the choice of frames is, for a run that goes on from a checkpoint.
+struct FrameProgress {
+    double next = 0;               ///< progress at which the next regular frame is due
+    double interval = 0;           ///< from one regular frame to the next
+    int regular = 0;               ///< how many there are
+    std::vector<FrameRole> roles;  ///< of the frames of the checkpoint
+};
+
 /// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
 class FrameOutput {
 public:
     /// \param wanted at least so many evenly spaced frames, 0 for none; in the end there are up to twice as many
     /// \param first_interval of strain, doubled whenever there are too many
     FrameOutput(int wanted, double first_interval, RunWriter& writer);
+    /// Goes on where the run of a checkpoint was, with the frames it has.
+    void go_on(const FrameProgress& progress, const RunReader& checkpoint);
+    /// Writes the frames so far, the state of now last, into a checkpoint. \return what `go_on` needs
+    FrameProgress save(const Assemblage& assemblage, const ContactLaw& law, const State& state, RunWriter& checkpoint) const;
     /// Adds a frame when the strain has come to the next interval.
     void regular(double strain, const Assemblage& assemblage, const ContactLaw& law, const State& state);
     /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.
@@ -25,6 +38,8 @@ public:
     static constexpr std::size_t max_frames(std::size_t wanted) { return wanted == 0 ? 1 : 2 * wanted + 2; }
 
 private:
+    void thin_if_too_many();
+
     int wanted_;
     double interval_;
     RunWriter& writer_;

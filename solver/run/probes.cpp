@@ -145,13 +145,17 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
     }
 }
 
-void Probes::restore(const H5Input& checkpoint) {
+void Probes::restore(const H5Input& checkpoint, std::size_t rows) {
     for (ProbeHistory& history : histories_) {
         const ProbeHistory saved = read_probe(checkpoint, history.name);
         for (std::size_t c = 0; c < history.columns.size(); ++c) {
             const auto at = std::find_if(saved.columns.begin(), saved.columns.end(),
                                          [&](const ProbeColumn& column) { return column.name == history.columns[c].name; });
-            history.values[c] = saved.values.at(static_cast<std::size_t>(at - saved.columns.begin()));
+            if (at == saved.columns.end() || saved.values.front().size() != rows) {
+                throw InputError(fmt::format("{}: probe {} lacks the column {}, or its rows are not those of the history",
+                                             checkpoint.name(), history.name, history.columns[c].name));
+            }
+            history.values[c] = saved.values[static_cast<std::size_t>(at - saved.columns.begin())];
         }
     }
 }

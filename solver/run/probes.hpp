@@ -19,8 +19,8 @@ public:
     /// Adds a row of the state after `measure`, which leaves the forces of its time in it.
     void record(const Assemblage& assemblage, const Boundary& boundary, const State& state);
     [[nodiscard]] const std::vector<ProbeHistory>& histories() const { return histories_; }
-    /// Takes over the rows of a checkpoint.
-    void restore(const H5Input& checkpoint);
+    /// Takes over the rows of a checkpoint. \param rows how many there must be \throws InputError
+    void restore(const H5Input& checkpoint, std::size_t rows);
     /// A value of a column, and the last one.
     [[nodiscard]] double value(const std::string& probe, std::size_t column, std::size_t row) const {
         return column_of(probe, column)[row];

@@ -40,6 +40,9 @@ std::optional<StageControllerState> read_start(const H5Input& file) {
                                  file.attribute<std::vector<double>>(group, "start_amplitude_values")};
     start.platen_speed = speed;
     start.mean_compression = file.attribute<double>(group, "start_mean_compression");
+    if (start.boundary_conditions.names.size() != start.boundary_conditions.values.size()) {
+        throw InputError(file.name() + ": names and values of the start of its program differ in number");
+    }
     return start;
 }
 
@@ -72,9 +75,13 @@ void ProgramDriver::go_on(const StageControllerState& state, const RunReader& ch
     }
     if (!is_standard()) {
         started_from_ = read_start(file);
-        probes_.restore(file);
+        probes_.restore(file, checkpoint.history().size());
     }
-    stages_.go_on(state);
+    try {
+        stages_.go_on(state);
+    } catch (const InputError& error) {
+        throw InputError(checkpoint.name() + ": " + error.what());
+    }
     begun_ = true;
 }
 

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "share/error.hpp"
@@ -12,6 +17,7 @@
 #include "share/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/run/measure.hpp"
+#include "solver/run/state_check.hpp"
 #include "solver/step/mass_scaling.hpp"
 
 namespace graincrack {
@@ -99,6 +105,9 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("displacement_at_search", s.contact_pairs.displacement_at_search);
     visit("occupied_area", s.contact_pairs.occupied_area);
     visit("cluster_load", s.contact_pairs.cluster_load);
+    visit("active_pairs", s.contact_pairs.active.pair);
+    visit("active_counts", s.contact_pairs.active.count);
+    visit("next_mark", s.next_mark);
     visit("cluster_near_platen", s.clusters.near_platen);
     visit("cluster_energies", s.clusters.sums);
 }
@@ -157,22 +166,47 @@ std::vector<double> add_membrane_to_loads(const std::vector<double>& rows) {
     return merged;
 }
 
+/// A number of a file as a member of a state. \throws InputError if it is not finite, or none that the member can have
+template <class Member>
+void take(double number, const std::string& where, Member& member) {
+    using Value = std::decay_t<Member>;
+    bool fits = std::isfinite(number);
+    if constexpr (std::is_same_v<Value, bool> || std::is_enum_v<Value>) {
+        fits = number == 0 || number == 1;
+    } else if constexpr (std::is_integral_v<Value>) {
+        constexpr double exact = 9007199254740992;  // 2^53: integers beyond it are not exact as float64
+        fits = fits && number == std::floor(number) && std::abs(number) <= exact &&
+               number >= static_cast<double>(std::numeric_limits<Value>::lowest()) &&
+               number <= static_cast<double>(std::numeric_limits<Value>::max());
+    }
+    if (!fits) {
+        throw InputError(fmt::format("{} has the value {}, which no state has: the file is damaged", where, number));
+    }
+    member = static_cast<Value>(number);
+}
+
+/// \param rows that the array must have, unless it is a list of any length
 template <class Item>
-void read_array(const H5Input& file, const std::string& name, std::vector<Item>& items) {
-    std::vector<double> numbers = file.read<double>(path_of(name));
-    std::size_t width = file.extents(path_of(name)).at(1);
-    if (std::is_same_v<Item, GrainSums> && file.version() < 2 && width == width_of<Item>() + 1) {
-        numbers = add_membrane_to_loads(numbers);
-        --width;
+void read_array(const H5Input& file, const std::string& name, std::optional<std::size_t> rows, std::vector<Item>& items) {
+    const std::string path = path_of(name);
+    const Extents extents = file.extents(path);
+    const std::size_t width = width_of<Item>();
+    const bool has_membrane =
+        std::is_same_v<Item, GrainSums> && file.version() < 2 && extents == Extents{rows.value_or(0), width + 1};
+    if (extents.size() != 2 || (extents[1] != width && !has_membrane)) {
+        throw InputError(fmt::format("{}: {} has not {} numbers a row: it is of another version of graincrack-solve", file.name(),
+                                     path, width));
     }
-    if (width != width_of<Item>()) {
-        throw InputError(fmt::format("{}: {} has {} numbers a row, not {}: it is of another version of graincrack-solve",
-                                     file.name(), path_of(name), width, width_of<Item>()));
+    if (rows && extents[0] != *rows) {
+        throw InputError(fmt::format("{}: {} has {} rows, not {}: the file is damaged", file.name(), path, extents[0], *rows));
     }
-    items.resize(numbers.size() / width);
+    const std::vector<double> read = file.read<double>(path);
+    const std::vector<double> numbers = has_membrane ? add_membrane_to_loads(read) : read;
+    const std::string where = file.name() + ": " + path;
+    items.resize(extents[0]);
     std::size_t at = 0;
     for (Item& item : items) {
-        visit_members(item, [&](auto& member) { member = static_cast<std::decay_t<decltype(member)>>(numbers[at++]); });
+        visit_members(item, [&](auto& member) { take(numbers[at++], where, member); });
     }
 }
 
@@ -181,8 +215,20 @@ bool same_mesh(const Specimen& a, const Specimen& b) {
            a.element_grain == b.element_grain;
 }
 
-/// Whether states of older files lack an array. What they lack is found anew in the first step.
-bool is_newer(std::string_view name) { return name == "cluster_load" || name == "cluster_near_platen"; }
+/// Arrays that have as many rows as their lists are long; all others have those that they have in a new state.
+bool is_list(std::string_view name) {
+    constexpr std::array names{
+        "platen_points",          "candidate_pairs", "node_edge_contacts", "pair_forces",        "pair_groups",  "watched_pairs",
+        "watched_groups",         "watched_chunks",  "pair_friction",      "occupied_area",      "active_pairs", "active_counts",
+        "displacement_at_search", "cluster_load",    "cluster_energies",   "cluster_near_platen"};
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Whether states of files before schema 3 may lack an array. What they lack is found anew, some of it in the first step.
+bool is_newer(std::string_view name) {
+    constexpr std::array names{"cluster_load", "cluster_near_platen", "active_pairs", "active_counts", "next_mark"};
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// \throws InputError where a state cannot go on as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
@@ -245,13 +291,17 @@ double stored_in_contacts(const Assemblage& a, const ContactLaw& law, const Stat
 }
 
 /// Other contact values change what is stored: that is work from outside.
-void book_change(const RunHeader& old, const Setup& setup, State& s) {
+void book_change(const std::string& name, const RunHeader& old, const Setup& setup, State& s) {
     const auto& laws = all_contact_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
     const ContactLaw before =
         make_contact_law(old.contact, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
-    s.grain_sums.front().load_work +=
+    const double change =
         stored_in_contacts(setup.assemblage, setup.parameters.law, s) - stored_in_contacts(setup.assemblage, before, s);
+    if (!std::isfinite(change)) {
+        throw InputError(name + ": its contact values store no energy that is a number: the file is damaged");
+    }
+    s.grain_sums.front().load_work += change;
 }
 
 /// The next marks of failed points: from the crack log, or, where an older file has no times of damage, from their histories.
@@ -261,6 +311,28 @@ void restore_marks(const RunReader& run, const std::vector<Crack>& cracks, const
         s.next_mark[point] = cohesion_mark(
             run.has_damage_times() ? crack.damage_levels() : count_marks_above(remaining_cohesion(law, point_history(s, point))));
     }
+}
+
+FrameProgress read_frame_progress(const RunReader& run) {
+    const H5Input& file = run.file();
+    const std::string group = schema::state_group;
+    FrameProgress progress;
+    progress.next = file.attribute<double>(group, "next_frame");
+    progress.interval = file.attribute<double>(group, "frame_interval");
+    const auto n_regular = file.attribute<std::int64_t>(group, "regular_frames");
+    const auto roles = file.attribute<std::vector<std::int64_t>>(group, "frame_roles");
+    const bool are_roles = std::all_of(roles.begin(), roles.end(), [](std::int64_t role) {
+        return role >= 0 && role <= static_cast<std::int64_t>(FrameRole::present);
+    });
+    const auto regular = std::count(roles.begin(), roles.end(), static_cast<std::int64_t>(FrameRole::regular));
+    if (!are_roles || roles.size() != run.n_frames() || n_regular != regular || !std::isfinite(progress.next) ||
+        !std::isfinite(progress.interval) || progress.interval <= 0) {
+        throw InputError(run.name() + ": the frames are not those that the state counts: the file is damaged");
+    }
+    progress.regular = static_cast<int>(n_regular);
+    std::transform(roles.begin(), roles.end(), std::back_inserter(progress.roles),
+                   [](std::int64_t role) { return static_cast<FrameRole>(role); });
+    return progress;
 }
 
 StageControllerState read_loading(const H5Input& file) {
@@ -274,6 +346,12 @@ StageControllerState read_loading(const H5Input& file) {
     loading.mean_compression = file.attribute<double>(group, "mean_compression");
     loading.progress = {texts("stages"), numbers("stage_values")};
     loading.stages_end_by = texts("stages_ended_by");
+    const auto fit = [](const NamedNumbers& n) { return n.names.size() == n.values.size(); };
+    if (!fit(loading.boundary_conditions) || !fit(loading.progress) || !std::isfinite(loading.platen_speed) ||
+        !std::isfinite(loading.mean_compression)) {
+        throw InputError(fmt::format("{}: names and values of the loading in {} do not fit each other: the file is damaged",
+                                     file.name(), group));
+    }
     return loading;
 }
 
@@ -299,6 +377,18 @@ void write_saved_state(H5Output& file, const State& state, const StageController
     file.attribute(group, "energy_balance_error", energy_balance_error);
 }
 
+void write_frame_progress(H5Output& file, const FrameProgress& progress) {
+    const std::string group = schema::state_group;
+    std::vector<std::int64_t> roles;
+    for (const FrameRole role : progress.roles) {
+        roles.push_back(static_cast<std::int64_t>(role));
+    }
+    file.attribute(group, "next_frame", progress.next);
+    file.attribute(group, "frame_interval", progress.interval);
+    file.attribute(group, "regular_frames", std::int64_t{progress.regular});
+    file.attribute(group, "frame_roles", roles);
+}
+
 std::size_t size_of_saved_state(const State& state) {
     std::size_t numbers = state.failed.size() * width_of<ContactHistory>();
     visit_arrays(state, [&]<class Item>(const char* /*name*/, const std::vector<Item>& items) {
@@ -318,35 +408,42 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     s = make_state(setup.assemblage, setup.boundary, specimen);
     std::vector<PlatenPoint> platen_points = s.platen_points;
     visit_numbers(s, [&](const char* name, auto& value) {
-        value = static_cast<std::decay_t<decltype(value)>>(file.attribute<double>(group, name));
+        take(file.attribute<double>(group, name), fmt::format("{}: attribute {} of {}", run.name(), name, group), value);
     });
     visit_arrays(s, [&](const char* name, auto& items) {
-        if (!is_newer(name) || file.has(path_of(name))) {
-            read_array(file, name, items);
+        if (file.version() >= 3 || !is_newer(name) || file.has(path_of(name))) {
+            read_array(file, name, is_list(name) ? std::nullopt : std::optional(items.size()), items);
         }
     });
     std::vector<ContactHistory> histories;
-    read_array(file, "history", histories);
+    read_array(file, "history", s.failed.size(), histories);
+    require_sound_state(run.name(), setup, run.header().time_step, s);
     for (std::size_t point = 0; point < histories.size(); ++point) {
         if (histories[point] != ContactHistory{}) {
             s.points.of(point) = histories[point];
         }
     }
-    complete_cluster_state(setup.parameters.mass_scaling, s);
-    load_active(setup.assemblage, s.contact_pairs);
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
+    complete_cluster_state(setup.parameters.mass_scaling, s);
+    (s.contact_pairs.active.pair.empty() ? load_active : resume_active)(setup.assemblage, s.contact_pairs);
     const RunHeader& old = run.header();
     if (old.time_step != setup.parameters.time_step) {
         s.origin_step = s.step;
         s.origin_time = s.time;
     }
-    book_change(old, setup, s);
+    book_change(run.name(), old, setup, s);
     saved.loading = read_loading(file);
     saved.cracks = run.cracks();
-    restore_marks(run, saved.cracks, setup.parameters.law, s);
+    if (!file.has(path_of("next_mark"))) {
+        restore_marks(run, saved.cracks, setup.parameters.law, s);
+    }
     saved.energy_scale = old.energy_scale;
-    saved.energy_balance_error = file.attribute<double>(group, "energy_balance_error");
+    take(file.attribute<double>(group, "energy_balance_error"), run.name() + ": attribute energy_balance_error of " + group,
+         saved.energy_balance_error);
+    if (old.stop_reason == "checkpoint") {
+        saved.frames = read_frame_progress(run);
+    }
     return saved;
 }
 

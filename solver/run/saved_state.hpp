@@ -9,6 +9,7 @@
 #include "share/run_file.hpp"
 #include "solver/loading/stage_control.hpp"
 #include "solver/model/state.hpp"
+#include "solver/run/frame_output.hpp"
 #include "solver/setup/setup.hpp"
 
 namespace graincrack {
@@ -18,6 +19,9 @@ class H5Output;
 /// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
 void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error);
 
+/// Adds to /state of a checkpoint where its frames were.
+void write_frame_progress(H5Output& file, const FrameProgress& progress);
+
 /// Bytes of the arrays that /state has for a state.
 std::size_t size_of_saved_state(const State& state);
 
@@ -26,6 +30,7 @@ struct SavedState {
     State state;
     StageControllerState loading;
     std::vector<Crack> cracks;
+    FrameProgress frames;             ///< of a checkpoint
     double energy_scale = 0;          ///< largest stored energy so far, J
     double energy_balance_error = 0;  ///< largest so far, J
 };

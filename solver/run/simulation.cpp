@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <numeric>
 #include <optional>
 
+#include "share/equilibrium.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "solver/loading/standard_tests.hpp"
@@ -57,7 +59,6 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.damping_form = name_of(r.damping_form);
     h.mass_scaling = r.mass_scaling ? "selective" : "none";
     h.peak_drop = r.peak_drop;
-    h.vector_target = name_of(setup.assemblage.vector_target);
     h.mass_scaling_factor = setup.mass_scaling_factor;
     h.added_mass = setup.added_mass;
     h.stable_time_step = setup.stable_time_step;
@@ -82,6 +83,7 @@ public:
           crack_log_(state_.failed.size()),
           header_(make_header(request, program_, setup_)),
           progress_(label, verbosity),
+          verbosity_(verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         if (request.checkpoint_interval) {
             checkpoint_clock_.emplace(*request.checkpoint_interval);
@@ -94,6 +96,7 @@ public:
                 driver_.resume(saved.loading);
             } else {
                 go_on(request.restart, saved.loading);
+                frames_so_far_ = saved.frames;
             }
         }
     }
@@ -104,7 +107,10 @@ public:
         const bool pipe = file.is_pipe();
         writer_.emplace(std::move(file), specimen_, header_);
         frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
-        checkpoint_ = checkpoint_of(output);
+        checkpoint_ = pipe ? "" : checkpoint_of(output);
+        if (frames_so_far_) {
+            frames_->go_on(*frames_so_far_, RunReader(request_.restart));
+        }
     }
 
     RunHeader run() {
@@ -115,14 +121,14 @@ public:
             record();
         }
         while (header_.stop_reason.empty()) {
-            throw_if_interrupted();
+            stop_if_asked();
             const std::int64_t steps = driver_.interval_steps(parameters_.time_step);
             const IntervalLoading loading = driver_.next(static_cast<double>(steps) * parameters_.time_step);
             advance(assemblage_, boundary_, parameters_, loading, steps, team_, state_);
             record();
             show_progress();
             header_.stop_reason = driver_.stop_reason(axial_strain());
-            if (header_.stop_reason.empty() && checkpoint_clock_ && checkpoint_clock_->is_due()) {
+            if (header_.stop_reason.empty() && writes_checkpoint_now()) {
                 write_checkpoint();
             }
         }
@@ -140,23 +146,49 @@ public:
             write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_balance_error_);
         }
         writer_->finish(header_, crack_log_.rows(state_), provenance, sensitivity);
-        if (checkpoint_clock_) {
-            std::remove(checkpoint_.c_str());
+        if (!checkpoint_.empty()) {
+            std::remove(checkpoint_.c_str());  // of this run, or of one before that was stopped
         }
     }
     [[nodiscard]] const CrackLog& crack_log() const { return crack_log_; }
     [[nodiscard]] TestOutcome outcome() const { return {header_, history_}; }
     [[nodiscard]] int threads() const { return team_.size(); }
+    [[nodiscard]] std::string vector_target() const { return std::string(name_of(assemblage_.vector_target)); }
 
 private:
-    /// A run file of its own, with all rows and cracks so far and the frame of now.
+    [[nodiscard]] bool writes_checkpoint_now() {
+        if (!writer_ || checkpoint_.empty()) {
+            return false;
+        }
+        const bool is_asked = take_checkpoint_request();
+        return is_asked || (checkpoint_clock_ && checkpoint_clock_->is_due());
+    }
+
+    /// On a signal, keeps what there is in a checkpoint and ends the run.
+    void stop_if_asked() const {
+        const bool asked = request_.stops_after && request_.stops_after(history_.size());
+        if (stop_signal() == 0 && !asked) {
+            return;
+        }
+        if (writer_ && !checkpoint_.empty()) {
+            write_checkpoint();
+            if (verbosity_ != Verbosity::quiet) {
+                fmt::print(stderr, "{}: {} has the test so far; the same command with --restart {} goes on from there\n",
+                           header_.test, checkpoint_, checkpoint_);
+            }
+        }
+        throw Interrupted(stop_signal() != 0 ? stop_signal() : SIGTERM);
+    }
+
+    /// A run file of its own, with all rows, cracks and frames so far and the state of now.
     void write_checkpoint() const {
         RunWriter writer(H5Output(checkpoint_, "run"), specimen_, header_);
         writer.append_history(history_);
         driver_.append(writer.file(), 0);
         driver_.write(writer.file());
-        writer.add_frame(make_frame(assemblage_, parameters_.law, state_), true);
+        const FrameProgress frames = frames_->save(assemblage_, parameters_.law, state_, writer);
         write_saved_state(writer.file(), state_, driver_.saved(state_.time), largest_balance_error_);
+        write_frame_progress(writer.file(), frames);
         RunHeader header = header_;
         header.stop_reason = "checkpoint";
         header.steps = state_.step;
@@ -165,6 +197,7 @@ private:
         Provenance provenance;
         provenance.tool = "graincrack-solve";
         provenance.threads = team_.size();
+        provenance.vector_target = name_of(assemblage_.vector_target);
         writer.finish(header, crack_log_.rows(state_), provenance);
     }
 
@@ -174,6 +207,13 @@ private:
         require_same_test(run.name(), run.header(), header_);
         driver_.go_on(loading, run);
         history_ = run.history();
+        if (history_[HistoryColumn::time].back() != state_.time ||
+            history_[HistoryColumn::step].back() != static_cast<double>(state_.step)) {
+            throw InputError(run.name() + ": its state is not that of the last row of its history: the file is damaged");
+        }
+        for (const double work : history_[HistoryColumn::energy_external]) {
+            worked_ = std::max(worked_, std::abs(work));
+        }
         last_axial_stress_ = history_[HistoryColumn::axial_stress].back();
         peak_ = run.header().peak_axial_stress;
     }
@@ -244,7 +284,10 @@ private:
         // What is dynamic may be all motion, and store next to nothing.
         const double scale = energies.stored() + (is_dynamic_ ? energies.kinetic : 0);
         header_.energy_scale = std::max(header_.energy_scale, scale);
-        const double residual = header_.energy_scale > 0 ? energies.balance_error() / header_.energy_scale : 0;
+        worked_ = std::max(worked_, std::abs(energies.external));
+        // Where next to nothing is stored yet, an error is small or large against what the platens have worked.
+        const double judged = std::max(header_.energy_scale, worked_);
+        const double residual = judged > 0 ? energies.balance_error() / judged : 0;
         if (!std::isfinite(residual) || (header_.energy_scale > judged_energy() && std::abs(residual) > unstable_residual)) {
             throw_unstable(residual);
         }
@@ -303,8 +346,8 @@ private:
         driver_.complete(header_, state_.time);
         complete_header(history_, specimen_.width, header_);
         header_.energy_balance_error = header_.energy_scale > 0 ? largest_balance_error_ / header_.energy_scale : 0;
-        if (header_.energy_balance_error > unstable_residual) {
-            throw_unstable(header_.energy_balance_error);
+        if (const double judged = std::max(header_.energy_scale, worked_); largest_balance_error_ > unstable_residual * judged) {
+            throw_unstable(largest_balance_error_ / judged);
         }
     }
 
@@ -323,16 +366,19 @@ private:
     CrackLog crack_log_;
     RunHeader header_;
     Progress progress_;
+    Verbosity verbosity_;
     History history_;
     ThreadTeam team_;
     RateMeasures rate_;  ///< of the last row
     std::size_t rows_written_ = 0;
+    double worked_ = 0;                 ///< largest external work so far, absolute, J
     double largest_balance_error_ = 0;  ///< of the energy balance, J
     double last_axial_stress_ = 0;      ///< tension positive, Pa
     double peak_ = 0;                   ///< of it since contacts have failed, absolute, Pa
     std::optional<RunWriter> writer_;
     std::optional<FrameOutput> frames_;
-    std::string checkpoint_;  ///< its file
+    std::optional<FrameProgress> frames_so_far_;  ///< of the checkpoint that the run goes on from
+    std::string checkpoint_;                      ///< its file
     std::optional<CheckpointClock> checkpoint_clock_;
 };
 
@@ -351,6 +397,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     simulation.write_to(output);
     SimulationSummary summary;
     summary.header = simulation.run();
+    summary.equilibrium_warning = equilibrium_warning(summary.header, simulation.outcome().history);
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
@@ -361,6 +408,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     }
     provenance.wall_time = summary.wall_time;
     provenance.threads = simulation.threads();
+    provenance.vector_target = simulation.vector_target();
     simulation.finish(summary.sensitivity, provenance);
     return summary;
 }

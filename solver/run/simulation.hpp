@@ -21,6 +21,7 @@ struct SimulationSummary {
     double wall_time = 0;  ///< s
     double ns_per_grain_step = 0;
     std::vector<SensitivityRow> sensitivity;  ///< if asked for
+    std::string equilibrium_warning;          ///< "" for a test near equilibrium
 };
 
 /// Runs the test and writes nothing. \param label what the progress says

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -80,7 +81,9 @@ struct SimulationRequest {
     bool save_state = false;                    ///< at the end, for another run to go on from
     std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
     std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
-    bool sensitivity = false;                   ///< run again with one thing changed at a time
+    /// Asked after each row of the history, with the number of rows: whether to stop there with a checkpoint, as on a signal.
+    std::function<bool(std::size_t)> stops_after;
+    bool sensitivity = false;  ///< run again with one thing changed at a time
     int frames = 20;
     int threads = 1;                            ///< at most
     std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given

@@ -143,7 +143,7 @@ TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
             shell
                 .must("graincrack-post history " + run +
                       " | awk -F'\\t' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == \"energy_balance_error\") k = i; next } "
-                      "{ r = $k < 0 ? -$k : $k; if (r > most) most = r } END { print k > 0 ? most : 9 }'")
+                      "{ r = $k < 0 ? -$k : $k; if (r > most) most = r } END { print (k > 0 ? most : 9) }'")
                 .c_str());
     };
     const auto last_stress = [&](const std::string& run) {

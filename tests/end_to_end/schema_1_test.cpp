@@ -106,7 +106,7 @@ until.time = "0.1 ms"
     const std::string end = last_row(shell, "unload.h5");
     EXPECT_NEAR(number(end, "confining_pressure_Pa"), 1e6, 1e3);  // "keep": the membrane's pressure is in the state
     EXPECT_LT(std::abs(number(end, "energy_balance_error")), 1e-3);
-    EXPECT_EQ(shell.must("graincrack-post info unload.h5 | grep schema | xargs"), "kind run, schema 2\n");
+    EXPECT_EQ(shell.must("graincrack-post info unload.h5 | grep schema | xargs"), "kind run, schema 3\n");
 }
 
 // The run gets the stop reason of a checkpoint.

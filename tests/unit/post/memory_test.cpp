@@ -51,7 +51,7 @@ void write_large_run(const std::string& path) {
         shake(frame.element_stress, 1e7);
         for (auto* jumps : {&frame.opening, &frame.sliding}) shake(*jumps, 1e-6);
         shake(frame.traction, 1e6);
-        writer.add_frame(frame, true);
+        writer.add_frame(frame, FrameRole::kept);
     }
     Provenance provenance;
     provenance.tool = "synthetic";

@@ -250,9 +250,9 @@ inline std::vector<Crack> synthetic_cracks(const Specimen& s) {
 inline void write_run(const std::string& path, const Recipe& recipe, const std::vector<Crack>& cracks) {
     RunWriter writer(H5Output(path, "run"), recipe.specimen, synthetic_header(recipe));
     writer.append_history(synthetic_history(recipe));
-    writer.add_frame(synthetic_frame(recipe.specimen, 0, 0, 0), false);
-    writer.add_frame(synthetic_frame(recipe.specimen, 1, 0.005, 0), true);
-    writer.add_frame(synthetic_frame(recipe.specimen, 1.25, 0.006, 0.001), true);
+    writer.add_frame(synthetic_frame(recipe.specimen, 0, 0, 0), FrameRole::regular);
+    writer.add_frame(synthetic_frame(recipe.specimen, 1, 0.005, 0), FrameRole::kept);
+    writer.add_frame(synthetic_frame(recipe.specimen, 1.25, 0.006, 0.001), FrameRole::kept);
     Provenance provenance;
     provenance.tool = "synthetic";
     provenance.command_line = {"synthetic"};

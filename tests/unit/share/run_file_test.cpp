@@ -46,7 +46,6 @@ RunHeader header() {
     h.peak_drop = 20.5;
     h.max_strain = 21.5;
     h.mass_scaling = "selective";
-    h.vector_target = "avx2";
     h.stable_time_step = 22.5;
     h.time_step = 23.5;
     h.stop_reason = "peak drop";
@@ -134,7 +133,7 @@ template <class Write>
 void write_run(const std::string& path, Write&& write) {
     RunWriter writer(H5Output(path, "run"), specimen(), header());
     write(writer);
-    writer.finish(header(), cracks(), {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", {}, 12.25, 3});
+    writer.finish(header(), cracks(), {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", {}, 12.25, 3, ""});
 }
 
 TEST(RunFile, HeaderRoundTrip) {
@@ -152,7 +151,6 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(r.contact.open_shear_strength, 36.5);
     EXPECT_EQ(r.rate, "blocks");
     EXPECT_EQ(r.rate_tolerance, 0.25);
-    EXPECT_EQ(r.vector_target, "avx2");
     EXPECT_EQ(r.stop_reason, "peak drop");
     EXPECT_EQ(r.steps, 5000000000);
     const std::vector<double> numbers{r.rock.young_modulus,
@@ -270,12 +268,12 @@ TEST(RunFile, FramesAreThinnedAndTheKeptOnesStay) {
     write_run(folder.file("r.h5"), [](RunWriter& w) {
         w.append_history(history(1));
         for (int i = 0; i < 8; ++i) {
-            w.add_frame(frame_at(i), i == 3);
+            w.add_frame(frame_at(i), i == 3 ? FrameRole::kept : FrameRole::regular);
         }
         EXPECT_EQ(w.n_frames(), 8U);
         w.thin_frames();  // removes every second of 0 1 2 4 5 6 7
         EXPECT_EQ(w.n_frames(), 5U);
-        w.add_frame(frame_at(9), true);
+        w.add_frame(frame_at(9), FrameRole::kept);
     });
     const RunReader run(folder.file("r.h5"));
     EXPECT_EQ(run.frame_times(), (std::vector<double>{0, 2, 3, 5, 7, 9}));
@@ -293,7 +291,7 @@ TEST(RunFile, FramesAreNumberedInTimeOrder) {
     write_run(folder.file("r.h5"), [](RunWriter& w) {
         w.append_history(history(1));
         for (const double time : {0.0, 1.0, 4.0, 2.0, 3.0}) {
-            w.add_frame(frame_at(time), time == 2.0);
+            w.add_frame(frame_at(time), time == 2.0 ? FrameRole::kept : FrameRole::regular);
         }
     });
     const RunReader run(folder.file("r.h5"));
@@ -306,8 +304,8 @@ TEST(RunFile, VtkViewShowsTheLastFrame) {
     const TemporaryFolder folder;
     write_run(folder.file("r.h5"), [](RunWriter& w) {
         w.append_history(history(1));
-        w.add_frame(frame_at(1), false);
-        w.add_frame(frame_at(2), false);
+        w.add_frame(frame_at(1), FrameRole::regular);
+        w.add_frame(frame_at(2), FrameRole::regular);
     });
     const RunReader run(folder.file("r.h5"));
     const H5Input& file = run.file();
@@ -369,7 +367,7 @@ TEST(RunFile, NothingIsLeftOfARunThatWasNotFinished) {
     {
         RunWriter writer(H5Output(folder.file("r.h5"), "run"), specimen(), header());
         writer.append_history(history(3));
-        writer.add_frame(frame_at(1), false);
+        writer.add_frame(frame_at(1), FrameRole::regular);
     }
     EXPECT_TRUE(folder.is_empty());
 }
@@ -381,7 +379,7 @@ TEST(RunFile, DigestDoesNotDependOnTimeTakenOrOnThePieces) {
         for (const std::size_t rows : pieces) {
             writer.append_history(history(rows));
         }
-        writer.finish(header(), cracks(), {"", {}, "", "", {}, wall_time, 1});
+        writer.finish(header(), cracks(), {"", {}, "", "", {}, wall_time, 1, ""});
         return RunReader(folder.file(name)).file().digest();
     };
     const std::string digest = write("a.h5", {10}, 1);

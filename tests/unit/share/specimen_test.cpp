@@ -111,6 +111,20 @@ TEST(Specimen, GrainsOfNodes) {
     EXPECT_EQ(grain.back(), -1);
 }
 
+TEST(Specimen, TheDeclaredSizeIsThatOfTheMesh) {
+    for (const double factor : {0.5, 0.985, 1.015, 2.0}) {
+        Specimen s = two_squares();
+        s.height *= factor;
+        expect_one_line<InputError>([&] { validate(s, "s.h5"); }, {"s.h5", "height is more than 1 % off"});
+        s = two_squares();
+        s.width *= factor;
+        expect_one_line<InputError>([&] { validate(s, "s.h5"); }, {"s.h5", "width is more than 1 % off"});
+    }
+    Specimen s = two_squares();
+    s.width *= 1.009;
+    EXPECT_NO_THROW(validate(s, "s.h5"));
+}
+
 /// A change that makes a specimen invalid, and a word of the error message.
 struct Offence {
     const char* what;

@@ -1,0 +1,24 @@
+// Whether a test was near equilibrium, as its strength supposes: judged from its header and history alone.
+#pragma once
+
+#include <string>
+
+#include "share/run_file.hpp"
+
+namespace graincrack {
+
+/// Share of the load at the peak that it rises by while a wave crosses the specimen, beyond which a run warns: twice what the
+/// default tolerance of the automatic rate allows. Measured with 300 grains of Augig granite, strengths against those at the
+/// automatic rate (0.0006): a rectangle 3.5 % too high at 0.004, a disc 18 % at 0.015 and 36 % at 0.13.
+inline constexpr double trusted_load_rise = 3e-3;
+/// Difference of the platen forces before the peak, over their mean, beyond which a run warns. The strength is from their mean.
+inline constexpr double trusted_force_difference = 0.05;
+
+/// 2 v/(c ε) with the speed v of each platen and the strain ε at the largest load, c = √(E/ρ): what the load rises by, relative
+/// to itself, while a wave runs through the specimen. 0 for a program, which may move otherwise, and without any strain.
+double load_rise_at_peak(const RunHeader& header, const History& history);
+
+/// What a test far from equilibrium is told, naming the measure; "" for one that is not.
+std::string equilibrium_warning(const RunHeader& header, const History& history);
+
+}  // namespace graincrack

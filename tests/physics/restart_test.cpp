@@ -1,0 +1,110 @@
+// A run that is stopped after every so many rows of its history, and goes on from its checkpoint each time, is the run that was
+// never stopped: history, cracks, frames and the state at its end, to the digest.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <string>
+#include <vector>
+
+#include "mesher/specimen_maker.hpp"
+#include "share/error.hpp"
+#include "share/h5_file.hpp"
+#include "solver/run/checkpoint.hpp"
+#include "solver/run/simulation.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+struct Case {
+    const char* name;
+    TestKind test;
+    RateKind rate;
+    double speed;  ///< of a fixed rate, m/s
+    bool scaled;
+    LawVariant law = LawVariant::consistent;
+};
+void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
+
+/// Grains of many shapes, between which node–edge contacts come and go after the peak.
+const Specimen& specimen() {
+    static const Specimen s = [] {
+        mesher::SpecimenRequest request;
+        request.shape = {mesher::ShapeKind::rectangle, 0.04, 0.08};
+        request.grains = 300;
+        request.seed = 4;
+        return mesher::make_specimen(request);
+    }();
+    return s;
+}
+
+SimulationRequest request(const Case& c) {
+    SimulationRequest r;
+    r.material = test::augig_granite();
+    r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
+    r.law = c.law;
+    r.loading.test = c.test;
+    r.loading.rate = c.rate;
+    r.loading.platen_speed = c.speed;
+    r.loading.platen_friction = 5 * test::degree;
+    r.loading.confining_pressure = c.test == TestKind::triaxial ? 8e6 : 0;
+    r.loading.block_steps = 500;
+    r.loading.max_strain = c.test == TestKind::tension ? 0.002 : 0.012;
+    r.peak_drop = 0.7;
+    r.mass_scaling = c.scaled;
+    r.frames = 3;
+    r.save_state = true;
+    r.elements_per_thread = 1;
+    return r;
+}
+
+std::string digest_of(const std::string& run) { return H5Input(run, "run").digest(); }
+
+class Restart : public testing::TestWithParam<Case> {};
+
+TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
+    const test::TemporaryFolder folder;
+    const std::string whole = folder.file("whole.h5");
+    const SimulationSummary summary = simulate(specimen(), request(GetParam()), whole, Verbosity::quiet, {});
+    const std::size_t rows = RunReader(whole).history().size();
+    EXPECT_GT(summary.tensile_cracks + summary.shear_cracks, 10U);  // so that what is compared has happened
+    const std::string run = folder.file("run.h5");
+    const std::string before = folder.file("before.h5");
+    // Densely where node–edge contacts come and go.
+    std::vector<std::size_t> stops;
+    for (std::size_t stop = rows / 5; stop < rows; stop += stop < rows * 7 / 10 ? rows / 5 : rows / 200 + 1) {
+        stops.push_back(stop);
+    }
+    std::string restart;
+    std::size_t restarts = 0;
+    for (const std::size_t stop : stops) {
+        SimulationRequest r = request(GetParam());
+        r.threads = 1 + static_cast<int>(restarts % 2);
+        r.restart = restart;
+        r.stops_after = [stop](std::size_t n) { return n == stop; };
+        EXPECT_THROW(simulate(specimen(), r, run, Verbosity::quiet, {}), Interrupted);
+        ASSERT_EQ(RunReader(checkpoint_of(run)).history().size(), stop);
+        ASSERT_EQ(std::rename(checkpoint_of(run).c_str(), before.c_str()), 0);
+        restart = before;
+        ++restarts;
+    }
+    EXPECT_GE(restarts, 10U);
+    SimulationRequest r = request(GetParam());
+    r.restart = restart;
+    simulate(specimen(), r, run, Verbosity::quiet, {});
+    EXPECT_EQ(digest_of(run), digest_of(whole));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfATest, Restart,
+                         testing::Values(Case{"UniaxialUnscaled", TestKind::uniaxial, RateKind::fixed, 1.0, false},
+                                         Case{"UniaxialAuto", TestKind::uniaxial, RateKind::automatic, 0, true},
+                                         Case{"UniaxialCohesiveFrictional", TestKind::uniaxial, RateKind::fixed, 1.0, false,
+                                              LawVariant::cohesive_frictional},
+                                         Case{"TriaxialScaled", TestKind::triaxial, RateKind::fixed, 1.0, true},
+                                         Case{"TriaxialBlocks", TestKind::triaxial, RateKind::blocks, 0.5, true},
+                                         Case{"Tension", TestKind::tension, RateKind::fixed, 0.3, true}),
+                         [](const testing::TestParamInfo<Case>& row) { return std::string(row.param.name); });
+
+}  // namespace
+}  // namespace graincrack
