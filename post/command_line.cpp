@@ -12,6 +12,7 @@
 
 #include "post/chart/picture.hpp"
 #include "post/commands/ccd.hpp"
+#include "post/commands/claims.hpp"
 #include "post/commands/cracks.hpp"
 #include "post/commands/envelope.hpp"
 #include "post/commands/fpz.hpp"
@@ -47,6 +48,7 @@ std::vector<Command> commands() {
         trend_command(),
         fpz_command(),
         ccd_command(),
+        claims_command(),
         cracks_command(),
         report_command(),
         plot_command(),
