@@ -19,16 +19,16 @@ namespace graincrack::test {
 
 /// Of Augig granite's kind. Its means are exact at any point; a run adds the scatter of its specimen and a part of its own.
 struct SyntheticRock {
-    double tensile_exponent = 0.8;         ///< d ln σt/d ln tc, Gf and the open shear strength in its ratio to tc held
-    double energy_exponent = 0.15;         ///< d ln σt/d ln Gf
-    double open_shear_exponent = 0.1;      ///< d ln σt/d ln (shear strength of open contacts)
-    double cohesion_exponent = 0.9;        ///< d ln UCS/d ln cc
-    double friction_gain = 0.8;            ///< dφ/dφc
-    double friction_limit = 90;            ///< φ of the assemblage never exceeds it, degrees
+    double tensile_exponent = 0.8;     ///< d ln σt/d ln tc, Gf and the open shear strength in its ratio to tc held
+    double energy_exponent = 0.15;     ///< d ln σt/d ln Gf
+    double open_shear_exponent = 0.1;  ///< d ln σt/d ln (shear strength of open contacts)
+    double cohesion_exponent = 0.9;    ///< d ln UCS/d ln cc
+    double friction_gain = 0.8;        ///< dφ/dφc
+    double friction_limit = 90;        ///< φ of the assemblage never exceeds it, degrees
     double disc_scatter = 0.14;
     double confined_scatter = 0.08;
     double uniaxial_scatter = 0.05;
-    std::uint64_t variety = 1;             ///< other specimens
+    std::uint64_t variety = 1;  ///< other specimens
 
     using Values = std::array<double, calibrate::n_parameters>;
     static constexpr double degree = std::numbers::pi / 180;
@@ -39,8 +39,8 @@ struct SyntheticRock {
             return 8.8e6 * std::pow(v[2] / 24e6, tensile_exponent - open_shear_exponent) * std::pow(v[5] / 87, energy_exponent) *
                    std::pow(v[6] / 7.8e6, open_shear_exponent);
         }
-        const double ucs = 122e6 * std::pow(v[3] / 70e6, cohesion_exponent) * std::exp(1.2 * (v[4] - 42 * degree)) *
-                           std::pow(v[2] / 24e6, 0.02);
+        const double ucs =
+            122e6 * std::pow(v[3] / 70e6, cohesion_exponent) * std::exp(1.2 * (v[4] - 42 * degree)) * std::pow(v[2] / 24e6, 0.02);
         const double phi = std::min(52 * degree + friction_gain * (v[4] - 42 * degree), friction_limit * degree);
         return ucs + pressure * (1 + std::sin(phi)) / (1 - std::sin(phi));
     }
