@@ -77,8 +77,8 @@ std::optional<double> place_of(const Trial& trial, double target) {
     return way;
 }
 
-/// All parameters that move σt go to their bounds together, from their starts at 0: each by ln of its bound over its start, at 1. The
-/// way goes on backwards, as cc and φc may take σt beyond its target.
+/// All parameters that move σt go to their bounds together, from their starts at 0: each by ln of its bound over its start, at 1.
+/// The way goes on backwards, as cc and φc may take σt beyond its target.
 TensilePath together(const std::vector<Trial>& trials, bool rise) {
     TensilePath path{{}, -1, 1, 0};
     for (const Trial& trial : trials) {
@@ -222,11 +222,17 @@ void adjust_tensile(Progress& progress, TensilePath& path, double& way, std::int
         }
         const double next = std::clamp(levels.crossing(target, path.slope), path.low, path.high);
         const bool met = std::abs(std::log(mean / target)) <= near;
-        if (!met && next == way) {
+        const bool at_end = next == path.low || next == path.high;
+        if (!met && next == way && at_end) {
             progress.decision.point = point;
             throw Ended{Ending::not_reached,
                         fmt::format("σt {:.4g} MPa is out of reach at this cc and φc: with {} it is {:.4g} MPa, {:+.1f} % off",
                                     target * 1e-6, label_of(point), mean * 1e-6, 100 * (mean / target - 1))};
+        }
+        if (!met && !at_end && levels.has(next)) {
+            way = levels.nearest(target);
+            progress.note("σt", "not nearer", "levels scatter more than they differ");
+            break;
         }
         way = next;
         if (met) break;
