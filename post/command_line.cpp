@@ -11,6 +11,7 @@
 #include <map>
 
 #include "post/chart/picture.hpp"
+#include "post/commands/calibrate.hpp"
 #include "post/commands/ccd.hpp"
 #include "post/commands/claims.hpp"
 #include "post/commands/cracks.hpp"
@@ -48,6 +49,7 @@ std::vector<Command> commands() {
         trend_command(),
         fpz_command(),
         ccd_command(),
+        calibrate_command(),
         claims_command(),
         cracks_command(),
         report_command(),

@@ -1,4 +1,4 @@
-// graincrack-post claims.
+// The command `claims`: verdicts on the claims of a paper.
 #pragma once
 
 #include "post/command.hpp"
