@@ -208,7 +208,10 @@ const TableFile& Tables::at(const std::string& stem, const std::string& where) c
 
 std::optional<Finding> evaluate(const Claim& claim, const Tables& tables) {
     const std::string where = fmt::format("claim {} ({})", claim.row, claim.name);
-    const Rows rows(tables.at(claim.table, where), claim.where);
+    const TableFile& table = tables.at(claim.table, where);
+    // A study with fewer levels has no column for the others.
+    if (claim.only_if_measured && !claim.against.empty() && !table.has(claim.column)) return std::nullopt;
+    const Rows rows(table, claim.where);
     if (rows.size() == 0) {
         if (claim.only_if_measured) return std::nullopt;
         return open("there are no such rows");

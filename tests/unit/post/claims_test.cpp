@@ -146,6 +146,8 @@ TEST_F(ClaimsOfATable, WhatIsNotMeasuredIsOpenOrLeftOut) {
     write("results.tsv", "x\tname\n5\ta\n");
     EXPECT_EQ(verdict("value\tresults\tx\t5\tname=b\t", "\twhere\tneeds"), "open");
     EXPECT_EQ(verdict("value\tresults\tx\t5\tname=b\trows", "\twhere\tneeds"), "");
+    // A study with fewer levels has no such column.
+    EXPECT_EQ(verdict("order\tresults\ty\t>=0.8\tname\tresults:x\trows", "\tby\tagainst\tneeds"), "");
 }
 
 TEST_F(ClaimsOfATable, MarkdownAndHtml) {
