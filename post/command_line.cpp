@@ -11,7 +11,9 @@
 #include <map>
 
 #include "post/chart/picture.hpp"
+#include "post/commands/calibrate.hpp"
 #include "post/commands/ccd.hpp"
+#include "post/commands/claims.hpp"
 #include "post/commands/cracks.hpp"
 #include "post/commands/envelope.hpp"
 #include "post/commands/fpz.hpp"
@@ -49,6 +51,8 @@ std::vector<Command> commands() {
         material_command(),
         fpz_command(),
         ccd_command(),
+        calibrate_command(),
+        claims_command(),
         cracks_command(),
         report_command(),
         plot_command(),

@@ -90,6 +90,9 @@ std::vector<Table> tables_of(Material& material) {
     return tables;
 }
 
+/// Tables that a calibration reads or writes: how it is done, and what was fitted. No property of the rock.
+bool is_of_calibration(const std::string& table) { return table == "study" || table == "fitted"; }
+
 /// A needed key that is not there.
 struct MissingKey {
     std::string name;     ///< "rock.density"
@@ -113,6 +116,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     for (const TomlSection& section : toml.sections) {
         if (find_table(section.name) != nullptr) continue;
         const std::string& first = section.name.front();
+        if (section.name.size() == 1 && is_of_calibration(first)) continue;
         if (first == "phases" || first == "pairs") {
             throw InputError(fmt::format(
                 "{}: line {}: table [{}]: several minerals are not built yet; describe one rock by [rock] and [contact]",
@@ -123,6 +127,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
                                      fmt::join(table_names, ", ")));
     }
     for (const TomlEntry& entry : toml.entries) {
+        if (!entry.section.empty() && is_of_calibration(entry.section.front())) continue;
         if (entry.section.empty()) {
             if (entry.key != "name") {
                 throw InputError(fmt::format("{}: line {}: unknown key {}; known outside of tables is only name", toml.file,

@@ -49,7 +49,13 @@ const std::vector<std::string> first_columns{"file",
                                              "first_peak_MPa",
                                              "residual_MPa",
                                              "drop_percent",
-                                             "rehardening_GPa"};
+                                             "rehardening_GPa",
+                                             "contact_fracture_energy_J/m2",
+                                             "contact_open_shear_strength_MPa",
+                                             "grain_young_modulus_GPa",
+                                             "grain_poisson_ratio",
+                                             "max_strain",
+                                             "rate_tolerance"};
 std::vector<std::string> all_columns() {
     std::vector<std::string> columns = first_columns;
     columns.insert(columns.end(), label_columns().begin(), label_columns().end());
@@ -117,6 +123,10 @@ std::vector<Cell> strength_row(const std::string& path) {
     }
     row.emplace_back(run.header.damping_load);
     append_first_peak(row, strength.first_peak);
+    for (const double value : {contact.fracture_energy, contact.open_shear_strength * 1e-6, run.header.rock.young_modulus * 1e-9,
+                               run.header.rock.poisson_ratio, run.header.max_strain, run.header.rate_tolerance}) {
+        row.emplace_back(value);
+    }
     const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
     for (Cell& each : label_cells(reader.cracks(), reader.has_damage_times(), time_of_peak)) row.push_back(std::move(each));
     return row;

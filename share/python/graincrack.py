@@ -282,7 +282,7 @@ def _open(path: str | Path) -> h5py.File:
     if "specimen" not in file or version is None:
         raise FormatError(f"{path}: none of Graincrack's files; one of graincrack-mesh or graincrack-solve fits")
     if int(version) not in SCHEMA_VERSIONS:
-        raise FormatError(f"{path}: schema {int(version)}; this module reads {", ".join(map(str, SCHEMA_VERSIONS))}")
+        raise FormatError(f"{path}: schema {int(version)}; this module reads {', '.join(map(str, SCHEMA_VERSIONS))}")
     return file
 
 

@@ -182,6 +182,9 @@ $(runs_list): $$(if $$(filter-out $$(runs_listed),$$(file <$$@))$$(filter-out $$
 	@$(call lines,$(runs_listed)) >$@
 FORCE:
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
+# Verdicts on the claims of a study: its claims.tsv is the first prerequisite, the tables of results are the others. A study may set
+# claim_settings, --set NAME=VALUE for each {NAME} in its claims.
+claims = $(call table,$(POST) --quiet claims $(filter %.tsv,$^) --study $(STUDY) $(claim_settings))
 # A page: a text of the study, its claims, its tables and pictures, in the order of the prerequisites.
 page = $(call table,awk $(call lib,page) $(filter-out $(RUNS)/% $(checks),$^) $(filter $(checks),$^))
 # Quality checks of the runs of a page, a row for each test and pressure, at the end of the page.

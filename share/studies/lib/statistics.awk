@@ -1,4 +1,4 @@
-# Means with 95 % intervals by Student's t, lines, ranks. Samples have names: add("tc 18", 9.5).
+# Means with 95 % intervals by Student's t, lines. Samples have names: add("tc 18", 9.5).
 function add(name, x) {
     ++n_of[name]
     sample[name, n_of[name]] = x + 0
@@ -37,39 +37,5 @@ function line(xs, ys,    i, n, x, y, sxx, sxy) {
     }
     line_b = sxy / sxx
     line_a = y - line_b * x
-}
-# Spearman's rank correlation of two samples, ties by mean ranks.
-function spearman(xs, ys,    i, n) {
-    n = n_of[xs]
-    for (i = 1; i <= n; ++i) {
-        add("ranks " xs " " ys " x", rank(xs, i))
-        add("ranks " xs " " ys " y", rank(ys, i))
-    }
-    return correlation("ranks " xs " " ys " x", "ranks " xs " " ys " y")
-}
-function rank(name, i,    j, below, equal) {
-    for (j = 1; j <= n_of[name]; ++j) {
-        if (sample[name, j] < sample[name, i]) ++below
-        if (sample[name, j] == sample[name, i]) ++equal
-    }
-    return below + (equal + 1) / 2
-}
-function correlation(xs, ys,    i, x, y, sxx, syy, sxy) {
-    x = mean(xs)
-    y = mean(ys)
-    for (i = 1; i <= n_of[xs]; ++i) {
-        sxx += (sample[xs, i] - x) ^ 2
-        syy += (sample[ys, i] - y) ^ 2
-        sxy += (sample[xs, i] - x) * (sample[ys, i] - y)
-    }
-    return sxx * syy > 0 ? sxy / sqrt(sxx * syy) : ""
-}
-function median(name,    i, j, x, sorted) {
-    for (i = 1; i <= n_of[name]; ++i) {
-        x = sample[name, i]
-        for (j = i - 1; j >= 1 && sorted[j] > x; --j) sorted[j + 1] = sorted[j]
-        sorted[j + 1] = x
-    }
-    return n_of[name] % 2 ? sorted[(n_of[name] + 1) / 2] : (sorted[n_of[name] / 2] + sorted[n_of[name] / 2 + 1]) / 2
 }
 function abs(x) { return x < 0 ? -x : x }

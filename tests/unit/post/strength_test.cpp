@@ -35,6 +35,8 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
               "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load\t"
               "first_peak_MPa\tresidual_MPa\tdrop_percent\trehardening_GPa\t"
+              "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\tgrain_young_modulus_GPa\tgrain_poisson_ratio\t"
+              "max_strain\trate_tolerance\t"
               "tensile_cracks_by_displacement\tshear_cracks_by_displacement\ttensile_cracks_broken\tshear_cracks_broken\t"
               "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement");
 }

@@ -1,0 +1,43 @@
+// The files of a calibration in one folder: what `decide` is given, and what it leaves.
+//
+//     material.toml    the rock with [laboratory] targets and [study]                 given
+//     strength.tsv     `strength` of the finished runs; absent: none are finished      given
+//     moduli.tsv       `moduli` of the uniaxial ones                                    given
+//     wanted.tsv       the next runs with their reasons                                 written while runs are missing
+//     grains-….toml    materials of these runs, in the column `material`
+//     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
+//     report.md        targets, results, values with intervals, every step              written in the end
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "post/calibrate/decide.hpp"
+
+namespace graincrack::calibrate {
+
+/// Reads [study] of a material file; without one, the defaults.
+/// \throws InputError naming file, line and key for one that is unknown or out of bounds
+Study read_study(const Material& rock);
+
+/// Finished runs from the tables `strength` and, joined by the column `file`, `moduli`. Tests of other kinds than those of a
+/// calibration are passed over. \throws InputError for a missing column
+std::vector<FinishedRun> read_finished(const std::string& strength, const std::string& moduli);
+
+/// wanted.tsv: test, confining_pressure_MPa, seed, material, the contact values that are set, max_strain, reason.
+std::string wanted_table(const std::vector<WantedRun>& wanted);
+
+/// Name of the material file of the grains at a point: "grains-E27.157-nu0.2172.toml".
+std::string grains_file(const Point& point);
+
+/// A material file with the values of a point; with [fitted], what was fitted to what.
+std::string material_text(const Material& rock, const Point& point, const Decision* fitted);
+
+/// The report, in Markdown.
+std::string report_text(const Material& rock, const Study& study, const Decision& decision, std::size_t n_runs);
+
+/// Decides, and writes what follows to the folder; removes what was written before and holds no longer.
+/// \throws InputError, OutputError
+Decision calibrate_folder(const std::string& folder);
+
+}  // namespace graincrack::calibrate

@@ -1,0 +1,65 @@
+// Claims of a paper as a table: a row a claim. share/doc/studies.md describes its columns.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/claims/verdict.hpp"
+
+namespace graincrack::claims {
+
+enum class Kind {
+    value,    ///< a number, within a tolerance
+    sign,     ///< above or below zero
+    trend,    ///< rises or falls from the lowest to the highest level
+    order,    ///< above or below a bound; also the rank correlation of two columns
+    equality  ///< equal when rounded as printed; or equal at all levels; or two columns equal row by row
+};
+
+/// How far a number may be off.
+struct Tolerance {
+    enum class Kind { absolute, relative, interval, standard_errors } kind = Kind::absolute;
+    double amount = 0;
+};
+
+/// A condition on the rows of a table: "series=b", "level<=0.75".
+struct Condition {
+    enum class Comparison { equal, less, less_or_equal, greater, greater_or_equal } comparison = Comparison::equal;
+    std::string column;
+    std::string value;
+};
+
+struct Claim {
+    std::string name;
+    Kind kind = Kind::value;
+    std::string table;             ///< stem of a table's file name
+    std::vector<Condition> where;  ///< which of its rows
+    std::string column;            ///< a column; "A - B"; "filled A", the part of rows with an entry; "x at 8.8", of a line
+    std::string paper;             ///< what the paper has, as shown
+    std::string value;             ///< the same as a number, bound, sign or direction; "=COLUMN": a column of the table has it
+    Tolerance tolerance;
+    std::vector<std::string> interval;  ///< columns of the low and high end, or of half the interval
+    std::string by;                     ///< column of levels, or by which rows of two tables are joined
+    std::string pair;                   ///< column of specimens: levels are compared on the same ones
+    std::string against;                ///< TABLE:COLUMN of a second quantity
+    std::optional<Condition> needs;     ///< without it the claim is open
+    bool only_if_measured = false;      ///< left out if there are no rows
+    double factor = 1;                  ///< of our number, to the unit of the paper
+    std::string unit;
+    std::string note;  ///< why, if it does not hold
+    int row = 0;       ///< of the file, from 1
+};
+
+/// Reads claims. `settings` replace {NAME} in any field.
+/// \throws InputError naming row and column if one cannot be understood or a {NAME} is not set
+std::vector<Claim> read_claims(const std::string& file, const std::map<std::string, std::string>& settings);
+
+/// Reads one condition. \throws InputError naming `where`
+Condition parse_condition(const std::string& text, const std::string& where);
+
+/// A number, empty if the text is none.
+std::optional<double> parse_number(const std::string& text);
+
+}  // namespace graincrack::claims

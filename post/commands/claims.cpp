@@ -1,0 +1,51 @@
+#include "post/commands/claims.hpp"
+
+#include <fmt/format.h>
+
+#include "post/claims/claims_table.hpp"
+#include "post/option_parts.hpp"
+#include "share/command_line.hpp"
+#include "share/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+struct Options {
+    std::string study;
+    std::vector<std::string> settings;
+    claims::ClaimsFormat format = claims::ClaimsFormat::tsv;
+};
+
+void write(const Options& options, const Call& call) {
+    if (call.files.size() < 2)
+        throw UsageError("tables: missing; claims needs the file of claims and the tables of results that it names");
+    claims::ClaimsOptions parts{options.study, {}, options.format};
+    for (const std::string& text : options.settings) {
+        const std::size_t at = text.find('=');
+        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: NAME=VALUE is needed", text));
+        parts.settings[text.substr(0, at)] = text.substr(at + 1);
+    }
+    claims::write_claims(call.out, call.files.front(), {call.files.begin() + 1, call.files.end()}, parts);
+}
+
+}  // namespace
+
+Command claims_command() {
+    using Format = claims::ClaimsFormat;
+    return make_command<Options>(
+        "claims", "verdicts on claims of a paper, with intervals, from tables of results",
+        {"claims.tsv properties.tsv modes.tsv --study verification", "claims.tsv trends.tsv --set BTS=8.8 --format markdown"},
+        FileArguments{"files", "the file of claims, then the tables of results that it names"},
+        [](CLI::App& app, Options& options) {
+            app.add_option("--study", options.study, "name of the study, in the first column");
+            add_names(app, "--set", options.settings, "NAME=VALUE", "what {NAME} in the claims stands for; may be given again");
+            add_choice<Format>(
+                app, "--format", options.format,
+                {{"tsv", Format::tsv}, {"jsonl", Format::jsonl}, {"markdown", Format::markdown}, {"html", Format::html}},
+                "form of the table");
+        },
+        &write);
+}
+
+}  // namespace graincrack

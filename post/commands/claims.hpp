@@ -1,0 +1,10 @@
+// The command `claims`: verdicts on the claims of a paper.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command claims_command();
+
+}  // namespace graincrack
