@@ -25,7 +25,7 @@ constexpr const char* option_list =
     "--mass-scaling-factor --material --materials --max-strain --maximise --minimise --mode-ii-fracture-energy "
     "--model --normal-stress --notch --output --peak-drop --plane --platen-friction --points --pole --power "
     "--print-program --probe --program --quiet --rate --rate-share --rate-tolerance --response --restart "
-    "--save-state --seed --sensitivity --spread --stages --star --strength --summary --table --target --threads "
+    "--save-state --seed --sensitivity --set --spread --stages --study --star --strength --summary --table --target --threads "
     "--time --time-step-fraction --vector --verbose --width --x --y";
 
 std::string option_of(std::string_view variable) {

@@ -35,7 +35,7 @@ Command claims_command() {
     using Format = claims::ClaimsFormat;
     return make_command<Options>(
         "claims", "verdicts on claims of a paper, with intervals, from tables of results",
-        {"claims.tsv properties.tsv modes.tsv --study verification", "claims.tsv trends.tsv --set BTS=8.8 --format markdown"},
+        {"claims.tsv properties.tsv modes.tsv --study verification", "claims.tsv properties.tsv --set BTS=8.8 --format markdown"},
         FileArguments{"files", "the file of claims, then the tables of results that it names"},
         [](CLI::App& app, Options& options) {
             app.add_option("--study", options.study, "name of the study, in the first column");

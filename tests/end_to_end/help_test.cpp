@@ -43,10 +43,11 @@ TEST(Help, ExamplesOfThePostprocessorRun) {
     const Shell shell;
     const auto examples = examples_of(shell.must("graincrack-post --help"));
     ASSERT_EQ(examples.size(), 2u);
-    shell.must(make_disc + "disc.h5\nfor test in uniaxial brazilian; do graincrack-solve $test disc.h5 -o $test.h5" + past_peak +
-               "; done");
+    shell.must(make_disc + "disc.h5\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n" +
+               "graincrack-solve uniaxial rectangle.h5 -o uniaxial.h5" + past_peak +
+               "\ngraincrack-solve brazilian disc.h5 -o brazilian.h5" + past_peak);
     for (const std::string& example : examples) shell.must(example);
-    EXPECT_EQ(shell.names(), "brazilian.h5\ncracks.png\ndisc.h5\nuniaxial.h5\n");
+    EXPECT_EQ(shell.names(), "brazilian.h5\ncracks.png\ndisc.h5\nrectangle.h5\nuniaxial.h5\n");
 }
 
 TEST(Help, EverySubcommandExplainsItself) {
@@ -127,6 +128,12 @@ TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
                "\ngraincrack-post strength brazilian.h5 brazilian-coarse.h5 uniaxial.h5 weak.h5 >strength.tsv\n"
                "cp " GRAINCRACK_TEST_DATA
                "/table7.csv .\n"
+               "mkdir -p results/my-rock\ncp " GRAINCRACK_SOURCE
+               "/share/materials/augig-granite.toml results/my-rock/material.toml\n"
+               "head -3 " GRAINCRACK_SOURCE
+               "/share/studies/verification/claims.tsv >claims.tsv\n"
+               "cp " GRAINCRACK_TEST_DATA
+               "/claims/verification-1/{properties,modes}.tsv .\n"
                "printf 'axial_strain\\tstress_MPa\\n0\\t0\\n0.002\\t60\\n' >measured.tsv");
     std::vector<std::string> commands;
     for (const std::string& name : subcommands_of(shell.must("graincrack-post --help"))) {

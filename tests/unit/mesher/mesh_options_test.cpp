@@ -115,7 +115,7 @@ TEST_F(GraincrackMesh, BadInputGivesOneLineAndItsCode) {
         {"rectangle --width -80mm --height 160mm --edge 4mm" + out, 2, "--width"},
         {"rectangle --height 160mm --edge 4mm" + out, 2, "--width"},
         {size + "--edge 4kg" + out, 2, "--edge"},
-        {size + "--edge 4" + out, 2, "--edge"},  // 4 m
+        {size + "--edge 4m" + out, 2, "--edge"},
         {size + "--edge 90mm" + out, 2, "--edge"},
         {size + "--grains 0" + out, 2, "--grains"},
         {size + "--grains 4.5" + out, 2, "--grains"},
