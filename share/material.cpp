@@ -198,13 +198,13 @@ namespace {
 fs::path find_material(const std::string& name_or_file) {
     if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
     std::error_code ignored;
-    const fs::path path(name_or_file);
+    fs::path path(name_or_file);
     if (name_or_file.find('/') != std::string::npos || path.extension() == ".toml" || fs::is_regular_file(path, ignored)) {
         return path;
     }
     std::vector<std::string> known;
     for (const fs::path& folder : material_folders()) {
-        const fs::path file = folder / (name_or_file + ".toml");
+        fs::path file = folder / (name_or_file + ".toml");
         if (fs::is_regular_file(file, ignored)) return file;
         for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator(); entry.increment(ignored)) {
             if (ignored) break;

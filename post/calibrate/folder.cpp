@@ -275,7 +275,7 @@ Decision calibrate_folder(const std::string& folder) {
     const std::string strength = (place / "strength.tsv").string();
     std::vector<FinishedRun> finished;
     if (fs::exists(strength)) finished = read_finished(strength, (place / "moduli.tsv").string());
-    const Decision decision = decide(rock, study, finished);
+    Decision decision = decide(rock, study, finished);
     for (const char* name : {"wanted.tsv", "calibrated.toml", "report.md"}) remove_file(place / name);
     if (decision.ending == Ending::wanted) {
         std::set<std::string> written;
