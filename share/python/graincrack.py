@@ -19,6 +19,7 @@ share/doc/file-format.md.
 from __future__ import annotations
 
 import csv
+from functools import cached_property
 from pathlib import Path
 from typing import Iterator, Mapping
 
@@ -114,21 +115,21 @@ class Specimen:
     def __getitem__(self, attribute: str):
         return _attribute(self._file, "/specimen", attribute)
 
-    @property
+    @cached_property
     def nodes(self) -> np.ndarray:
         """Reference positions x y, [n, 2], m."""
         return self._file["nodes/position"][()]
 
-    @property
+    @cached_property
     def elements(self) -> np.ndarray:
         """Nodes of each triangle, counter-clockwise, [e, 3]."""
         return self._file["elements/nodes"][()]
 
-    @property
+    @cached_property
     def grains(self) -> Group:
         return Group(self._file["grains"])
 
-    @property
+    @cached_property
     def contacts(self) -> Group:
         return Group(self._file["contacts"])
 
@@ -168,15 +169,15 @@ class Run:
     def provenance(self) -> dict:
         return {name: _text(value) for name, value in self._file["provenance"].attrs.items()}
 
-    @property
+    @cached_property
     def specimen(self) -> Specimen:
         return Specimen(self._file)
 
-    @property
+    @cached_property
     def history(self) -> Group:
         return Group(self._file["history"])
 
-    @property
+    @cached_property
     def cracks(self) -> Group:
         return Group(self._file["cracks"])
 
