@@ -120,8 +120,8 @@ void check_elements(const Specimen& s, const Checker& check) {
     }
 }
 
-/// The declared size must be that of the mesh: platens, strains and stresses go by it. The outline of a disc lies inside its
-/// circle, by at most the rise of its longest edge at either side.
+/// The declared size must be that of the mesh: platens, strains and stresses go by it. The outline of a disc is straight
+/// between its nodes: it is off its circle, inwards or outwards, by at most the rise of its longest edge at either side.
 void check_size(const Specimen& s, const Checker& check) {
     constexpr double tolerance = 0.01;  // of a size: the strength is off by as much
     double longest = 0;
@@ -135,7 +135,7 @@ void check_size(const Specimen& s, const Checker& check) {
         const double extent = (*high)[axis] - (*low)[axis];
         const double declared = axis == 0 ? s.width : s.height;
         const double rise = s.shape == "rectangle" ? 0 : longest * longest / (2 * declared);
-        check.require(extent <= (1 + tolerance) * declared && extent + rise >= (1 - tolerance) * declared,
+        check.require(extent - rise <= (1 + tolerance) * declared && extent + rise >= (1 - tolerance) * declared,
                       axis == 0 ? "width is more than 1 % off the extent of the nodes along x"
                                 : "height is more than 1 % off the extent of the nodes along y");
     }

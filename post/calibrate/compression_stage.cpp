@@ -25,7 +25,7 @@ Point at(const Point& point, const Place& place) {
 Place place_of(const Point& point) { return {*point[Parameter::cohesion], *point[Parameter::friction_angle]}; }
 
 double bounded(const Progress& progress, Parameter parameter, double value) {
-    const Range range = range_of(parameter, progress.rock(), progress.decision.point, progress.study().mean_edge);
+    const Range range = range_of(parameter, progress.rock(), progress.decision.point, progress.study().specimens.mean_edge());
     return std::clamp(value, range.low, range.high);
 }
 Place bounded(const Progress& progress, const Place& place) {

@@ -10,13 +10,16 @@ namespace graincrack::calibrate {
 namespace {
 
 WantedRun test_of(const Target& target, const Point& point, const std::string& reason) {
-    return {target.test, target.confining_pressure, 0, point, std::nullopt, reason};
+    return {target.test, target.confining_pressure, 0, point, std::nullopt, reason, target.notched};
 }
 
-/// What a run says about a target.
-double result_of(const Target& target, const FinishedRun& run) {
+/// What a run says about a target; empty if it has no such value.
+std::optional<double> result_of(const Target& target, const FinishedRun& run) {
     if (target.name == "young_modulus") return run.young_modulus.value();
     if (target.name == "poisson_ratio") return run.poisson_ratio.value();
+    if (target.name == "crack_initiation") return run.crack_initiation;
+    if (target.name == "crack_damage") return run.crack_damage;
+    if (target.name == "mode_i_toughness") return run.mode_i_toughness;
     return run.strength;
 }
 
@@ -41,18 +44,25 @@ std::string verdict_on(const Target& target, const Estimate& ours) {
 
 Outcome outcome_of(const Target& target, const std::vector<FinishedRun>& runs) {
     std::vector<double> values;
-    for (const FinishedRun& run : runs) values.push_back(result_of(target, run));
+    for (const FinishedRun& run : runs) {
+        if (const auto value = result_of(target, run)) values.push_back(*value);
+    }
+    if (values.empty()) return {target, std::nullopt, 0, "", ""};
     const Sample all = sample(values);
-    return {target, all.mean, all.n, verdict_on(target, all.mean), bistable_note(runs)};
+    const std::string verdict = std::isnan(target.value) ? "" : verdict_on(target, all.mean);
+    return {target, all.mean, all.n, verdict, bistable_note(runs)};
+}
+
+std::int64_t confirmation_seed(std::size_t round) {
+    return seeds::confirmation + static_cast<std::int64_t>(round) * seeds::per_round;
 }
 
 }  // namespace
 
 Ending confirm(Progress& progress, std::size_t round) {
-    const std::int64_t first = seeds::confirmation + static_cast<std::int64_t>(round) * seeds::per_round;
+    const std::int64_t first = confirmation_seed(round);
     Decision& decision = progress.decision;
     decision.outcomes.clear();
-    std::vector<FinishedRun> uniaxial;
     for (const Target& target : progress.targets()) {
         if (target.role == Role::predicted) continue;
         const bool disc = target.test == "brazilian";
@@ -74,13 +84,28 @@ Ending confirm(Progress& progress, std::size_t round) {
     return any("outside") ? Ending::not_reached : any("undecided") ? Ending::undecided : Ending::calibrated;
 }
 
-void predict(Progress& progress) {
-    constexpr std::size_t specimens = 3;
+void predict(Progress& progress, std::size_t round) {
+    std::vector<WantedRun> wanted;
+    for (const Target& target : progress.targets()) {
+        if (target.role == Role::fitted || target.test == "uniaxial") continue;
+        for (std::size_t i = 0; i < progress.study().predicted; ++i) {
+            wanted.push_back(test_of(target, progress.decision.point, "a prediction"));
+            wanted.back().seed = seeds::predictions + static_cast<std::int64_t>(i);
+        }
+    }
+    const std::vector<FinishedRun> runs = progress.get(wanted);
+    auto next = runs.begin();
     for (const Target& target : progress.targets()) {
         if (target.role == Role::fitted) continue;
-        const WantedRun run = test_of(target, progress.decision.point, "a prediction");
-        Outcome outcome = outcome_of(target, progress.get(run, seeds::predictions, specimens));
-        progress.decision.outcomes.push_back(std::move(outcome));
+        if (target.test == "uniaxial") {  // measured on the specimens for UCS
+            const WantedRun run = test_of(target, progress.decision.point, "");
+            const auto uniaxial = progress.sampled(run, confirmation_seed(round), progress.study().rectangles);
+            progress.decision.outcomes.push_back(outcome_of(target, uniaxial));
+            continue;
+        }
+        const auto end = next + static_cast<std::ptrdiff_t>(progress.study().predicted);
+        progress.decision.outcomes.push_back(outcome_of(target, {next, end}));
+        next = end;
     }
 }
 

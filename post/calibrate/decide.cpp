@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "post/calibrate/compression_stage.hpp"
 #include "post/calibrate/confirmation.hpp"
@@ -47,6 +48,21 @@ bool leaves_compression(const Point& before, const Point& after) {
     return true;
 }
 
+/// Time of runs, by the mean of finished ones of the same test; of a test without any, none is counted.
+double time_of(const std::vector<WantedRun>& wanted, const std::vector<FinishedRun>& finished) {
+    std::map<std::string, std::pair<double, double>> times;  // sum and number
+    for (const FinishedRun& run : finished) {
+        times[run.test].first += run.wall_time;
+        times[run.test].second += 1;
+    }
+    double sum = 0;
+    for (const WantedRun& run : wanted) {
+        const auto time = times.find(run.test);
+        if (time != times.end()) sum += time->second.first / time->second.second;
+    }
+    return sum;
+}
+
 void calibrate_rock(Progress& progress) {
     note_targets(progress);
     Point& point = progress.decision.point;
@@ -65,8 +81,8 @@ void calibrate_rock(Progress& progress) {
             continue;
         }
         ending = confirm(progress, round);
+        if (ending == Ending::calibrated) predict(progress, round);
     }
-    if (ending == Ending::calibrated) predict(progress);
     std::string off;
     for (const Outcome& o : progress.decision.outcomes) {
         if (o.target.role == Role::predicted || o.verdict == "within" || !o.ours) continue;
@@ -96,6 +112,7 @@ Decision decide(const Material& rock, const Study& study, const std::vector<Fini
     } catch (RunsMissing& missing) {
         progress.decision.ending = Ending::wanted;
         progress.decision.reason = missing.runs.front().reason;
+        progress.decision.wanted_time = time_of(missing.runs, finished);
         progress.decision.wanted = std::move(missing.runs);
     } catch (const Ended& end) {
         progress.decision.ending = end.ending;

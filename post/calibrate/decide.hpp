@@ -8,6 +8,7 @@
 
 #include "post/calibrate/run.hpp"
 #include "post/calibrate/sampling.hpp"
+#include "post/calibrate/specimens.hpp"
 #include "post/calibrate/target.hpp"
 #include "post/fit/statistics.hpp"
 
@@ -16,7 +17,7 @@ namespace graincrack::calibrate {
 /// How a calibration is done. Bounds and numbers are set before it begins.
 struct Study {
     TargetOptions targets;
-    double mean_edge = 5.13e-3;   ///< of the grains, m: for first guesses
+    Specimens specimens;
     double max_strain = 0.015;    ///< strain limit of compression tests
     std::size_t elastic = 3;      ///< specimens for E and ν of the grains
     std::size_t scan_discs = 20;  ///< discs at each level of a parameter of σt
@@ -24,6 +25,7 @@ struct Study {
     std::size_t centre_runs = 5;  ///< of designs
     std::size_t moves = 3;        ///< of a design whose targets lie outside, at most
     std::size_t rounds = 3;       ///< of fit and confirmation, at most
+    std::size_t predicted = 5;    ///< specimens for a prediction
     SamplingRule discs{10, 80, 0.03};
     SamplingRule rectangles{10, 40, 0.03};
     double design_factor = 1.35;  ///< cc at +1 over cc at the centre
@@ -67,6 +69,7 @@ struct Decision {
     Ending ending = Ending::wanted;
     std::string reason;              ///< one sentence: which target, by how much
     std::vector<WantedRun> wanted;   ///< none twice, none that is finished
+    double wanted_time = 0;          ///< s of one processor for them, by finished runs of the same tests; 0 if there are none
     Point point;                     ///< calibrated; else the nearest so far
     std::vector<Calibrated> values;  ///< of what was fitted, as far as it was
     std::vector<Outcome> outcomes;

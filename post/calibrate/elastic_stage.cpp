@@ -52,7 +52,7 @@ void find_elasticity(Progress& progress) {
     point = point.with(Parameter::young_modulus, wanted.young_modulus).with(Parameter::poisson_ratio, wanted.poisson_ratio);
     const double limit =
         progress.laboratory("compressive_strength") * (1 - wanted.poisson_ratio * wanted.poisson_ratio) / wanted.young_modulus;
-    const double edge = progress.study().mean_edge;
+    const double edge = progress.study().specimens.mean_edge();
     Point base = point;
     for (const Parameter p : {Parameter::tensile_strength, Parameter::cohesion, Parameter::friction_angle}) {
         base = base.with(p, first_guess(p, rock, base, edge));

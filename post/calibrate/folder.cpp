@@ -9,10 +9,13 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
+#include <sstream>
 
 #include "post/table/output_file.hpp"
 #include "post/table/table_file.hpp"
 #include "share/error.hpp"
+#include "share/incomplete_material.hpp"
 #include "share/toml_file.hpp"
 #include "share/units.hpp"
 
@@ -24,6 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr Quantity specimens{"specimens", Dimension::one, 1, 10000, "number of specimens"};
 constexpr Quantity rounds{"rounds", Dimension::one, 1, 100, "rounds of fit and confirmation"};
+constexpr Quantity grains{"grains", Dimension::one, 2, 1e7, "number of grains of a specimen"};
 
 /// A key of [study]: its quantity, and where its values go.
 struct StudyKey {
@@ -38,7 +42,12 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
         return [&to](const std::vector<double>& v) { to = static_cast<std::size_t>(v[0]); };
     };
     return {
-        {"mean_edge", {quantity::mean_edge, number(study.mean_edge)}},
+        {"width", {quantity::width, number(study.specimens.width)}},
+        {"height", {quantity::height, number(study.specimens.height)}},
+        {"diameter", {quantity::diameter, number(study.specimens.diameter)}},
+        {"grains", {grains, number(study.specimens.grains)}},
+        {"disc_grains", {grains, number(study.specimens.disc_grains)}},
+        {"mean_edge", {quantity::mean_edge, [&study](const std::vector<double>& v) { study.specimens.edge = v[0]; }}},
         {"max_strain", {quantity::max_strain, number(study.max_strain)}},
         {"confining_pressure", {quantity::confining_pressure, number(study.targets.confining_pressure)}},
         {"predicted_pressures",
@@ -50,6 +59,7 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
         {"rectangles", {specimens, count(study.rectangles.least)}},
         {"max_rectangles", {specimens, count(study.rectangles.most)}},
         {"centre_runs", {specimens, count(study.centre_runs)}},
+        {"predicted_specimens", {specimens, count(study.predicted)}},
         {"rounds", {rounds, count(study.rounds)}}};
 }
 
@@ -75,18 +85,44 @@ std::string markdown_head(const std::vector<std::string>& cells) {
     return "\n" + markdown_row(cells) + rule + "\n";
 }
 
-/// Moduli by file: E, ν, and both predicted.
-std::map<std::string, std::array<double, 4>> read_moduli(const std::string& path) {
+/// A column of `moduli` or `toughness`: where its values go, and its unit in SI.
+struct Measure {
+    const char* column;
+    std::optional<double> FinishedRun::*to;
+    double si;
+};
+constexpr std::array moduli_measures{Measure{"young_modulus_GPa", &FinishedRun::young_modulus, 1e9},
+                                     Measure{"poisson_ratio", &FinishedRun::poisson_ratio, 1},
+                                     Measure{"predicted_young_modulus_GPa", &FinishedRun::predicted_young_modulus, 1e9},
+                                     Measure{"predicted_poisson_ratio", &FinishedRun::predicted_poisson_ratio, 1},
+                                     Measure{"crack_initiation_count_MPa", &FinishedRun::crack_initiation, 1e6},
+                                     Measure{"crack_damage_2d_MPa", &FinishedRun::crack_damage, 1e6}};
+constexpr std::array toughness_measures{Measure{"mode_i_toughness_MPa.m^0.5", &FinishedRun::mode_i_toughness, 1e6}};
+
+/// Adds the measures of a table to the runs of its files.
+void add_measures(const std::string& path, std::span<const Measure> measures, const std::vector<std::string>& files,
+                  std::vector<FinishedRun>& runs) {
     const TableFile table(path);
-    const std::vector<std::string> files = table.texts("file");
-    std::array<std::vector<double>, 4> columns;
-    const std::array<const char*, 4> names{"young_modulus_GPa", "poisson_ratio", "predicted_young_modulus_GPa",
-                                           "predicted_poisson_ratio"};
-    for (std::size_t i = 0; i < 4; ++i) columns[i] = table.numbers_or_nan(names[i]);
-    std::map<std::string, std::array<double, 4>> out;
-    for (std::size_t row = 0; row < files.size(); ++row)
-        out[files[row]] = {columns[0][row] * 1e9, columns[1][row], columns[2][row] * 1e9, columns[3][row]};
-    return out;
+    const std::vector<std::string> rows = table.texts("file");
+    std::map<std::string, std::size_t> row_of_file;
+    for (std::size_t row = 0; row < rows.size(); ++row) row_of_file[rows[row]] = row;
+    for (const Measure& measure : measures) {
+        const std::vector<double> values = table.numbers_or_nan(measure.column);
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const auto row = row_of_file.find(files[i]);
+            if (row != row_of_file.end() && !std::isnan(values[row->second]))
+                runs[i].*measure.to = values[row->second] * measure.si;
+        }
+    }
+}
+
+/// The rock, of which [contact] may be missing: it is what a calibration finds.
+Material read_rock(const std::string& name_or_file) {
+    IncompleteMaterial rock = read_incomplete_material(name_or_file);
+    std::erase_if(rock.missing, [](const std::string& key) { return key.starts_with("contact."); });
+    if (rock.missing.empty()) return std::move(rock.material);
+    throw InputError(fmt::format("{}: missing: {}; a calibration needs all of [rock]", rock.material.file.string(),
+                                 fmt::join(rock.missing, ", ")));
 }
 
 std::string contact_text(const Material& at, const Point& point) {
@@ -120,20 +156,24 @@ std::string outcomes_text(const Decision& decision) {
         const Target& t = o.target;
         const std::string unit = t.unit.empty() ? "" : ", " + t.unit;
         std::string off;
-        if (o.ours)
+        const bool known = !std::isnan(t.value);
+        if (o.ours && known)
             off = t.absolute ? fmt::format("{:+.4f}", o.ours->value - t.value)
                              : fmt::format("{:+.2f} %", 100 * (o.ours->value / t.value - 1));
-        text += markdown_row(
-            {t.symbol + unit, t.role == Role::fitted ? "fitted" : "predicted", fmt::format("{:.5g}", t.value / t.si),
-             o.ours ? with_interval(*o.ours, t.si) : "", std::to_string(o.specimens), off,
-             t.absolute ? fmt::format("± {:g}", t.bound) : fmt::format("± {:g} %", 100 * t.bound), o.verdict, o.note});
+        text += markdown_row({t.symbol + unit, t.role == Role::fitted ? "fitted" : "predicted",
+                              known ? fmt::format("{:.5g}", t.value / t.si) : "", o.ours ? with_interval(*o.ours, t.si) : "",
+                              std::to_string(o.specimens), off,
+                              !known       ? ""
+                              : t.absolute ? fmt::format("± {:g}", t.bound)
+                                           : fmt::format("± {:g} %", 100 * t.bound),
+                              o.verdict, o.note});
     }
     return text;
 }
 
 }  // namespace
 
-Study read_study(const Material& rock) {
+Study read_study(const Material& rock, const std::vector<std::string>& settings) {
     Study study;
     // 1.5 % for Augig granite (UCS 122 MPa, E 25.8 GPa), for other rocks in proportion to the strain UCS/E.
     const auto ucs = rock.laboratory.find("compressive_strength");
@@ -141,45 +181,60 @@ Study read_study(const Material& rock) {
     if (ucs != rock.laboratory.end() && e != rock.laboratory.end())
         study.max_strain = std::stod(fmt::format("{:.2g}", 0.015 * (ucs->second / e->second) / (122e6 / 25.8e9)));
     auto keys = study_keys(study);
+    const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
+        const auto key = keys.find(name);
+        if (key != keys.end()) return key->second;
+        std::vector<std::string> known;
+        for (const auto& [each, unused] : keys) known.push_back(each);
+        throw UsageError(fmt::format("{}: unknown key; known are {}", where, fmt::join(known, ", ")));
+    };
+    const auto set = [&](StudyKey& key, const std::vector<std::string>& texts, const std::string& where) {
+        if (texts.empty() || (texts.size() > 1 && !key.several)) throw UsageError(where + ": one value is needed");
+        std::vector<double> values;
+        for (const std::string& text : texts) values.push_back(parse_quantity(text, key.quantity, where));
+        key.set(values);
+    };
     const TomlFile toml = read_toml(rock.file.string());
     for (const TomlEntry& entry : toml.entries) {
         if (entry.section != std::vector<std::string>{"study"}) continue;
         const std::string where = fmt::format("{}: line {}: study.{}", toml.file, entry.line, entry.key);
-        const auto key = keys.find(entry.key);
-        if (key == keys.end()) {
-            std::vector<std::string> known;
-            for (const auto& [name, each] : keys) known.push_back(name);
-            throw InputError(fmt::format("{}: unknown key; known are {}", where, fmt::join(known, ", ")));
-        }
-        if (entry.values.empty() || (entry.is_array && !key->second.several))
-            throw InputError(where + ": one value is needed, not an array");
-        std::vector<double> values;
+        std::vector<std::string> texts;
+        for (const TomlValue& value : entry.values) texts.push_back(value.text);
         try {
-            for (const TomlValue& value : entry.values) values.push_back(parse_quantity(value.text, key->second.quantity, where));
+            set(known_key(entry.key, where), texts, where);
         } catch (const UsageError& error) {
             throw InputError(error.what());
         }
-        key->second.set(values);
+    }
+    for (const std::string& setting : settings) {
+        const std::size_t at = setting.find('=');
+        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", setting));
+        std::vector<std::string> texts;
+        std::istringstream list(setting.substr(at + 1));
+        for (std::string text; std::getline(list, text, ',');) texts.push_back(text);
+        const std::string where = "--set " + setting;
+        set(known_key(setting.substr(0, at), where), texts, where);
     }
     return study;
 }
 
-std::vector<FinishedRun> read_finished(const std::string& strength, const std::string& moduli) {
-    const TableFile table(strength);
-    const auto files = table.texts("file");
+std::vector<FinishedRun> read_finished(const std::string& folder) {
+    const fs::path place(folder);
+    const TableFile table((place / "strength.tsv").string());
+    const auto rows = table.texts("file");
     const auto tests = table.texts("test");
     const auto kinds = table.texts("peak_kind");
     const auto seeds = table.numbers("seed");
     const auto pressures = table.numbers("confining_pressure_MPa");
     const auto limits = table.numbers("max_strain");
     const auto edges = table.numbers("mean_edge_mm");
+    const auto times = table.numbers("wall_time_s");
     const auto compressive = table.numbers_or_nan("peak_compressive_stress_MPa");
     const auto tensile = table.numbers_or_nan("tensile_strength_MPa");
     std::array<std::vector<double>, n_parameters> values;
     for (std::size_t i = 0; i < n_parameters; ++i) values[i] = table.numbers(parameters()[i].column);
-    std::map<std::string, std::array<double, 4>> moduli_of;
-    if (std::find(tests.begin(), tests.end(), "uniaxial") != tests.end()) moduli_of = read_moduli(moduli);
     std::vector<FinishedRun> runs;
+    std::vector<std::string> files;
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
         FinishedRun run;
         run.test = tests[row];
@@ -188,18 +243,17 @@ std::vector<FinishedRun> read_finished(const std::string& strength, const std::s
         for (std::size_t i = 0; i < n_parameters; ++i) run.values[i] = values[i][row] * parameters()[i].si;
         run.max_strain = limits[row];
         run.mean_edge = edges[row] * 1e-3;
+        run.wall_time = times[row];
         run.strength = (std::isnan(tensile[row]) ? compressive[row] : tensile[row]) * 1e6;
         run.has_peak = kinds[row] == "drop";
-        const auto found = moduli_of.find(files[row]);
-        if (found != moduli_of.end()) {
-            const std::array<std::optional<double>*, 4> to{&run.young_modulus, &run.poisson_ratio, &run.predicted_young_modulus,
-                                                           &run.predicted_poisson_ratio};
-            for (std::size_t i = 0; i < 4; ++i) {
-                if (!std::isnan(found->second[i])) *to[i] = found->second[i];
-            }
-        }
-        if (!std::isnan(run.strength)) runs.push_back(run);
+        if (std::isnan(run.strength)) continue;
+        runs.push_back(run);
+        files.push_back(rows[row]);
     }
+    const std::string moduli = (place / "moduli.tsv").string();
+    const std::string toughness = (place / "toughness.tsv").string();
+    if (std::find(tests.begin(), tests.end(), "uniaxial") != tests.end()) add_measures(moduli, moduli_measures, files, runs);
+    if (fs::exists(toughness)) add_measures(toughness, toughness_measures, files, runs);
     return runs;
 }
 
@@ -208,19 +262,22 @@ std::string grains_file(const Point& point) {
                        point[Parameter::poisson_ratio].value());
 }
 
-std::string wanted_table(const std::vector<WantedRun>& wanted) {
-    std::string text = "test\tconfining_pressure_MPa\tseed\tmaterial";
+std::string wanted_table(const Study& study, const std::vector<WantedRun>& wanted) {
+    std::string text = "test\tconfining_pressure_MPa\tspecimen\tseed\tmaterial";
     for (const ParameterRow& row : parameters()) {
         if (std::string(row.key).starts_with("contact.")) text += fmt::format("\t{}", row.column);
     }
     text += "\tmax_strain\treason\n";
     for (const WantedRun& run : wanted) {
-        text += fmt::format("{}\t{:.7g}\t{}\t{}", run.test, run.confining_pressure * 1e-6, run.seed, grains_file(run.point));
+        text += fmt::format("{}\t{:.7g}\t{}\t{}\t{}", run.test, run.confining_pressure * 1e-6, label_of(study.specimens, run),
+                            run.seed, grains_file(run.point));
         for (const ParameterRow& row : parameters()) {
             if (!std::string(row.key).starts_with("contact.")) continue;
             text += run.point[row.parameter] ? fmt::format("\t{:.6g}", *run.point[row.parameter] / row.si) : "\t";
         }
-        text += fmt::format("\t{}\t{}\n", run.max_strain ? fmt::format("{:.5g}", *run.max_strain) : "", run.reason);
+        const bool compression = run.test == "uniaxial" || run.test == "triaxial";
+        text += fmt::format("\t{}\t{}\n", compression ? fmt::format("{:.5g}", run.max_strain.value_or(study.max_strain)) : "",
+                            run.reason);
     }
     return text;
 }
@@ -268,13 +325,12 @@ std::string report_text(const Material& rock, const Study& study, const Decision
     return text;
 }
 
-Decision calibrate_folder(const std::string& folder) {
+Decision calibrate_folder(const std::string& folder, const std::string& material, const std::vector<std::string>& settings) {
     const fs::path place(folder);
-    const Material rock = read_material((place / "material.toml").string());
-    const Study study = read_study(rock);
-    const std::string strength = (place / "strength.tsv").string();
+    const Material rock = read_rock(material.empty() ? (place / "material.toml").string() : material);
+    const Study study = read_study(rock, settings);
     std::vector<FinishedRun> finished;
-    if (fs::exists(strength)) finished = read_finished(strength, (place / "moduli.tsv").string());
+    if (fs::exists(place / "strength.tsv")) finished = read_finished(folder);
     Decision decision = decide(rock, study, finished);
     for (const char* name : {"wanted.tsv", "calibrated.toml", "report.md"}) remove_file(place / name);
     if (decision.ending == Ending::wanted) {
@@ -283,7 +339,7 @@ Decision calibrate_folder(const std::string& folder) {
             const std::string name = grains_file(run.point);
             if (written.insert(name).second) write_whole_file((place / name).string(), material_text(rock, run.point, nullptr));
         }
-        write_whole_file((place / "wanted.tsv").string(), wanted_table(decision.wanted));
+        write_whole_file((place / "wanted.tsv").string(), wanted_table(study, decision.wanted));
         return decision;
     }
     write_whole_file((place / "report.md").string(), report_text(rock, study, decision, finished.size()));

@@ -1,8 +1,9 @@
 // The files of a calibration in one folder: what `decide` is given, and what it leaves.
 //
-//     material.toml    the rock with [laboratory] targets and [study]                 given
+//     material.toml    the rock with [laboratory] targets and [study]; may be elsewhere given
 //     strength.tsv     `strength` of the finished runs; absent: none are finished      given
 //     moduli.tsv       `moduli` of the uniaxial ones                                    given
+//     toughness.tsv    `toughness` of those with a notch                                given
 //     wanted.tsv       the next runs with their reasons                                 written while runs are missing
 //     grains-….toml    materials of these runs, in the column `material`
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
@@ -16,16 +17,16 @@
 
 namespace graincrack::calibrate {
 
-/// Reads [study] of a material file; without one, the defaults.
-/// \throws InputError naming file, line and key for one that is unknown or out of bounds
-Study read_study(const Material& rock);
+/// Reads [study] of a material file; without one, the defaults. \param settings values of keys instead of those of the file
+/// \throws InputError naming file, line and key for one that is unknown or out of bounds, UsageError for a setting
+Study read_study(const Material& rock, const std::vector<std::string>& settings = {});
 
-/// Finished runs from the tables `strength` and, joined by the column `file`, `moduli`. Tests of other kinds than those of a
-/// calibration are passed over. \throws InputError for a missing column
-std::vector<FinishedRun> read_finished(const std::string& strength, const std::string& moduli);
+/// Finished runs from the table `strength` and, joined by the column `file`, those of `moduli` and `toughness` in the same
+/// folder. Tests of other kinds than those of a calibration are passed over. \throws InputError for a missing column or table
+std::vector<FinishedRun> read_finished(const std::string& folder);
 
-/// wanted.tsv: test, confining_pressure_MPa, seed, material, the contact values that are set, max_strain, reason.
-std::string wanted_table(const std::vector<WantedRun>& wanted);
+/// wanted.tsv: test, confining_pressure_MPa, specimen, seed, material, the contact values that are set, max_strain, reason.
+std::string wanted_table(const Study& study, const std::vector<WantedRun>& wanted);
 
 /// Name of the material file of the grains at a point: "grains-E27.157-nu0.2172.toml".
 std::string grains_file(const Point& point);
@@ -37,7 +38,9 @@ std::string material_text(const Material& rock, const Point& point, const Decisi
 std::string report_text(const Material& rock, const Study& study, const Decision& decision, std::size_t n_runs);
 
 /// Decides, and writes what follows to the folder; removes what was written before and holds no longer.
-/// \throws InputError, OutputError
-Decision calibrate_folder(const std::string& folder);
+/// \param material file; empty: material.toml of the folder \param settings as of `read_study`
+/// \throws InputError, OutputError, UsageError
+Decision calibrate_folder(const std::string& folder, const std::string& material = "",
+                          const std::vector<std::string>& settings = {});
 
 }  // namespace graincrack::calibrate

@@ -24,7 +24,7 @@ PlaneCondition plane_of(const std::string& test) { return test == "brazilian" ? 
 
 bool same_run(const Material& rock, const WantedRun& a, const WantedRun& b) {
     return a.test == b.test && a.seed == b.seed && equal(a.confining_pressure, b.confining_pressure) &&
-           a.max_strain == b.max_strain &&
+           a.max_strain == b.max_strain && a.notched == b.notched &&
            equal(effective_values(rock, a.point, plane_of(a.test)), effective_values(rock, b.point, plane_of(b.test)));
 }
 
@@ -45,7 +45,8 @@ const FinishedRun* FinishedRuns::find(const WantedRun& wanted) const {
     const auto values = effective_values(rock_, wanted.point, plane_of(wanted.test));
     for (const std::size_t i : found->second) {
         const FinishedRun& run = runs_[i];
-        const bool strain_counts = wanted.test != "brazilian";
+        if (run.mode_i_toughness.has_value() != wanted.notched) continue;
+        const bool strain_counts = wanted.test == "uniaxial" || wanted.test == "triaxial";
         if (strain_counts && !equal(run.max_strain, wanted.max_strain.value_or(max_strain_))) continue;
         if (equal(run.values, values)) return &run;
     }

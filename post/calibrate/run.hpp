@@ -21,6 +21,7 @@ struct WantedRun {
     Point point;
     std::optional<double> max_strain;  ///< of a run with a limit of its own; empty: that of the study
     std::string reason;
+    bool notched = false;  ///< a specimen with a notch, for K_IC
 };
 
 /// What a finished run is and what it measured, all of it read from the run. SI.
@@ -32,11 +33,15 @@ struct FinishedRun {
     double max_strain = 0;
     double mean_edge = 0;                 ///< of the specimen
     double strength = 0;                  ///< largest stress, positive
+    double wall_time = 0;                 ///< s, that it took
     bool has_peak = true;                 ///< the stress fell behind its largest value; else the test ended at its strain limit
     std::optional<double> young_modulus;  ///< of the assemblage, as `moduli` measures it
     std::optional<double> poisson_ratio;
     std::optional<double> predicted_young_modulus;  ///< by the compliance formula
     std::optional<double> predicted_poisson_ratio;
+    std::optional<double> crack_initiation;  ///< axial stress, Pa, by count of cracks
+    std::optional<double> crack_damage;      ///< axial stress, Pa, at the reversal of volume
+    std::optional<double> mode_i_toughness;  ///< Pa √m, of a specimen with a notch
 };
 
 /// Finished runs by what they are.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "share/error.hpp"
 
@@ -25,7 +26,7 @@ Target strength(const std::string& name, const std::string& symbol, const std::s
     return {name,  symbol,   compression ? "peak_compressive_stress_MPa" : "tensile_strength_MPa",
             test,  pressure, value,
             1e6,   "MPa",    0.05,
-            false, role};
+            false, role,     false};
 }
 
 }  // namespace
@@ -63,6 +64,13 @@ std::vector<Target> targets_of(const Material& rock, const TargetOptions& option
     };
     confined(options.confining_pressure, Role::fitted);
     for (const double pressure : options.predicted_pressures) confined(pressure, Role::predicted);
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    targets.push_back(strength("direct_tensile_strength", "direct tensile strength", "tension", 0, unknown, Role::predicted));
+    targets.push_back({"mode_i_toughness", "K_IC", "mode_i_toughness_MPa.m^0.5", "tension", 0, rock.rock.mode_i_toughness, 1e6,
+                       "MPa √m", 0.1, false, Role::predicted, true});
+    targets.push_back(
+        strength("crack_initiation", "crack initiation by count of cracks", "uniaxial", 0, unknown, Role::predicted));
+    targets.push_back(strength("crack_damage", "crack damage by reversal of volume", "uniaxial", 0, unknown, Role::predicted));
     return targets;
 }
 

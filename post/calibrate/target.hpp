@@ -17,12 +17,13 @@ struct Target {
     std::string column;             ///< of the table of runs
     std::string test;               ///< brazilian, uniaxial, triaxial, tension
     double confining_pressure = 0;  ///< Pa
-    double value = 0;               ///< SI
+    double value = 0;               ///< SI; NaN for a prediction that the laboratory has no value for
     double si = 1;                  ///< the unit of reports in SI
     std::string unit;               ///< of reports
     double bound = 0;               ///< how far the confirmation may be off: a part, of ν absolute
     bool absolute = false;          ///< the bound is no part
     Role role = Role::fitted;
+    bool notched = false;  ///< its specimens have a notch
     /// The bound as an amount of the value's unit.
     [[nodiscard]] double tolerance() const { return absolute ? bound : bound * value; }
 };
@@ -32,8 +33,8 @@ inline constexpr const char* confined_strength = "confined_strength";
 
 /// What the targets of a rock depend on, beside its laboratory values.
 struct TargetOptions {
-    double confining_pressure = 8e6;            ///< Pa, at which friction is fitted
-    std::vector<double> predicted_pressures{};  ///< Pa
+    double confining_pressure = 8e6;                     ///< Pa, at which friction is fitted
+    std::vector<double> predicted_pressures{4e6, 20e6};  ///< Pa
 };
 
 /// The table. The strength under pressure is that of the line σ1 = UCS + b σ3, b of the friction angle, or of cohesion and UCS.

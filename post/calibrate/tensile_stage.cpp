@@ -34,8 +34,8 @@ TensilePath path_of(const TensilePath::Member& member, double slope) {
 
 Trial try_parameter(Progress& progress, Parameter parameter, const Point& base) {
     const Study& study = progress.study();
-    const double start = first_guess(parameter, progress.rock(), base, study.mean_edge);
-    const Range range = range_of(parameter, progress.rock(), base, study.mean_edge);
+    const double start = first_guess(parameter, progress.rock(), base, study.specimens.mean_edge());
+    const Range range = range_of(parameter, progress.rock(), base, study.specimens.mean_edge());
     Trial trial{{parameter, start, 1, range.low, range.high}, {}, {}};
     const TensilePath alone = path_of(trial.member, 1);
     std::vector<double> ways;

@@ -75,6 +75,13 @@ TEST_F(GraincrackMesh, SameSeedSameDigest) {
     EXPECT_NE(H5Input(file("c.h5")).digest(), digest);
 }
 
+TEST_F(GraincrackMesh, DiscsOfFewGrainsAreValid) {
+    for (const std::string grains : {"12", "40", "150"}) {
+        ASSERT_EQ(run("disc --diameter 80mm --grains " + grains + " -q -o " + file("a.h5")).code, 0);
+        EXPECT_NO_THROW(read_specimen(H5Input(file("a.h5"), "specimen"))) << grains;
+    }
+}
+
 TEST_F(GraincrackMesh, WritesToStdout) {
     EXPECT_EQ(run(small + "--quiet -o - > " + file("piped.h5")).text, "");
     EXPECT_EQ(run(small + "--quiet -o " + file("file.h5")).code, 0);

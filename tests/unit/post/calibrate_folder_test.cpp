@@ -43,11 +43,13 @@ protected:
         const auto tests = wanted.texts("test");
         const auto materials = wanted.texts("material");
         const auto seeds = wanted.numbers("seed");
+        const auto specimens = wanted.texts("specimen");
         const auto pressures = wanted.numbers("confining_pressure_MPa");
         const auto limits = wanted.numbers_or_nan("max_strain");
         for (std::size_t i = 0; i < wanted.n_rows(); ++i) {
             if (!materials_.contains(materials[i])) materials_[materials[i]] = read_material(folder_.file(materials[i]));
             WantedRun run{tests[i], pressures[i] * 1e6, static_cast<std::int64_t>(seeds[i]), {}, std::nullopt, ""};
+            run.notched = specimens[i].find('n', 9) != std::string::npos;
             for (const ParameterRow& row : parameters()) {
                 if (!wanted.has(row.column)) continue;
                 const double value = wanted.numbers_or_nan(row.column)[i];
@@ -58,20 +60,24 @@ protected:
         }
         std::ofstream(folder_.file("strength.tsv")) << strength_;
         std::ofstream(folder_.file("moduli.tsv")) << moduli_;
+        if (std::count(toughness_.begin(), toughness_.end(), '\n') > 1)
+            std::ofstream(folder_.file("toughness.tsv")) << toughness_;
     }
     void add(const FinishedRun& run) {
         const std::string file = fmt::format("run{}.h5", ++n_runs_);
-        const bool disc = run.test == "brazilian";
+        const bool disc = run.test == "brazilian" || run.test == "tension";
         strength_ +=
-            fmt::format("{}\t{}\t{}\t{:.7g}\t{:.7g}\t{}\t{}\tdrop\t{:.7g}", file, run.test, run.seed, run.mean_edge * 1e3,
+            fmt::format("{}\t{}\t{}\t{:.7g}\t{:.7g}\t{}\t{}\tdrop\t{:.7g}\t6", file, run.test, run.seed, run.mean_edge * 1e3,
                         run.confining_pressure * 1e-6, disc ? "" : fmt::format("{:.7g}", run.strength * 1e-6),
                         disc ? fmt::format("{:.7g}", run.strength * 1e-6) : "", run.max_strain);
         for (std::size_t i = 0; i < n_parameters; ++i) strength_ += fmt::format("\t{:.7g}", run.values[i] / parameters()[i].si);
         strength_ += "\n";
         if (run.young_modulus) {
-            moduli_ += fmt::format("{}\t{:.7g}\t{:.7g}\t{:.7g}\t{:.7g}\n", file, *run.young_modulus * 1e-9, *run.poisson_ratio,
-                                   *run.predicted_young_modulus * 1e-9, *run.predicted_poisson_ratio);
+            moduli_ += fmt::format("{}\t{:.7g}\t{:.7g}\t{:.7g}\t{:.7g}\t{:.7g}\t{:.7g}\n", file, *run.young_modulus * 1e-9,
+                                   *run.poisson_ratio, *run.predicted_young_modulus * 1e-9, *run.predicted_poisson_ratio,
+                                   *run.crack_initiation * 1e-6, *run.crack_damage * 1e-6);
         }
+        if (run.mode_i_toughness) toughness_ += fmt::format("{}\t{:.7g}\n", file, *run.mode_i_toughness * 1e-6);
     }
 
     test::TemporaryFolder folder_;
@@ -79,25 +85,35 @@ protected:
     std::size_t n_runs_ = 0;
     std::string strength_ =
         "file\ttest\tseed\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\ttensile_strength_MPa\tpeak_"
-        "kind\tmax_strain\t"
+        "kind\tmax_strain\twall_time_s\t"
         "grain_young_modulus_GPa\tgrain_poisson_ratio\tcontact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_"
         "angle_deg\t"
         "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\n";
-    std::string moduli_ = "file\tyoung_modulus_GPa\tpoisson_ratio\tpredicted_young_modulus_GPa\tpredicted_poisson_ratio\n";
+    std::string moduli_ =
+        "file\tyoung_modulus_GPa\tpoisson_ratio\tpredicted_young_modulus_GPa\tpredicted_poisson_ratio\t"
+        "crack_initiation_count_MPa\tcrack_damage_2d_MPa\n";
+    std::string toughness_ = "file\tmode_i_toughness_MPa.m^0.5\n";
 };
 
 TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     Decision decision = calibrate_folder(folder());
     int calls = 1;
+    double longest_wait = 0;
+    std::size_t most_wanted = 0;
     for (; decision.ending == Ending::wanted && calls < 60; ++calls) {
         ASSERT_TRUE(has("wanted.tsv"));
         EXPECT_FALSE(has("report.md"));
+        if (decision.wanted_time > longest_wait) {
+            longest_wait = decision.wanted_time;
+            most_wanted = decision.wanted.size();
+        }
         const std::size_t before = n_runs_;
         run_wanted({}, 0.015);
         EXPECT_GT(n_runs_, before);
         decision = calibrate_folder(folder());
     }
     ASSERT_EQ(decision.ending, Ending::calibrated) << decision.reason;
+    EXPECT_EQ(longest_wait, 6.0 * static_cast<double>(most_wanted));  // each finished run took 6 s
     EXPECT_FALSE(has("wanted.tsv"));
     const Material calibrated = read_material(folder_.file("calibrated.toml"));  // a material like any other
     EXPECT_NEAR(calibrated.contact.cohesion / *decision.point[Parameter::cohesion], 1, 1e-6);
@@ -106,7 +122,10 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     EXPECT_NE(text("calibrated.toml").find("[fitted]"), std::string::npos);
     const std::string report = text("report.md");
     for (const char* part : {"# Augig granite: calibrated", "## Targets", "σ1 at 12 MPa", "predicted", "## Values", "## Steps",
-                             "d ln σt/d ln tc", "until half of the 95 % interval is within 3 %"}) {
+                             "| K_IC, MPa √m | predicted | 1.5 | 1.6 (1.6 to 1.6) | 5 | +6.67 % | ± 10 % | within |",
+                             "| direct tensile strength, MPa | predicted |  | 11 (11 to 11) | 5 |  |  |  |  |",
+                             "| crack damage by reversal of volume, MPa | predicted |  | 9", "d ln σt/d ln tc",
+                             "until half of the 95 % interval is within 3 %"}) {
         EXPECT_NE(report.find(part), std::string::npos) << part;
     }
     // Asked again it answers the same.
@@ -119,7 +138,16 @@ TEST_F(CalibrateFolder, StudyIsReadAndChecked) {
     const Study study = read_study(read_material(folder_.file("material.toml")));
     EXPECT_EQ(study.discs.most, 12U);
     EXPECT_EQ(study.max_strain, 0.01);
-    EXPECT_NEAR(study.mean_edge, 3e-3, 1e-15);
+    EXPECT_NEAR(study.specimens.mean_edge(), 3e-3, 1e-15);
+    const Material rock = read_material(folder_.file("material.toml"));
+    const Study set = read_study(rock, {"max_discs=14", "width=40mm", "predicted_pressures=3 MPa,5 MPa"});
+    EXPECT_EQ(set.discs.most, 14U);
+    EXPECT_EQ(set.specimens.width, 0.04);
+    EXPECT_EQ(set.targets.predicted_pressures, (std::vector<double>{3e6, 5e6}));
+    EXPECT_EQ(set.max_strain, 0.01);  // of the file
+    expect_one_line<UsageError>([&] { read_study(rock, {"max_disks=14"}); }, {"--set max_disks=14", "unknown key"});
+    expect_one_line<UsageError>([&] { read_study(rock, {"max_discs"}); }, {"--set max_discs", "KEY=VALUE"});
+    expect_one_line<UsageError>([&] { read_study(rock, {"width=-1mm"}); }, {"--set width=-1mm"});
     write_material("");
     EXPECT_EQ(read_study(read_material(folder_.file("material.toml"))).max_strain, 0.015);  // UCS/E as of Augig granite
     const auto refused = [&](const std::string& line, const std::vector<std::string>& parts) {
@@ -129,6 +157,24 @@ TEST_F(CalibrateFolder, StudyIsReadAndChecked) {
     refused("max_disks = 12", {"study.max_disks", "known are", "max_discs"});
     refused("max_discs = 0", {"study.max_discs"});
     refused("max_discs = [1, 2]", {"study.max_discs", "one value"});
+}
+
+TEST_F(CalibrateFolder, ContactsNeedNotBeGiven) {
+    std::string text;
+    std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("[contact]")) {
+            while (std::getline(file, line) && !line.starts_with("[platen]")) {
+            }
+        }
+        text += line + "\n";
+    }
+    std::ofstream(folder_.file("material.toml")) << text;
+    EXPECT_EQ(calibrate_folder(folder()).ending, Ending::wanted);
+    EXPECT_TRUE(has("wanted.tsv"));
+    text.replace(text.find("density ="), 9, "#");
+    std::ofstream(folder_.file("material.toml")) << text;
+    expect_one_line<InputError>([&] { calibrate_folder(folder()); }, {"material.toml: missing: rock.density;", "all of [rock]"});
 }
 
 TEST_F(CalibrateFolder, AMissingColumnIsOneLine) {

@@ -7,6 +7,7 @@
 #include "post/calibrate/run.hpp"
 #include "post/calibrate/sampling.hpp"
 #include "post/calibrate/search.hpp"
+#include "post/calibrate/specimens.hpp"
 #include "post/calibrate/surface.hpp"
 #include "post/calibrate/target.hpp"
 #include "share/error.hpp"
@@ -111,8 +112,21 @@ TEST(Targets, TheLineOfTheLaboratory) {
     const double b = (1 + std::sin(53 * degree)) / (1 - std::sin(53 * degree));
     EXPECT_NEAR(laboratory_slope(rock), b, 1e-9);
     EXPECT_NEAR(target(targets, confined_strength).value, 122e6 + b * 8e6, 1);
+    EXPECT_NEAR(target(targets, "mode_i_toughness").value, 1.5e6, 1e-3);
     EXPECT_EQ(targets.back().role, Role::predicted);
     EXPECT_NEAR(disagreement(rock), 2 * 21 * std::sqrt(b) / 122 - 1, 1e-9);
+}
+
+TEST(Specimens, AreNamedBySizeGrainsAndNotch) {
+    Specimens paper;
+    WantedRun run{"triaxial", 8e6, 1, {}, std::nullopt, ""};
+    EXPECT_EQ(label_of(paper, run), "rectangle80x160g1122");
+    EXPECT_NEAR(paper.mean_edge(), 5.13e-3, 0.01e-3);  // Kazerani & Zhao (2014), Table 6
+    run.test = "tension";
+    run.notched = true;
+    EXPECT_EQ(label_of(paper, run), "rectangle80x160g1122n32");
+    paper.edge = 2.5e-3;
+    EXPECT_EQ(label_of(paper, {"brazilian", 0, 1, {}, std::nullopt, ""}), "disc80e2.5");
 }
 
 TEST(FinishedRuns, AreFoundByWhatTheyAre) {
@@ -129,6 +143,9 @@ TEST(FinishedRuns, AreFoundByWhatTheyAre) {
     EXPECT_NE(runs.find(wanted), nullptr);
     WantedRun other = wanted;
     other.seed = 4;
+    EXPECT_EQ(runs.find(other), nullptr);
+    other = wanted;
+    other.notched = true;
     EXPECT_EQ(runs.find(other), nullptr);
     // Gf as it follows anyway is the same run; another one is not.
     other = wanted;

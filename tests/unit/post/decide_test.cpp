@@ -165,7 +165,8 @@ TEST(Decide, EveryWantedRunHasAReasonAndEveryNumberIsInTheSteps) {
     };
     for (const char* stage : {"targets", "first guess", "elasticity", "σt", "start", "cc, φc", "confirmation"})
         EXPECT_TRUE(has(stage));
-    EXPECT_EQ(done.decision.outcomes.size(), 5U);
+    const auto fitted = [](const Outcome& o) { return o.target.role == Role::fitted; };
+    EXPECT_EQ(std::count_if(done.decision.outcomes.begin(), done.decision.outcomes.end(), fitted), 5);
     EXPECT_EQ(done.decision.values.size(), 3U);
 }
 
@@ -173,9 +174,18 @@ TEST(Decide, PredictionsAreTestedButNotFitted) {
     Study study;
     study.targets.predicted_pressures = {12e6, 20e6};
     const Calibration done = calibrate_synthetic(augig(), {}, study);
-    ASSERT_EQ(done.decision.outcomes.size(), 7U);
-    EXPECT_EQ(done.decision.outcomes.back().target.role, Role::predicted);
-    EXPECT_EQ(done.decision.outcomes.back().specimens, 3U);
+    std::map<std::string, Outcome> predicted;
+    for (const Outcome& o : done.decision.outcomes) {
+        if (o.target.role == Role::predicted) predicted.emplace(o.target.symbol, o);
+    }
+    ASSERT_EQ(predicted.size(), 6U);
+    EXPECT_EQ(predicted.at("σ1 at 20 MPa").specimens, study.predicted);
+    EXPECT_FALSE(predicted.at("σ1 at 20 MPa").verdict.empty());
+    EXPECT_NEAR(predicted.at("K_IC").ours->value, 1.6e6, 1);
+    EXPECT_NEAR(predicted.at("direct tensile strength").ours->value, 11e6, 1);
+    EXPECT_TRUE(predicted.at("direct tensile strength").verdict.empty());  // the laboratory has none
+    // Thresholds are those of the specimens for UCS.
+    EXPECT_GE(predicted.at("crack damage by reversal of volume").specimens, study.rectangles.least);
 }
 
 TEST(Decide, AMissingLaboratoryValueIsOneLine) {
