@@ -39,6 +39,10 @@ export LC_ALL := C
 
 STUDIES := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 STUDY ?= $(notdir $(CURDIR))
+# Variables that users set must be variables of some study: a misspelt one would change nothing.
+variables_of_studies := $(shell sed -n 's/^\(override \)\{0,1\}\([A-Za-z_-][A-Za-z_0-9-]*\) *[?:+]\{0,1\}=.*/\2/p' $(STUDIES)/common.mk $(STUDIES)/*/*.mk $(STUDIES)/*/Makefile) WANTED TABLE
+user_variables := $(foreach v,$(filter-out -* .% MAKE% GRAINCRACK_% options_%,$(.VARIABLES)),$(if $(filter command,$(firstword $(origin $(v)))),$(v)))
+$(foreach v,$(filter-out $(variables_of_studies),$(user_variables)),$(error $(v)=$($(v)): no study reads $(v); share/studies/common.mk and the head of its Makefile have the variables of a study))
 # The tools: those of the build, of the installation that this is a part of, or on the PATH.
 BIN ?= $(patsubst %/,%,$(dir $(abspath $(firstword $(wildcard $(STUDIES)/../../build/bin/graincrack-solve $(STUDIES)/../../../bin/graincrack-solve) $(shell command -v graincrack-solve)))))
 OUT ?= $(STUDIES)/results
@@ -66,10 +70,12 @@ point_of_material = tc$(call of_material,contact.tensile_strength)_cc$(call of_m
 # --- the size of things ----------------------------------------------------------------------------------------------
 
 SEEDS ?= 1 2 3 4 5
+$(foreach s,$(SEEDS),$(if $(shell printf '%s' '$(s)' | tr -d 0-9),$(error SEEDS=$(SEEDS): $(s) is no whole number; SEEDS="1 2 3" fits)))
 # The paper's: 80 mm x 160 mm, 1,122 grains; disc of 80 mm, 452 grains.
 WIDTH ?= 80
 HEIGHT ?= 160
 DIAMETER ?= 80
+EDGE ?=
 SIZE_rectangle ?= $(if $(EDGE),e$(EDGE:mm=),g1122)
 SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
 # Threads of a run: those of the allocation.
