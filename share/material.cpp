@@ -127,7 +127,11 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
                                      fmt::join(table_names, ", ")));
     }
     for (const TomlEntry& entry : toml.entries) {
-        if (!entry.section.empty() && is_of_calibration(entry.section.front())) continue;
+        if (!entry.section.empty() && is_of_calibration(entry.section.front())) {
+            if (entry.section.front() == "fitted" && !entry.values.empty())
+                material.fitted[entry.key] = entry.values.front().text;
+            continue;
+        }
         if (entry.section.empty()) {
             if (entry.key != "name") {
                 throw InputError(fmt::format("{}: line {}: unknown key {}; known outside of tables is only name", toml.file,

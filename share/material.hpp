@@ -32,6 +32,10 @@ struct ContactMaterial {
 /// [laboratory]: measured values, by key, in SI; not read by the solver.
 using LaboratoryValues = std::map<std::string, double>;
 
+/// [fitted] of a calibrated material: properties of the assemblage that were fitted, by key (as in [laboratory], or
+/// "confined_strength_8MPa"), and to what, in words.
+using FittedProperties = std::map<std::string, std::string>;
+
 struct Material {
     std::string name;
     std::filesystem::path file;  ///< where it was read from
@@ -39,6 +43,7 @@ struct Material {
     ContactMaterial contact;
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
+    FittedProperties fitted;
 };
 
 /// Keys [laboratory] may hold: young_modulus, poisson_ratio, tensile_strength, compressive_strength, cohesion,

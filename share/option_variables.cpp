@@ -26,7 +26,7 @@ constexpr const char* option_list =
     "--model --normal-stress --notch --output --peak-drop --plane --platen-friction --points --pole --power "
     "--print-program --probe --program --quiet --rate --rate-share --rate-tolerance --response --restart "
     "--save-state --seed --sensitivity --set --spread --stages --study --star --strength --summary --table --target --threads "
-    "--time --time-step-fraction --vector --verbose --width --x --y";
+    "--time --time-step-fraction --vector --verbose --walltime --width --x --y";
 
 std::string option_of(std::string_view variable) {
     std::string option(variable.substr(prefix.size()));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <chrono>
 #include <cmath>
 
 #include "share/command_line.hpp"
@@ -29,7 +30,7 @@ struct RawOptions {
     ContactOptions contact;
     std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
-    std::optional<double> rate_share;
+    std::optional<double> rate_share, walltime;
     std::optional<bool> mass_scaling;
     std::string program;   ///< its file
     double damping = NAN;  ///< of a program; NaN if not given
@@ -109,7 +110,10 @@ void add_method_options(CLI::App& command, SimulationRequest& request, RawOption
         "vector unit to run on; auto: the widest there is");
 }
 
-void add_checkpoint_option(CLI::App& command, SimulationRequest& request) {
+void add_checkpoint_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
+    static constexpr Quantity walltime{"walltime", Dimension::time, 0, 1e7, "wall time of a run", true};
+    add_quantity(command, "--walltime", raw.walltime, walltime,
+                 "stop after this time as on SIGTERM: RUN.checkpoint has the test so far, and the exit code is 143");
     add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
                  "wall time after which RUN.checkpoint is written, again and again; it is gone when the run is there");
 }
@@ -136,7 +140,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
                  "platen travel over specimen height that ends the test", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,
                     "share of the unbalanced force that damps", "0.8");
-    add_checkpoint_option(command, request);
+    add_checkpoint_options(command, request, raw);
     command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
     add_sensitivity_flag(command, request);
     add_method_options(command, request, raw);
@@ -166,7 +170,7 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
                     "share of the unbalanced force that damps, instead of the program's own; it must have one of the two");
     add_method_options(*command, options.request, raw);
-    add_checkpoint_option(*command, options.request);
+    add_checkpoint_options(*command, options.request, raw);
     add_sensitivity_flag(*command, options.request);
     command
         ->add_option("--restart", options.request.restart,
@@ -276,6 +280,13 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     complete_request(options.request, raw);
     if (options.request.checkpoint_interval && options.output == "-") {
         throw UsageError("--checkpoint-every: a run that goes to stdout has no name for its checkpoints; -o run.h5 fits");
+    }
+    if (raw.walltime) {
+        if (options.output == "-") {
+            throw UsageError("--walltime: a run that goes to stdout has no name for its checkpoint; -o run.h5 fits");
+        }
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*raw.walltime);
+        options.request.stops_after = [end](std::size_t /*rows*/) { return std::chrono::steady_clock::now() >= end; };
     }
     if (options.request.sensitivity && !options.request.restart.empty()) {
         throw UsageError("--sensitivity: runs again from the start, --restart does not; leave out the one or the other");

@@ -298,8 +298,11 @@ std::string material_text(const Material& rock, const Point& point, const Decisi
     text += "\n[fitted]  # property: what it was fitted to, and what new specimens have\n";
     for (const Outcome& o : fitted->outcomes) {
         if (o.target.role != Role::fitted || !o.ours) continue;
-        text += fmt::format("{} = \"{:.5g} {}: {} on {} new specimens\"\n", o.target.name, o.target.value / o.target.si,
-                            o.target.unit, with_interval(*o.ours, o.target.si), o.specimens);
+        const Target& t = o.target;
+        const std::string key =
+            t.name == confined_strength ? fmt::format("{}_{:g}MPa", t.name, t.confining_pressure * 1e-6) : t.name;
+        text += fmt::format("{} = \"{:.5g}{}{}; {} on {} new specimens\"\n", key, t.value / t.si, t.unit.empty() ? "" : " ",
+                            t.unit, with_interval(*o.ours, t.si), o.specimens);
     }
     return text;
 }

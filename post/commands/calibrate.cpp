@@ -42,7 +42,7 @@ void write(const Options& options, const Call& call) {
 Command calibrate_command() {
     return make_command<Options>(
         "calibrate", "the next runs of a calibration, or the calibrated material; runs nothing itself",
-        {"results/my-rock", "results/my-rock --material my-rock.toml --set max_discs=40"},
+        {"results/my-rock", "results/my-rock --material augig-granite --set max_discs=40"},
         FileArguments{"folder", "folder with strength.tsv, moduli.tsv, toughness.tsv of the finished runs"},
         [](CLI::App& app, Options& options) {
             app.add_option("--material", options.material,

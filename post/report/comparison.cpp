@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <numbers>
 
@@ -25,7 +26,7 @@ std::vector<double> collect(const std::vector<TestReport>& tests, const Value& v
     return values;
 }
 
-/// Rows of one of the two tables.
+/// Rows of one of the tables.
 class Column {
 public:
     explicit Column(const std::optional<Material>& material)
@@ -44,9 +45,11 @@ public:
     void add(const std::string& label, const Estimate& value, const std::string& key, double factor) {
         row(label, number(value.value * factor), value, key, factor);
     }
-    [[nodiscard]] std::string str(const std::string& heading) const {
+    [[nodiscard]] bool empty() const { return table_.empty(); }
+    [[nodiscard]] std::string str(const std::string& heading, const std::string& note = "") const {
         return "<div><h3>" + html::escaped(heading) + "</h3>" +
-               (table_.empty() ? html::paragraph("nothing in this set") : table_.str()) + "</div>\n";
+               (table_.empty() ? html::paragraph("nothing in this set") : table_.str()) +
+               (note.empty() ? "" : html::paragraph(note)) + "</div>\n";
     }
 
 private:
@@ -82,31 +85,43 @@ std::vector<double> pressures(const std::vector<TestReport>& tests) {
     return values;
 }
 
-void add_predicted_strengths(Column& column, const std::vector<TestReport>& tests) {
-    column.add("UCS, MPa", collect(tests, strength_of("uniaxial", 0)), "compressive_strength", mega);
+/// Where a row belongs: the column of its property.
+using ColumnOf = std::function<Column&(const std::string& property)>;
+
+void add_strengths(const ColumnOf& column, const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope) {
+    column("tensile_strength").add("σt, Brazilian, MPa", collect(tests, strength_of("brazilian", 0)), "tensile_strength", mega);
+    column("compressive_strength").add("UCS, MPa", collect(tests, strength_of("uniaxial", 0)), "compressive_strength", mega);
     for (const double p : pressures(tests)) {
-        column.add(fmt::format("σ1 at {} MPa, MPa", number(p * mega)), collect(tests, strength_of("triaxial", p)), "", mega);
+        column(fmt::format("confined_strength_{:g}MPa", p * mega))
+            .add(fmt::format("σ1 at {} MPa, MPa", number(p * mega)), collect(tests, strength_of("triaxial", p)), "", mega);
     }
-    column.add("direct tensile strength, MPa", collect(tests, strength_of("tension", 0)), "", mega);
+    if (envelope) {  // follows from UCS and strengths under pressure
+        column("envelope").add("C, MPa", envelope->cohesion, "cohesion", mega);
+        column("envelope").add("φ, °", envelope->friction_angle, "friction_angle", degrees);
+    }
+    column("direct_tensile_strength").add("direct tensile strength, MPa", collect(tests, strength_of("tension", 0)), "", mega);
 }
 
-void add_moduli(Column& column, const std::vector<TestReport>& tests) {
+void add_moduli(const ColumnOf& column, const std::vector<TestReport>& tests) {
     const auto uniaxial = [&](const Value& value) {
         return collect(tests, [&](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; });
     };
     const auto modulus = [](double ElasticPair::*member) {
         return [member](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.*member) : std::nullopt; };
     };
-    column.add("E, chord to ½ peak, GPa", uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
-    column.add("ν, chord to ½ peak", uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
-    column.add("crack initiation (1 % of cracks), MPa", uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
+    column("young_modulus").add("E, chord to ½ peak, GPa", uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
+    column("poisson_ratio").add("ν, chord to ½ peak", uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
+    column("crack_initiation")
+        .add("crack initiation (1 % of cracks), MPa", uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
     for (std::size_t level = 0; level < std::tuple_size_v<InitiationByDamage>; ++level) {
         constexpr const char* percents[] = {"10", "50", "90"};
-        column.add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]),
-                   uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", mega);
+        column("crack_initiation")
+            .add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]),
+                 uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", mega);
     }
-    column.add("crack damage (2D volume), MPa",
-               uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "", mega);
+    column("crack_damage")
+        .add("crack damage (2D volume), MPa",
+             uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "", mega);
 }
 
 }  // namespace
@@ -114,16 +129,25 @@ void add_moduli(Column& column, const std::vector<TestReport>& tests) {
 std::string comparison_columns(const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope,
                                const std::optional<Material>& material) {
     Column fitted(material);
-    fitted.add("σt, Brazilian, MPa", collect(tests, strength_of("brazilian", 0)), "tensile_strength", mega);
-    if (envelope) {
-        fitted.add("C, MPa", envelope->cohesion, "cohesion", mega);
-        fitted.add("φ, °", envelope->friction_angle, "friction_angle", degrees);
+    Column others(material);
+    const FittedProperties known = material ? material->fitted : FittedProperties{};
+    const bool line_is_fitted =
+        std::any_of(known.begin(), known.end(), [](const auto& p) { return p.first.starts_with("confined_strength"); });
+    const ColumnOf column_of = [&](const std::string& property) -> Column& {
+        return known.count(property) > 0 || (property == "envelope" && line_is_fitted) ? fitted : others;
+    };
+    add_strengths(column_of, tests, envelope);
+    add_moduli(column_of, tests);
+    if (known.empty()) {
+        return "<div class=\"columns\">\n" +
+               others.str("Results",
+                          "What was fitted and what is a prediction, this material does not say: it has no [fitted].") +
+               "</div>\n";
     }
-    Column predicted(material);
-    add_predicted_strengths(predicted, tests);
-    add_moduli(predicted, tests);
-    return "<div class=\"columns\">\n" + fitted.str("Fitted: by choice of contact strengths") +
-           predicted.str("Predicted: not fitted to anything") + "</div>\n";
+    std::string note = "The calibration:";
+    for (const auto& [property, text] : known) note += fmt::format(" {}: {}.", property, text);
+    return "<div class=\"columns\">\n" + fitted.str("Fitted by the calibration", note) +
+           others.str("Predicted: not fitted to anything") + "</div>\n";
 }
 
 }  // namespace graincrack

@@ -10,7 +10,7 @@
 
 namespace graincrack {
 
-/// Fitted: what contact parameters are chosen to reproduce (σt by tc; C and φ by cc and φc). Predicted: everything else.
+/// Fitted: what [fitted] of the material names. Predicted: everything else. One column if the material has no [fitted].
 /// Each with mean, standard deviation, 95 % interval and, if a material is given, the laboratory's value.
 /// \param envelope of the set, if it has one
 std::string comparison_columns(const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope,

@@ -222,7 +222,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     body += html::section("figures", "Key figures",
                           key_figures(content) + html::figure(draw_strengths(data_of(content), material), "strengths by test") +
                               run_table(content));
-    body += html::section("columns", "Fitted and predicted", comparison_columns(content.tests, content.envelope, material));
+    body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelope, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("curves", "Curves", figures(curve_figures(content, options.label)));
     body += html::section("envelope", "Envelope", envelope_section(content));

@@ -164,11 +164,12 @@ $(SPECIMENS)/rectangle%.h5:
 $(SPECIMENS)/disc%.h5:
 	$(call mesh,disc --diameter $(word 1,$(call sizes,$*))mm $(call size_option,$*,$(word 2,$(call sizes,$*))) $(if $(findstring d,$*),--diameters 6 --loaded-diameter $(word 3,$(call sizes,$*))))
 
-# The names of specimen and rock contain their settings: an existing run need never be made again.
+# The names of specimen and rock contain their settings: an existing run need never be made again. What was stopped goes on from its
+# checkpoint.
 $(RUNS)/%.h5: | $(SPECIMENS)/$$(word 2,$$(call words_of,$$*)).h5
 	@echo "[$(call position,$@)/$(words $(runs))] $(call describe,$(call words_of,$*))"
 	@mkdir -p $(@D)
-	@$(LAUNCH) $(BIN)/graincrack-solve $(call test_command,$(word 1,$(call words_of,$*))) $| $(call test_options,$(word 1,$(call words_of,$*))) --material $(MATERIAL_FILE) --threads $(THREADS) --quiet $(OPTIONS) $(foreach t,$(call tokens_of,$*),$(call option_of,$(t))) -o $@
+	@$(LAUNCH) $(BIN)/graincrack-solve $(call test_command,$(word 1,$(call words_of,$*))) $| $(call test_options,$(word 1,$(call words_of,$*))) --material $(MATERIAL_FILE) --threads $(THREADS) --quiet $(OPTIONS) $(foreach t,$(call tokens_of,$*),$(call option_of,$(t))) $$(! test -e $@.checkpoint || echo --restart $@.checkpoint) -o $@
 
 # Recipes for tables: $(call table,COMMAND) writes $@ completely or not at all.
 define table
@@ -208,4 +209,4 @@ print-here:
 clean:
 	rm -rf -- $(HERE)
 distclean: clean
-	@cd $(OUT) 2>/dev/null && rm -f -- $(patsubst $(OUT)/%,%,$(runs)) || true
+	@cd $(OUT) 2>/dev/null && rm -f -- $(patsubst $(OUT)/%,%,$(runs) $(addsuffix .checkpoint,$(runs))) || true

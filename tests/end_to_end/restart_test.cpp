@@ -104,6 +104,23 @@ TEST(Restart, ATestGoesOnFromItsCheckpoint) {
     }
 }
 
+TEST(Restart, ARunStopsInItsWallTimeAndGoesOn) {
+    const Shell shell;
+    shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
+    const std::string test = "graincrack-solve uniaxial specimen.h5 --material augig-granite --frames 2 ";
+    shell.must(test + "--quiet -o whole.h5");
+    const Outcome stopped = shell.run(test + "--walltime 50ms -o run.h5");
+    EXPECT_EQ(stopped.exit_code, 143);
+    EXPECT_NE(stopped.err.find("--restart run.h5.checkpoint goes on"), std::string::npos) << stopped.err;
+    const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run); };
+    EXPECT_GT(n_lines(rows("run.h5.checkpoint")), 1);
+    EXPECT_LT(n_lines(rows("run.h5.checkpoint")), n_lines(rows("whole.h5")));
+    shell.must(test + "--quiet --restart run.h5.checkpoint --walltime 1h -o run.h5");
+    EXPECT_EQ(rows("run.h5"), rows("whole.h5"));
+    const Outcome piped = shell.run(test + "--walltime 1h -o - | cat >/dev/null; exit ${PIPESTATUS[0]}");
+    EXPECT_NE(piped.err.find("--walltime: a run that goes to stdout"), std::string::npos) << piped.err;
+}
+
 // Interrupted in its second stage, in its third, as a program that continued another run, or at the automatic rate.
 TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
     for (const std::string program :

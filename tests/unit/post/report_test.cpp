@@ -62,6 +62,25 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     EXPECT_EQ(html.find(">nan"), std::string::npos);
 }
 
+TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
+    const std::vector<std::string> runs{run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
+    expect_texts(page(runs, {"augig-granite", StrainLimitRuns::refuse}), {"<h3>Results</h3>", "it has no [fitted]"});
+    std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+    const std::string calibrated = folder_.file("calibrated.toml");
+    std::ofstream(calibrated) << file.rdbuf() << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190 on 30 new specimens\"\n";
+    const std::string html = page(runs, {calibrated, StrainLimitRuns::refuse});
+    expect_texts(html, {"190 on 30 new specimens"});
+    const std::size_t fitted = html.find("<h3>Fitted by the calibration</h3>");
+    const std::size_t predicted = html.find("<h3>Predicted: not fitted to anything</h3>");
+    ASSERT_LT(fitted, predicted);
+    const std::string first = html.substr(fitted, predicted - fitted);
+    const std::string second = html.substr(predicted, html.find("</section>", predicted) - predicted);
+    EXPECT_NE(first.find("σ1 at 8 MPa"), std::string::npos);
+    EXPECT_EQ(first.find("UCS, MPa"), std::string::npos);
+    EXPECT_NE(second.find("UCS, MPa"), std::string::npos);
+    EXPECT_EQ(second.find("σ1 at 8 MPa"), std::string::npos);
+}
+
 TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
     std::vector<std::string> runs;
     for (int i = 0; i < 5; ++i) runs.push_back(run("b" + std::to_string(i) + ".h5", recipe("brazilian", (9 + i) * 1e6)));
