@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "post/measure/comparable.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
 
 namespace graincrack {
@@ -49,8 +50,10 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     return groups;
 }
 
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format) {
-    const std::vector<StrengthGroup> groups = group_strengths(read_runs(paths));
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
+                            std::ostream& diagnostics) {
+    ObjectionCount doubts;
+    const std::vector<StrengthGroup> groups = group_strengths(read_doubted_runs(paths, doubts));
     TableWriter table(out,
                       {"test", "confining_pressure_MPa", "runs", "runs_without_peak", "strength_MPa", "strength_deviation_MPa",
                        "strength_low_MPa", "strength_high_MPa", "ratio_to_brazilian"},
@@ -61,6 +64,9 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
                    static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
                    megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian)});
     }
+    out.flush();
+    if (!out) return;  // the command says so
+    for (const std::string& line : doubts.lines()) diagnostics << "strength: warning: " << line << '\n';
 }
 
 }  // namespace graincrack

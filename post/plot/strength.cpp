@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
@@ -59,12 +60,13 @@ void draw_group(Chart& chart, const std::vector<RunData>& runs, const StrengthGr
 
 }  // namespace
 
-Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material) {
+Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
+                       const std::vector<std::string>& objections) {
     const std::vector<StrengthGroup> groups = group_strengths(runs);
     const auto [low, high] = padded_range(all_values(runs, groups, material), 0);
     const double n = static_cast<double>(groups.size());
-    Chart chart({runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, {}}, Axis{"", 0.5, n + 0.5},
-                Axis{"strength, MPa", low / 1.6, high * 1.6, true});
+    Chart chart({runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, objections},
+                Axis{"", 0.5, n + 0.5}, Axis{"strength, MPa", low / 1.6, high * 1.6, true});
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -96,7 +98,9 @@ Command strength_plot() {
         [](const Options& options, const Call& call) {
             std::optional<Material> material;
             if (!options.material.empty()) material = read_material(options.material);
-            return draw_strengths(read_runs(call.files), material);
+            ObjectionCount doubts;
+            const std::vector<RunData> runs = read_doubted_runs(call.files, doubts);
+            return draw_strengths(runs, material, doubts.lines());
         });
 }
 

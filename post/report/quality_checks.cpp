@@ -10,7 +10,6 @@
 
 #include "post/measure/test_label.hpp"
 #include "post/report/html.hpp"
-#include "share/equilibrium.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {
@@ -66,13 +65,6 @@ std::string rate_label(const RunHeader& h) {
 }
 
 std::string damping_label(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
-
-std::string damping_load_warning(const TestReport& t) {
-    const double load = t.data.header.damping_load;
-    return load > trusted_damping_load ? short_name(t) + ": damping carries " + percent(load) +
-                                             " of the load; where grains slide the strength is too high by several times that"
-                                       : "";
-}
 
 std::string scaling_label(const RunHeader& header) {
     if (header.mass_scaling == "none") return "none";
@@ -163,14 +155,12 @@ const std::vector<Check>& checks() {
         {"damping", [](const TestReport& t) { return damping_label(t.data.header); }},
         {"mass scaling", [](const TestReport& t) { return scaling_label(t.data.header); }},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
-        {"warning", damping_load_warning},
-        {"warning",
-         [](const TestReport& t) {
-             const std::string warning = equilibrium_warning(t.data.header, t.data.history);
-             return warning.empty() ? warning : short_name(t) + ": " + warning;
-         }},
-        {"warning", [](const TestReport& t) {
-             return t.split && !t.split->warning.empty() ? short_name(t) + ": " + t.split->warning : std::string();
+        {"speaks against the strength", [](const TestReport& t) {
+             std::string lines;
+             for (const Objection& objection : t.objections) {
+                 lines += (lines.empty() ? "" : "\n") + short_name(t) + ": " + objection.text;
+             }
+             return lines;
          }}};
     return all;
 }

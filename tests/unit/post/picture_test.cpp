@@ -7,7 +7,9 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
+#include "post/command_line.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/plot/counts.hpp"
 #include "post/plot/cracks.hpp"
@@ -161,6 +163,30 @@ TEST_F(Picture, StrengthsStandByTest) {
     EXPECT_NE(svg.find("uniaxial"), std::string::npos);
     EXPECT_NE(svg.find("laboratory"), std::string::npos);
     EXPECT_EQ(to_svg(draw_strengths(runs, std::nullopt)).find("laboratory"), std::string::npos);
+}
+
+TEST_F(Picture, SubtitlesSayWhatSpeaksAgainstAStrength) {
+    test::Recipe disc;
+    disc.test = "brazilian";  // the synthetic cracks span half of the height
+    test::write_run(path("disc.h5"), disc);
+    const std::string line = "against this strength: tensile cracks never span 0.8 D";
+    for (const char* frame : {"last", "first,last"}) {
+        const std::string map = to_svg(draw_cracks(RunReader(path("disc.h5")), {frame, std::nullopt, 1}));
+        EXPECT_NE(map.find(line), std::string::npos) << frame;
+    }
+    EXPECT_EQ(to_svg(cracks("last")).find("against this strength"), std::string::npos);
+    const auto svg_of = [&](std::vector<const char*> arguments) {
+        arguments.insert(arguments.begin(), "graincrack-post");
+        const std::string picture = path("doubted.svg");
+        arguments.insert(arguments.end(), {"-o", picture.c_str()});
+        std::ostringstream out;
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
+        return test::read_text(picture);
+    };
+    const std::string run = path("disc.h5");
+    EXPECT_NE(svg_of({"plot", "curve", run.c_str()}).find(line), std::string::npos);
+    EXPECT_NE(svg_of({"plot", "strength", run.c_str()}).find("Brazilian: tensile cracks never span 0.8 D (1 of 1 run)"),
+              std::string::npos);
 }
 
 TEST_F(Picture, TablesAreDrawnByTheirColumns) {

@@ -19,10 +19,11 @@ protected:
     std::string table_of(const Recipe& recipe) {
         test::write_run(folder_.file("run.h5"), recipe);
         std::ostringstream out;
-        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv);
+        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
         return out.str();
     }
     test::TemporaryFolder folder_;
+    std::ostringstream notes_;
 };
 
 TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
@@ -137,11 +138,45 @@ TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
     test::write_run(folder_.file("a.h5"), {});
     test::write_run(folder_.file("b.h5"), {});
     std::ostringstream out;
-    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv);
+    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes_);
     EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U);
     std::ostringstream nothing;
-    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv), InputError);
+    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv, notes_),
+                 InputError);
     EXPECT_EQ(nothing.str(), "");
+}
+
+TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
+    table_of({});
+    EXPECT_EQ(notes_.str(), "");
+    Recipe disc;
+    disc.test = "brazilian";
+    table_of(disc);  // the synthetic cracks span half of the height
+    EXPECT_NE(notes_.str().find("run.h5: warning: tensile cracks never span 0.8 D\n"), std::string::npos) << notes_.str();
+    Recipe at_strain_limit;
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain limit";
+    table_of(at_strain_limit);
+    EXPECT_NE(notes_.str().find("run.h5: warning: no peak: stopped at the strain limit\n"), std::string::npos) << notes_.str();
+}
+
+TEST_F(StrengthTable, DirectTensionAboveTheBrazilianStrengthIsSaid) {
+    const auto said = [&](double tension, double brazilian) {
+        Recipe recipe;
+        recipe.test = "tension";
+        recipe.peak = tension;
+        test::write_run(folder_.file("t.h5"), recipe);
+        recipe.test = "brazilian";
+        recipe.peak = brazilian;
+        test::write_run(folder_.file("b.h5"), recipe);
+        std::ostringstream out;
+        std::ostringstream notes;
+        write_strength_table(out, {folder_.file("t.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes);
+        return notes.str();
+    };
+    EXPECT_NE(said(12e6, 8e6).find("direct tension is 1.50 times the Brazilian strength; of rock 0.7 to 0.9 times (Perras"),
+              std::string::npos);
+    EXPECT_EQ(said(7e6, 8e6).find("direct tension"), std::string::npos);
 }
 
 }  // namespace
