@@ -11,6 +11,7 @@
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
+#include "share/schema.hpp"
 #include "share/units.hpp"
 #include "solver/loading/program_text.hpp"
 #include "solver/loading/standard_tests.hpp"
@@ -142,6 +143,7 @@ int solve(int argc, char** argv) {
     provenance.command_line.assign(argv, argv + argc);
     provenance.configuration = options->configuration;
     provenance.input_digest = input.digest();
+    provenance.specimen_configuration = input.attribute_or<std::string>(schema::provenance_group, "configuration", "");
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary);

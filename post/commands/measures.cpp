@@ -46,7 +46,9 @@ Command toughness_command() {
     return make_command<TableFormat>(
         "toughness", "fracture toughness K_IC from tension of rectangles with a notch through the middle, a row a run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs, add_format,
-        [](const TableFormat& format, const Call& call) { write_toughness_table(call.out, call.files, format); });
+        [](const TableFormat& format, const Call& call) {
+            write_toughness_table(call.out, call.files, format, call.diagnostics());
+        });
 }
 
 }  // namespace graincrack
