@@ -2,6 +2,7 @@
 
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "post/option_parts.hpp"
@@ -86,6 +87,12 @@ void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
     }
 }
 
+/// The plane condition of the compression tests, which is one for all.
+Cell plane_of_compression(const std::vector<RunData>& runs) {
+    const auto test = std::find_if(runs.begin(), runs.end(), [](const RunData& run) { return is_compression(run.header); });
+    return test == runs.end() ? Cell() : Cell(std::string(name_of(test->header.plane)));
+}
+
 }  // namespace
 
 void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
@@ -108,6 +115,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     add_other_stresses(row, tests);
     row.add("strength", name_of(tests.kind));
     row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs()));
+    row.add("plane", plane_of_compression(runs));
     print_left_out(diagnostics, tests);
     if (tests.at_strain_limit > 0) {
         fmt::print(diagnostics,

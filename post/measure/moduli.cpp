@@ -46,7 +46,8 @@ const std::vector<std::string> columns{"file",
                                        "warning",
                                        "crack_initiation_count_damage_10_MPa",
                                        "crack_initiation_count_damage_50_MPa",
-                                       "crack_initiation_count_damage_90_MPa"};
+                                       "crack_initiation_count_damage_90_MPa",
+                                       "plane"};
 constexpr std::size_t n_damage_columns = std::tuple_size_v<InitiationByDamage>;
 
 void append(std::vector<Cell>& row, const ElasticPair& pair) {
@@ -104,12 +105,13 @@ std::vector<Cell> moduli_row(const std::string& path) {
     row.resize(21);
     row.emplace_back(kind);
     if (is_compression(run.header) && !kind.empty()) append_thresholds(row, run, curve);
-    row.resize(columns.size() - n_damage_columns - 1);
+    row.resize(columns.size() - n_damage_columns - 2);
     row.push_back(measured ? Cell(warning(*measured, kind)) : Cell());
     if (is_compression(run.header) && !kind.empty()) {
         for (const auto& stress : initiation_by_damage(run, curve, reader.cracks())) row.push_back(megapascal(stress));
     }
-    row.resize(columns.size());
+    row.resize(columns.size() - 1);
+    row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
 }
 

@@ -60,6 +60,7 @@ const std::vector<std::string> first_columns{"file",
 std::vector<std::string> all_columns() {
     std::vector<std::string> columns = first_columns;
     columns.insert(columns.end(), label_columns().begin(), label_columns().end());
+    columns.emplace_back("plane");
     return columns;
 }
 
@@ -142,6 +143,7 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
     }
     const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
     for (Cell& each : label_cells(reader.cracks(), reader.has_damage_times(), time_of_peak)) row.push_back(std::move(each));
+    row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
 }
 

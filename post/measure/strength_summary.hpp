@@ -15,8 +15,9 @@ namespace graincrack {
 struct StrengthGroup {
     std::string test;
     double confining_pressure = 0;  ///< Pa
-    Sample strength;                ///< Pa; largest stresses, also of runs without a peak
-    std::size_t without_peak = 0;   ///< number of runs
+    PlaneCondition plane{};
+    Sample strength;               ///< Pa; largest stresses, also of runs without a peak
+    std::size_t without_peak = 0;  ///< number of runs
     /// Mean strength over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
     std::optional<double> ratio_to_brazilian;
 };

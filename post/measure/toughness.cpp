@@ -21,17 +21,18 @@ namespace {
 /// How far the middle of a notch may lie from that of the specimen, as a share of the width.
 constexpr double central = 0.1;
 
-/// The notch that the mesher was asked for, m; empty if the run does not say.
+/// The notch that the mesher was asked for, m; empty if the run does not say, or not so that it can be read.
 std::optional<double> requested_notch(const RunReader& reader) {
-    std::istringstream lines(reader.file().attribute_or<std::string>(schema::provenance_group, "specimen_configuration", ""));
     const std::string key = "notch = \"";
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with(key)) continue;
-        try {
-            return parse_quantity(line.substr(key.size(), line.find('"', key.size()) - key.size()), quantity::notch, "notch");
-        } catch (const UsageError&) {
-            return std::nullopt;
+    try {
+        std::istringstream lines(reader.file().attribute_or<std::string>(schema::provenance_group, "specimen_configuration", ""));
+        for (std::string line; std::getline(lines, line);) {
+            if (!line.starts_with(key)) continue;
+            const std::string value = line.substr(key.size(), line.find('"', key.size()) - key.size());
+            return parse_quantity(value, quantity::notch, "notch");
         }
+    } catch (const Error&) {
+        return std::nullopt;
     }
     return std::nullopt;
 }
@@ -53,7 +54,8 @@ std::vector<Cell> toughness_row(const std::string& path, std::vector<std::string
             toughness.requested_notch_length ? Cell(*toughness.requested_notch_length * 1e3) : Cell(),
             toughness.characteristic_length * 1e3,
             toughness.notch_ratio(),
-            warning};
+            warning,
+            std::string(name_of(run.header.plane))};
 }
 
 }  // namespace
@@ -117,7 +119,8 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
                                                   "requested_notch_mm",
                                                   "characteristic_length_mm",
                                                   "half_notch_over_characteristic_length",
-                                                  "warning"};
+                                                  "warning",
+                                                  "plane"};
     std::vector<std::string> warnings;
     write_file_rows(
         out, columns, runs, [&](const std::string& path) { return toughness_row(path, warnings); }, format);

@@ -77,8 +77,7 @@ void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, doub
     }
 }
 
-/// Points ÷ 2: whole contacts.
-std::string contacts_of(std::size_t points) { return fmt::format("{}", static_cast<double>(points) / 2); }
+std::string contacts_of(std::size_t points) { return whole_contacts(0.5 * static_cast<double>(points)); }
 
 /// What all maps of a picture have in common.
 struct Scene {
@@ -132,11 +131,11 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const Specimen& specimen = scene.specimen;
-    std::vector<std::string> title{
-        test_title(header),
-        fmt::format("seed {}, {} grains, mean edge {:.3g} mm; law {}, {}", specimen.seed, specimen.n_grains(),
-                    specimen.statistics.mean_edge * 1e3, header.contact_law, header.fracture_energy_choice),
-        standing_label(now, header.test == "brazilian", scene.options.magnification)};
+    std::vector<std::string> title{test_title(header),
+                                   fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed,
+                                               specimen.n_grains(), specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
+                                   fmt::format("law {}, {}", header.contact_law, header.fracture_energy_choice),
+                                   standing_label(now, header.test == "brazilian", scene.options.magnification)};
     title.insert(title.end(), scene.objections.begin(), scene.objections.end());
     MapView map(specimen, std::move(shot.places), title);
     std::vector<LegendEntry> legend{{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
@@ -164,13 +163,15 @@ Drawing panel(const Scene& scene, Snapshot shot, double width, char letter) {
 Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     constexpr double page_width = 1000;
     constexpr double line = 34;
-    const double head = 60 + line * static_cast<double>(scene.objections.size());
+    std::vector<std::string> lines{fmt::format("plane {}", name_of(scene.data.header.plane))};
+    lines.insert(lines.end(), scene.objections.begin(), scene.objections.end());
+    const double head = 60 + line * static_cast<double>(lines.size());
     constexpr double foot = 50;
     const double width = page_width / static_cast<double>(frames.size());
     Drawing page(static_cast<int>(page_width), 0);
     page.text({{26, 44}, test_title(scene.data.header), 31, palette::ink, Anchor::start, true});
-    for (std::size_t i = 0; i < scene.objections.size(); ++i) {
-        page.text({{26, 44 + line * static_cast<double>(i + 1)}, scene.objections[i], 25});
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        page.text({{26, 44 + line * static_cast<double>(i + 1)}, lines[i], 25});
     }
     int height = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {

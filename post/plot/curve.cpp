@@ -75,8 +75,8 @@ ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
         return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
     }
     ChartText text{test_title(run.header),
-                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm", run.specimen.seed, run.specimen.grains,
-                                run.specimen.mean_edge * 1e3),
+                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", run.specimen.seed, run.specimen.grains,
+                                run.specimen.mean_edge * 1e3, name_of(run.header.plane)),
                     fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
                                 100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
     if (!definition.empty()) text.subtitle.push_back(definition);

@@ -113,10 +113,11 @@ std::vector<RunData> data_of(const Content& content) {
 }
 
 std::string key_figures(const Content& content) {
-    html::Table table({"test", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
+    html::Table table(
+        {"test", "plane", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
     for (const StrengthGroup& g : group_strengths(data_of(content))) {
         const Estimate& mean = g.strength.mean;
-        table.row({series_label(g.test, g.confining_pressure), std::to_string(g.strength.n),
+        table.row({series_label(g.test, g.confining_pressure), std::string(name_of(g.plane)), std::to_string(g.strength.n),
                    number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
                    mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.without_peak),
                    g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});

@@ -141,16 +141,19 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
            {"tensile", "shear", "stress", "what a crack is"});
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
-    expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragments", "100.0 % of the area"});
+    expect(draw_fragments(run, {"last", std::nullopt, 1}), {">1 fragment<", "100.0 % of the area"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
     expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
     expect(draw_specimen(recipe_.specimen), {"256 grains"});
-    expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is"});
-    expect(cracks("last"), {"tensile cracks:"});
+    expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is", "plane strain"});
+    expect(cracks("last"), {"tensile cracks:", "plane strain"});
+    // One of the two points of a contact has failed: one micro-crack, not a half.
+    test::write_run(path("odd.h5"), recipe_, {all.front()});
+    expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1<"});
     expect(cracks("first,peak,last"), {"(b) peak"});
-    expect(draw_strengths({data}, std::nullopt), {"uniaxial"});
+    expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});

@@ -106,7 +106,7 @@ TEST_F(Report, RunsWithoutAPeakAreNamedSo) {
     test::Recipe at_strain_limit = recipe("uniaxial", 120e6);
     at_strain_limit.drop = 0;
     at_strain_limit.stop_reason = "strain limit";
-    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 runs reached no peak", "<td>cap</td>"});
+    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 run reached no peak", "<td>cap</td>"});
 }
 
 TEST_F(Report, AMissingFileIsOneLine) {

@@ -39,7 +39,7 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\tgrain_young_modulus_GPa\tgrain_poisson_ratio\t"
               "max_strain\trate_tolerance\t"
               "tensile_cracks_by_displacement\tshear_cracks_by_displacement\ttensile_cracks_broken\tshear_cracks_broken\t"
-              "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement");
+              "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement\tplane");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
@@ -144,6 +144,13 @@ TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
     EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv, notes_),
                  InputError);
     EXPECT_EQ(nothing.str(), "");
+}
+
+TEST_F(StrengthTable, EveryStrengthHasItsPlaneCondition) {
+    Recipe recipe;
+    EXPECT_EQ(field(table_of(recipe), "plane"), "strain");
+    recipe.plane = PlaneCondition::stress;
+    EXPECT_EQ(field(table_of(recipe), "plane"), "stress");
 }
 
 TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
