@@ -5,6 +5,7 @@
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/option_parts.hpp"
+#include "post/table/table_form.hpp"
 #include "share/command_line.hpp"
 
 namespace graincrack {
@@ -12,12 +13,12 @@ namespace graincrack {
 namespace {
 
 struct StrengthOptions {
-    TableFormat format = TableFormat::tsv;
+    TableForm form = TableForm::automatic;
     bool summary = false;
 };
 
 void add_strength_options(CLI::App& app, StrengthOptions& options) {
-    add_format(app, options.format);
+    add_form(app, options.form);
     app.add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");
 }
 
@@ -29,17 +30,17 @@ Command strength_command() {
                                          several_runs, add_strength_options,
                                          [](const StrengthOptions& options, const Call& call) {
                                              (options.summary ? write_strength_summary : write_strength_table)(
-                                                 call.out, call.files, options.format, call.diagnostics());
+                                                 call.out, call.files, format_of(options.form, call.out), call.diagnostics());
                                          });
 }
 
 Command moduli_command() {
-    return make_command<TableFormat>(
+    return make_command<TableForm>(
         "moduli",
         "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
         "and predicted from contact compliance",
-        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_format,
-        [](const TableFormat& format, const Call& call) { write_moduli_table(call.out, call.files, format); });
+        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_form,
+        [](const TableForm& form, const Call& call) { write_moduli_table(call.out, call.files, format_of(form, call.out)); });
 }
 
 Command toughness_command() {

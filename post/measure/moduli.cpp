@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "post/fit/statistics.hpp"
+#include "post/measure/tables_for_people.hpp"
 #include "post/measure/thresholds.hpp"
 #include "share/error.hpp"
 
@@ -194,8 +195,14 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
                                   contact_length_per_area(specimen));
 }
 
-void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
-    write_file_rows(out, columns, runs, moduli_row, format);
+void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format) {
+    if (format) {
+        write_file_rows(out, columns, runs, moduli_row, *format);
+        return;
+    }
+    std::vector<std::vector<Cell>> rows;
+    for (const std::string& run : runs) rows.push_back(moduli_row(run));
+    write_moduli_for_people(out, {columns, rows});
 }
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/objections.hpp"
+#include "post/measure/tables_for_people.hpp"
 #include "share/error.hpp"
 #include "share/printable.hpp"
 
@@ -195,11 +196,18 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
     return true;
 }
 
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
                           std::ostream& diagnostics) {
     Doubts doubts;
-    const auto row_of = [&](const std::string& path) { return strength_row(path, doubts); };
-    write_file_rows(out, all_columns(), runs, row_of, format);
+    const std::vector<std::string> columns = all_columns();
+    std::vector<std::vector<Cell>> rows;
+    for (const std::string& run : runs) rows.push_back(strength_row(run, doubts));
+    if (format) {
+        TableWriter table(out, columns, *format);
+        for (const auto& row : rows) table.row(row);
+    } else {
+        write_strengths_for_people(out, {columns, rows});
+    }
     out.flush();
     if (!out) return;  // the command says so
     for (const std::string& line : doubts.lines) diagnostics << "strength: " << line << '\n';

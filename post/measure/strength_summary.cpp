@@ -7,6 +7,7 @@
 #include "post/measure/comparable.hpp"
 #include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
+#include "post/measure/tables_for_people.hpp"
 
 namespace graincrack {
 
@@ -53,20 +54,32 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     return groups;
 }
 
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format,
                             std::ostream& diagnostics) {
+    static const std::vector<std::string> columns{"test",
+                                                  "confining_pressure_MPa",
+                                                  "runs",
+                                                  "runs_without_peak",
+                                                  "strength_MPa",
+                                                  "strength_deviation_MPa",
+                                                  "strength_low_MPa",
+                                                  "strength_high_MPa",
+                                                  "ratio_to_brazilian",
+                                                  "plane"};
     ObjectionCount doubts;
-    const std::vector<StrengthGroup> groups = group_strengths(read_doubted_runs(paths, doubts));
-    TableWriter table(out,
-                      {"test", "confining_pressure_MPa", "runs", "runs_without_peak", "strength_MPa", "strength_deviation_MPa",
-                       "strength_low_MPa", "strength_high_MPa", "ratio_to_brazilian", "plane"},
-                      format);
+    std::vector<std::vector<Cell>> rows;
     const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
-    for (const StrengthGroup& g : groups) {
-        table.row({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
-                   static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
-                   megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian),
-                   std::string(name_of(g.plane))});
+    for (const StrengthGroup& g : group_strengths(read_doubted_runs(paths, doubts))) {
+        rows.push_back({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
+                        static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
+                        megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian),
+                        std::string(name_of(g.plane))});
+    }
+    if (format) {
+        TableWriter table(out, columns, *format);
+        for (const auto& row : rows) table.row(row);
+    } else {
+        write_summary_for_people(out, {columns, rows});
     }
     out.flush();
     if (!out) return;  // the command says so

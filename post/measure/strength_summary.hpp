@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct StrengthGroup {
 /// \throws InputError if the runs are not of one material
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
 
-/// Table `strength --summary`. \param diagnostics gets, after the table, what speaks against the strengths, with numbers of runs
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
+/// Table `strength --summary`. \param format for scripts; empty: the table for people \param diagnostics gets, after the table,
+/// what speaks against the strengths, with numbers of runs
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
                             std::ostream& diagnostics);
 
 }  // namespace graincrack

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <numbers>
 #include <sstream>
 
@@ -144,6 +145,43 @@ TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
     EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv, notes_),
                  InputError);
     EXPECT_EQ(nothing.str(), "");
+}
+
+TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& name, const Recipe& recipe) {
+        files.push_back(folder_.file(name));
+        test::write_run(files.back(), recipe);
+    };
+    Recipe recipe;
+    add("first.h5", recipe);
+    recipe.peak = 135e6;
+    add("second.h5", recipe);
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 5e6;
+    recipe.peak = 200e6;
+    add("third.h5", recipe);
+    std::ostringstream out;
+    write_strength_table(out, files, std::nullopt, notes_);
+    std::istringstream lines(out.str());
+    std::vector<std::vector<std::string>> words;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream stream(line);
+        words.emplace_back(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>());
+    }
+    ASSERT_EQ(words.size(), 10U) << out.str();
+    EXPECT_EQ(words[0], (std::vector<std::string>{"run", "seed", "grains", "mean", "edge", "strength", "at", "strain", "ended",
+                                                  "by", "tensile", "shear"}));
+    EXPECT_EQ(words[1], (std::vector<std::string>{"mm", "MPa", "%", "cracks", "cracks"}));
+    EXPECT_EQ(words[3], (std::vector<std::string>{"uniaxial,", "plane", "strain"}));
+    ASSERT_EQ(words[4].size(), 9U);
+    EXPECT_EQ(words[4][4], "125");
+    EXPECT_EQ(words[4][6], "peak");
+    EXPECT_EQ(words[5][4], "135");
+    EXPECT_EQ(words[6], (std::vector<std::string>{"mean", "of", "2,", "s.d.", "7.1", "130"}));
+    EXPECT_EQ(words[8], (std::vector<std::string>{"σ3", "=", "5", "MPa,", "plane", "strain"}));
+    EXPECT_EQ(words[9][4], "200");
+    for (const char* name : {"\t", "peak_compressive"}) EXPECT_EQ(out.str().find(name), std::string::npos);
 }
 
 TEST_F(StrengthTable, EveryStrengthHasItsPlaneCondition) {
