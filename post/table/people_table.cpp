@@ -39,7 +39,8 @@ void PeopleTable::write(std::ostream& out) const {
         out << text << '\n';
     };
     write_line([&](std::size_t i) { return columns_[i].heading; });
-    write_line([&](std::size_t i) { return columns_[i].unit; });
+    const bool has_units = std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return !c.unit.empty(); });
+    if (has_units) write_line([&](std::size_t i) { return columns_[i].unit; });
     for (const Line& line : lines_) {
         if (line.cells.empty()) {
             out << '\n' << printable(line.group) << '\n';

@@ -180,7 +180,7 @@ TEST_F(CrackMap, FilesHaveUnitsNamesOfModesAndWhereTheTestStands) {
     EXPECT_DOUBLE_EQ(field(lines, "axial_strain"), history[HistoryColumn::axial_strain][peak]);
     const auto platens = read_lines(map("platens_0001.vtp"));
     ASSERT_EQ(platens->GetNumberOfPolys(), 2);
-    // The lower platen touches the specimen, and has moved up by half of the approach.
+    // The lower platen lies on the specimen, and has moved up by half of the approach.
     EXPECT_DOUBLE_EQ(platens->GetPoint(0)[1], -recipe_.specimen.height / 2);
     EXPECT_DOUBLE_EQ(platens->GetPointData()->GetArray("displacement")->GetComponent(0, 1),
                      -recipe_.specimen.height / 2 * history[HistoryColumn::axial_strain][peak]);

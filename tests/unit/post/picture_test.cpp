@@ -152,7 +152,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     // One of the two points of a contact has failed: one micro-crack, not a half.
     test::write_run(path("odd.h5"), recipe_, {all.front()});
     expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1<"});
-    expect(cracks("first,peak,last"), {"(b) peak"});
+    expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
     expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
