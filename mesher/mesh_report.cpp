@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesher/assemblage_builder.hpp"
+#include "share/notch.hpp"
 #include "share/units.hpp"
 
 namespace graincrack::mesher {
@@ -37,6 +38,11 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (std::abs(s.edge_variation - request.spread) > 0.1 * request.spread) {
         lines.push_back(fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", request.spread, s.edge_variation));
+    }
+    if (const auto ends = notch_ends(specimen); ends && request.notch) {
+        lines.push_back(fmt::format("  notch of {} requested, {} between the ends of its grain boundaries",
+                                    format_quantity(*request.notch, Dimension::length),
+                                    format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
         lines.push_back(

@@ -51,7 +51,7 @@ void Progress::update(double share, const std::string& detail) {
     if (terminal_) {
         const auto filled = static_cast<std::size_t>(share * bar_width);
         const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-        fmt::print(stderr, "\r\033[K{} [{}] {:3.0f} %  {}  at most {} left", label_, bar, 100 * share, detail, left);
+        fmt::print(stderr, "\r\033[K{} [{}] {:3.0f} %, {}, at most {} left", label_, bar, 100 * share, detail, left);
         std::fflush(stderr);
         open_ = true;
     } else {

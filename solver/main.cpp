@@ -11,6 +11,7 @@
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
+#include "share/schema.hpp"
 #include "share/units.hpp"
 #include "solver/loading/program_text.hpp"
 #include "solver/loading/standard_tests.hpp"
@@ -119,6 +120,15 @@ void print_sensitivity(std::FILE* out, const std::vector<SensitivityRow>& rows) 
     }
 }
 
+/// The options by which a file was made, as TOML; "" if it does not say: nothing of a run depends on them.
+std::string configuration_of(const H5Input& file) {
+    try {
+        return file.attribute_or<std::string>(schema::provenance_group, "configuration", "");
+    } catch (const InputError&) {
+        return "";
+    }
+}
+
 int solve(int argc, char** argv) {
     const auto options = read_solve_options(argc, argv);
     if (!options) {
@@ -142,6 +152,7 @@ int solve(int argc, char** argv) {
     provenance.command_line.assign(argv, argv + argc);
     provenance.configuration = options->configuration;
     provenance.input_digest = input.digest();
+    provenance.specimen_configuration = configuration_of(input);
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary);

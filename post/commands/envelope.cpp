@@ -2,9 +2,12 @@
 
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "post/option_parts.hpp"
+#include "post/table/people_table.hpp"
+#include "post/table/table_form.hpp"
 
 namespace graincrack {
 
@@ -35,6 +38,7 @@ public:
         add(name + "_deviation" + (unit.empty() ? "" : "_" + unit), s ? s->deviation : std::nullopt, factor);
     }
     void write(std::ostream& out, TableFormat format) const { TableWriter(out, columns_, format).row(cells_); }
+    [[nodiscard]] NamedRow named() const { return {columns_, cells_}; }
 
 private:
     std::vector<std::string> columns_;
@@ -86,9 +90,43 @@ void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
     }
 }
 
+/// The plane condition of the compression tests, which is one for all.
+Cell plane_of_compression(const std::vector<RunData>& runs) {
+    const auto test = std::find_if(runs.begin(), runs.end(), [](const RunData& run) { return is_compression(run.header); });
+    return test == runs.end() ? Cell() : Cell(std::string(name_of(test->header.plane)));
+}
+
+/// The few quantities that people look for, a line each, with their intervals.
+void write_for_people(std::ostream& out, const NamedRow& row) {
+    PeopleTable table({{"quantity", ""}, {"value", ""}, {"95 % interval", ""}, {"unit", ""}});
+    const auto add = [&](const std::string& label, const std::string& name, const std::string& unit) {
+        const std::string suffix = unit.empty() ? "" : "_" + unit;
+        const std::string low = row.shown(name + "_low" + suffix);
+        table.row({label, row.shown(name + suffix), low.empty() ? "" : low + " to " + row.shown(name + "_high" + suffix),
+                   unit == "deg"  ? "°"
+                   : unit.empty() ? " "
+                                  : unit});
+    };
+    const auto add_value = [&](const std::string& label, const std::string& column) {
+        if (!row.text(column).empty()) table.row({label, row.shown(column), " ", "MPa"});
+    };
+    table.group(fmt::format("{} of {} compression runs, plane {}; strength: {}", row.text("runs"), row.text("compression_runs"),
+                            row.text("plane"), row.text("strength")));
+    add("cohesion C", "cohesion", "MPa");
+    add("friction angle φ", "friction_angle", "deg");
+    add("Hoek–Brown σci", "hoek_brown_sigma_ci", "MPa");
+    add("Hoek–Brown mi", "hoek_brown_mi", "");
+    table.group("tensile strength");
+    add_value("where the line has σ1 = 0", "mohr_coulomb_tensile_strength_MPa");
+    add_value("where the Hoek–Brown curve has σ1 = 0", "hoek_brown_tensile_strength_MPa");
+    add_value("Brazilian tests", "brazilian_tensile_strength_MPa");
+    add_value("direct tension", "direct_tensile_strength_MPa");
+    table.write(out);
+}
+
 }  // namespace
 
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format,
                           const EnvelopeOptions& options, std::ostream& diagnostics) {
     const std::vector<RunData> runs = read_runs(paths);
     const EnvelopeTests tests = collect_envelope_tests(runs, options);
@@ -108,6 +146,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     add_other_stresses(row, tests);
     row.add("strength", name_of(tests.kind));
     row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs()));
+    row.add("plane", plane_of_compression(runs));
     print_left_out(diagnostics, tests);
     if (tests.at_strain_limit > 0) {
         fmt::print(diagnostics,
@@ -116,23 +155,27 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
                    "and phi depend on that limit\n",
                    tests.at_strain_limit, runs.size());
     }
-    row.write(out, format);
+    if (format) {
+        row.write(out, *format);
+    } else {
+        write_for_people(out, row.named());
+    }
 }
 
 Command envelope_command() {
     struct Options {
-        TableFormat format = TableFormat::tsv;
+        TableForm form = TableForm::automatic;
         EnvelopeOptions envelope;
     };
     return make_command<Options>(
         "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals",
         {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
         [](CLI::App& app, Options& options) {
-            add_format(app, options.format);
+            add_form(app, options.form);
             add_envelope_options(app, options.envelope);
         },
         [](const Options& options, const Call& call) {
-            write_envelope_table(call.out, call.files, options.format, options.envelope, call.diagnostics());
+            write_envelope_table(call.out, call.files, format_of(options.form, call.out), options.envelope, call.diagnostics());
         });
 }
 

@@ -1,14 +1,17 @@
 #include "post/commands/fpz.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "post/fit/paper_rock.hpp"
 #include "post/option_parts.hpp"
 #include "share/command_line.hpp"
-#include "share/material.hpp"
+#include "share/incomplete_material.hpp"
+#include "share/units.hpp"
 
 namespace graincrack {
 
@@ -44,13 +47,19 @@ private:
     TableWriter table_;
 };
 
-void write_plane(FpzWriter& table, const Material& material, PlaneCondition condition) {
-    const Rock& rock = material.rock;
-    const ContactMaterial& contact = material.contact;
+/// What is known of a rock: all of it, or its laboratory values alone, without those of its contacts.
+struct KnownRock {
+    Rock rock;
+    std::optional<double> contact_tensile_strength;  ///< Pa
+    std::optional<double> contact_cohesion;          ///< Pa
+    std::vector<double> edges;                       ///< mean edges of the grains, m
+};
+
+void write_plane(FpzWriter& table, const KnownRock& known, PlaneCondition condition) {
+    const Rock& rock = known.rock;
     const std::string plane(name_of(condition));
     const double kt = fpz::normal_stiffness(rock, condition);
     const double ks = fpz::shear_stiffness(rock, condition);
-    const double critical_opening = fpz::critical_displacement(contact.tensile_strength, kt);
     table.row("effective_modulus", plane, fpz::effective_modulus(rock, condition) * 1e-9, "GPa", "32");
     table.row("mode_i_zone_thickness", plane, fpz::mode_i_zone_thickness(rock, condition) * 1e3, "mm", "33");
     table.row("mode_ii_zone_thickness", plane, fpz::mode_ii_zone_thickness(rock, condition) * 1e3, "mm", "34");
@@ -58,13 +67,23 @@ void write_plane(FpzWriter& table, const Material& material, PlaneCondition cond
     table.row("contact_normal_stiffness", plane, kt * 1e-9, "MPa/mm", "3-6");
     table.row("contact_shear_stiffness", plane, ks * 1e-9, "MPa/mm", "3-6");
     table.row("stiffness_ratio", plane, ks / kt, "1", "3-6");
-    table.row("critical_opening", plane, critical_opening * 1e3, "mm", "8");
-    table.row("critical_sliding", plane, fpz::critical_displacement(contact.cohesion, ks) * 1e3, "mm", "11");
+    if (known.contact_tensile_strength) {
+        const double critical_opening = fpz::critical_displacement(*known.contact_tensile_strength, kt);
+        table.row("critical_opening", plane, critical_opening * 1e3, "mm", "8");
+    }
+    if (known.contact_cohesion) {
+        table.row("critical_sliding", plane, fpz::critical_displacement(*known.contact_cohesion, ks) * 1e3, "mm", "11");
+    }
     const auto energy = [&](const std::string& name, double value, const std::string& equation) {
+        if (!known.contact_tensile_strength) {
+            table.row(name + "_fracture_energy", plane, value, "J/m2", equation);
+            return;
+        }
+        const double tc = *known.contact_tensile_strength;
         table.energy(name, plane,
                      {.fracture_energy = value,
-                      .ultimate_opening = fpz::ultimate_displacement(value, contact.tensile_strength, critical_opening),
-                      .zone_length = fpz::contact_zone_length(rock, condition, value, contact.tensile_strength)},
+                      .ultimate_opening = fpz::ultimate_displacement(value, tc, fpz::critical_displacement(tc, kt)),
+                      .zone_length = fpz::contact_zone_length(rock, condition, value, tc)},
                      equation);
     };
     energy("mixed_mode", fpz::mixed_mode_fracture_energy(rock, condition), "32");
@@ -91,22 +110,28 @@ void write_lennard_jones(FpzWriter& table, const Rock& rock) {
     }
 }
 
-/// Appendix 2: strengths of contact and rock, for the two values of the mean edge that the paper can be read to mean.
-void write_macro_micro(FpzWriter& table, const Material& material) {
-    const Rock& rock = material.rock;
-    const double tc = material.contact.tensile_strength;
-    for (const double edge : mean_edges_of_paper) {
+/// Appendix 2: strengths of contact and rock, for each mean edge.
+void write_macro_micro(FpzWriter& table, const KnownRock& known) {
+    const Rock& rock = known.rock;
+    for (const double edge : known.edges) {
         const std::string suffix = fmt::format("({:.4g} mm)", edge * 1e3);
         const double force = rock.mode_i_toughness * std::sqrt(edge / std::numbers::pi);
         const double strength = fpz::contact_tensile_strength_from_toughness(rock.mode_i_toughness, edge);
         table.row("first_contact_force_at_toughness" + suffix, "", force * 1e-3, "kN/m", "35-38");
         table.row("contact_tensile_strength_from_toughness" + suffix, "", strength * 1e-6, "MPa", "39, 40");
-        table.row("mode_i_toughness_over_contact_strength" + suffix, "", rock.mode_i_toughness / (tc * std::sqrt(edge)), "1",
-                  "41");
-        table.row("mode_ii_toughness_over_contact_cohesion" + suffix, "",
-                  rock.mode_ii_toughness / (material.contact.cohesion * std::sqrt(edge)), "1", "42");
-        table.row("tensile_strength_over_contact_strength" + suffix, "", rock.tensile_strength / (tc * std::sqrt(edge)),
-                  "1/m^0.5", "44");
+        if (known.contact_tensile_strength) {
+            const double tc = *known.contact_tensile_strength;
+            table.row("mode_i_toughness_over_contact_strength" + suffix, "", rock.mode_i_toughness / (tc * std::sqrt(edge)), "1",
+                      "41");
+        }
+        if (known.contact_cohesion) {
+            table.row("mode_ii_toughness_over_contact_cohesion" + suffix, "",
+                      rock.mode_ii_toughness / (*known.contact_cohesion * std::sqrt(edge)), "1", "42");
+        }
+        if (known.contact_tensile_strength) {
+            table.row("tensile_strength_over_contact_strength" + suffix, "",
+                      rock.tensile_strength / (*known.contact_tensile_strength * std::sqrt(edge)), "1/m^0.5", "44");
+        }
     }
     table.row("tensile_strength_from_toughness", "", fpz::tensile_strength_from_toughness(rock.mode_i_toughness) * 1e-6, "MPa",
               "43");
@@ -114,32 +139,67 @@ void write_macro_micro(FpzWriter& table, const Material& material) {
 
 /// Table quantity, plane, value, unit, equation (of Kazerani & Zhao 2014): Eqs 3–6, 8, 11, 14–17 and 30–44. `plane` is
 /// "strain" or "stress", empty for what does not depend on it.
-void write_fpz_table(std::ostream& out, const Material& material, TableFormat format) {
+void write_fpz_table(std::ostream& out, const KnownRock& known, TableFormat format) {
     FpzWriter table(out, format);
-    table.row("shear_modulus", "", fpz::shear_modulus(material.rock) * 1e-9, "GPa", "3-6");
-    write_plane(table, material, PlaneCondition::strain);
-    write_plane(table, material, PlaneCondition::stress);
-    write_grain_size(table, material.rock);
-    write_lennard_jones(table, material.rock);
-    write_macro_micro(table, material);
+    table.row("shear_modulus", "", fpz::shear_modulus(known.rock) * 1e-9, "GPa", "3-6");
+    write_plane(table, known, PlaneCondition::strain);
+    write_plane(table, known, PlaneCondition::stress);
+    write_grain_size(table, known.rock);
+    write_lennard_jones(table, known.rock);
+    write_macro_micro(table, known);
+}
+
+struct FpzOptions {
+    std::string material;
+    std::vector<std::string> edges;
+    TableFormat format = TableFormat::tsv;
+};
+
+/// The edges that were asked for; else those of the paper for its rock, else the laboratory's grain size, if there is one.
+std::vector<double> edges_of(const FpzOptions& options, const Material& material) {
+    std::vector<double> edges;
+    for (const std::string& edge : options.edges) edges.push_back(parse_quantity(edge, quantity::mean_edge, "--edge"));
+    if (!edges.empty()) return edges;
+    if (is_rock_of_paper(material.name)) return {mean_edges_of_paper.begin(), mean_edges_of_paper.end()};
+    const auto measured = material.laboratory.find("grain_size");
+    if (measured != material.laboratory.end()) edges.push_back(measured->second);
+    return edges;
+}
+
+/// \param notes gets a sentence for each value that was not measured
+KnownRock known_rock(const FpzOptions& options, std::vector<std::string>& notes) {
+    const IncompleteMaterial read = read_incomplete_material(options.material);
+    const auto known = [&](const char* key, double value) {
+        const bool missing = std::find(read.missing.begin(), read.missing.end(), key) != read.missing.end();
+        return missing ? std::nullopt : std::optional(value);
+    };
+    KnownRock rock{rock_of_laboratory(read, notes), known("contact.tensile_strength", read.material.contact.tensile_strength),
+                   known("contact.cohesion", read.material.contact.cohesion), edges_of(options, read.material)};
+    if (!rock.contact_tensile_strength) {
+        notes.emplace_back("contact.tensile_strength is not there: quantities that follow from it are left out");
+    }
+    if (rock.edges.empty()) notes.emplace_back("no grain size: give --edge or laboratory.grain_size for what depends on it");
+    return rock;
 }
 
 }  // namespace
 
 Command fpz_command() {
-    struct Options {
-        std::string material;
-        TableFormat format = TableFormat::tsv;
-    };
-    return make_command<Options>(
-        "fpz", "the fracture process zone of a rock, every number with its equation",
-        {"--material augig-granite", "--material augig-granite --format jsonl"}, std::nullopt,
-        [](CLI::App& app, Options& options) {
+    return make_command<FpzOptions>(
+        "fpz", "the fracture process zone of a rock, every number with its equation; laboratory values alone suffice",
+        {"--material augig-granite", "--material augig-granite --edge 2mm --edge 4mm --format jsonl"}, std::nullopt,
+        [](CLI::App& app, FpzOptions& options) {
             app.add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
+            add_names(app, "--edge", options.edges, "LENGTH",
+                      "mean edge of the grains, for what depends on it; may be given again; the laboratory's grain size unless "
+                      "given");
             add_format(app, options.format);
         },
-        [](const Options& options, const Call& call) {
-            write_fpz_table(call.out, read_material(options.material), options.format);
+        [](const FpzOptions& options, const Call& call) {
+            std::vector<std::string> notes;
+            const KnownRock rock = known_rock(options, notes);
+            write_fpz_table(call.out, rock, options.format);
+            for (const std::string& note : notes) fmt::print(call.diagnostics(), "fpz: note: {}\n", note);
         });
 }
 

@@ -1,66 +1,55 @@
 #include "post/commands/measures.hpp"
 
-#include <ostream>
-
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/option_parts.hpp"
+#include "post/table/table_form.hpp"
 #include "share/command_line.hpp"
-#include "share/equilibrium.hpp"
-#include "share/printable.hpp"
 
 namespace graincrack {
 
 namespace {
 
 struct StrengthOptions {
-    TableFormat format = TableFormat::tsv;
+    TableForm form = TableForm::automatic;
     bool summary = false;
 };
 
 void add_strength_options(CLI::App& app, StrengthOptions& options) {
-    add_format(app, options.format);
+    add_form(app, options.form);
     app.add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");
-}
-
-/// Says so on stderr where a run was far from equilibrium. (Stdin has been read; its run said so itself.)
-void warn_of_equilibrium(const std::string& file, const Call& call) {
-    if (file == "-") return;
-    const RunReader run(file);
-    const std::string warning = equilibrium_warning(run.header(), run.history());
-    if (!warning.empty()) call.diagnostics() << "strength: " << printable(file) << ": warning: " << warning << '\n';
 }
 
 }  // namespace
 
 Command strength_command() {
-    return make_command<StrengthOptions>(
-        "strength", "strength, strain, cracks at the peak and checks of the run, a row a run",
-        {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"}, several_runs, add_strength_options,
-        [](const StrengthOptions& options, const Call& call) {
-            (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, options.format);
-            call.out.flush();
-            if (!call.out) return;
-            for (const std::string& file : call.files) warn_of_equilibrium(file, call);
-        });
+    return make_command<StrengthOptions>("strength", "strength, strain, cracks at the peak and checks of the run, a row a run",
+                                         {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"},
+                                         several_runs, add_strength_options,
+                                         [](const StrengthOptions& options, const Call& call) {
+                                             (options.summary ? write_strength_summary : write_strength_table)(
+                                                 call.out, call.files, format_of(options.form, call.out), call.diagnostics());
+                                         });
 }
 
 Command moduli_command() {
-    return make_command<TableFormat>(
+    return make_command<TableForm>(
         "moduli",
         "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
         "and predicted from contact compliance",
-        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_format,
-        [](const TableFormat& format, const Call& call) { write_moduli_table(call.out, call.files, format); });
+        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_form,
+        [](const TableForm& form, const Call& call) { write_moduli_table(call.out, call.files, format_of(form, call.out)); });
 }
 
 Command toughness_command() {
     return make_command<TableFormat>(
         "toughness", "fracture toughness K_IC from tension of rectangles with a notch through the middle, a row a run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs, add_format,
-        [](const TableFormat& format, const Call& call) { write_toughness_table(call.out, call.files, format); });
+        [](const TableFormat& format, const Call& call) {
+            write_toughness_table(call.out, call.files, format, call.diagnostics());
+        });
 }
 
 }  // namespace graincrack

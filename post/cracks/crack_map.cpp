@@ -2,9 +2,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -41,6 +43,14 @@ vtkSmartPointer<Array> make_array(const char* name, int components, std::size_t 
     return array;
 }
 
+/// The unit as ParaView shows it.
+void set_unit(vtkDataArray* array, const char* unit) { array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit); }
+template <class Array>
+vtkSmartPointer<Array> with_unit(vtkSmartPointer<Array> array, const char* unit) {
+    set_unit(array, unit);
+    return array;
+}
+
 /// A 3-vector for every node from a plane one.
 template <class Array = vtkDoubleArray>
 vtkSmartPointer<Array> vectors(const char* name, const std::vector<std::array<double, 2>>& plane) {
@@ -55,6 +65,27 @@ vtkSmartPointer<Array> vectors(const char* name, const std::vector<std::array<do
 template <class Array, class T>
 vtkSmartPointer<Array> scalars(const char* name, const std::vector<T>& values) {
     return make_array<Array>(name, 1, values.size(), [&](std::size_t i, auto* v) { *v = values[i]; });
+}
+
+/// A number with its unit as field data.
+void add_field(vtkDataObject* data, const char* name, double value, const char* unit) {
+    const auto array = make_array<vtkDoubleArray>(name, 1, 1, [&](std::size_t, double* v) { *v = value; });
+    set_unit(array, unit);
+    data->GetFieldData()->AddArray(array);
+}
+
+/// Texts as field data.
+void add_texts(vtkDataObject* data, const char* name, const std::vector<std::string>& texts) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    for (const std::string& text : texts) array->InsertNextValue(text);
+    data->GetFieldData()->AddArray(array);
+}
+
+void add_moment(vtkDataObject* data, const FrameMoment& moment) {
+    add_field(data, "time", moment.time, "s");
+    add_field(data, "axial_strain", moment.axial_strain, "1");
+    add_field(data, "axial_stress", moment.axial_stress, "Pa");
 }
 
 template <class Writer, class Data>
@@ -79,13 +110,17 @@ void add_stress(vtkCellData* cells, const std::vector<std::array<double, 4>>& st
         std::transform(all.begin(), all.end(), v, [](double value) { return static_cast<float>(value); });
     });
     constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    set_unit(tensor, "Pa");
     for (std::size_t k = 0; k < names.size(); ++k) tensor->SetComponentName(static_cast<vtkIdType>(k), names[k]);
     cells->AddArray(tensor);
     const auto principal = [&](const char* name, double sign) {
-        cells->AddArray(make_array<vtkFloatArray>(name, 1, n, [&](std::size_t i, float* v) {
-            const auto& [xx, yy, xy, zz] = stress[i];
-            *v = static_cast<float>((xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy));
-        }));
+        cells->AddArray(with_unit(make_array<vtkFloatArray>(name, 1, n,
+                                                            [&](std::size_t i, float* v) {
+                                                                const auto& [xx, yy, xy, zz] = stress[i];
+                                                                *v = static_cast<float>((xx + yy) / 2 +
+                                                                                        sign * std::hypot((xx - yy) / 2, xy));
+                                                            }),
+                                  "Pa"));
     };
     principal("principal_stress_1", 1);
     principal("principal_stress_2", -1);
@@ -105,53 +140,92 @@ std::array<double, 2> current_middle(const Specimen& specimen, const Frame& fram
     return middle;
 }
 
-/// Minerals on both sides and what is left of the contact at the time of the frame.
-void add_contact_data(vtkCellData* cells, const std::vector<Crack>& cracks, const Specimen& specimen, const Frame& frame) {
+/// Adds arrays with an entry for each of some cracks.
+class CrackArrays {
+public:
+    CrackArrays(vtkCellData* cells, const std::vector<Crack>& cracks) : cells_(cells), cracks_(cracks) {}
+    template <class Value>
+    void real(const char* name, const char* unit, const Value& value) {
+        const auto array =
+            make_array<vtkDoubleArray>(name, 1, cracks_.size(), [&](std::size_t i, double* v) { *v = value(cracks_[i]); });
+        set_unit(array, unit);
+        cells_->AddArray(array);
+    }
+    template <class Value>
+    void byte(const char* name, const Value& value) {
+        cells_->AddArray(make_array<vtkUnsignedCharArray>(name, 1, cracks_.size(), [&](std::size_t i, unsigned char* v) {
+            *v = static_cast<unsigned char>(value(cracks_[i]));
+        }));
+    }
+
+private:
+    vtkCellData* cells_;
+    const std::vector<Crack>& cracks_;
+};
+
+/// What a point that has failed would give back, J: open ½ σ·δ, since it unloads towards the origin; closed the compression of
+/// its normal spring and the elastic part of its sliding.
+double stored_energy(const Frame& frame, const Crack& crack, const ContactParameters& contact) {
+    const auto c = static_cast<std::size_t>(crack.contact);
+    const double opening = frame.opening[c][crack.point];
+    const double sliding = frame.sliding[c][crack.point];
+    const double normal = frame.traction[c][2 * crack.point];
+    const double shear = frame.traction[c][2 * crack.point + 1];
+    const double per_area = opening >= 0
+                                ? 0.5 * (normal * opening + shear * sliding)
+                                : 0.5 * (normal * normal / contact.normal_stiffness + shear * shear / contact.shear_stiffness);
+    return per_area * crack.length;
+}
+
+/// What changes from frame to frame.
+void add_present_data(CrackArrays& arrays, const Frame& frame, const ContactParameters& contact) {
+    const auto index = [](const Crack& c) { return static_cast<std::size_t>(c.contact); };
+    arrays.real("opening", "m", [&](const Crack& c) { return frame.opening[index(c)][c.point]; });
+    arrays.real("sliding", "m", [&](const Crack& c) { return frame.sliding[index(c)][c.point]; });
+    arrays.real("normal_traction", "Pa", [&](const Crack& c) { return frame.traction[index(c)][2 * c.point]; });
+    arrays.real("shear_traction", "Pa", [&](const Crack& c) { return frame.traction[index(c)][2 * c.point + 1]; });
+    arrays.real("stored_energy", "J", [&](const Crack& c) { return stored_energy(frame, c, contact); });
+    arrays.real("damage", "1", [&](const Crack& c) { return frame.damage[index(c)][c.point]; });
+    arrays.byte("separated", [&](const Crack& c) { return c.time_separated <= frame.time; });  // false for NaN
+    arrays.byte("broken", [&](const Crack& c) { return c.time_broken <= frame.time; });
+}
+
+/// What is the same in all frames.
+void add_failure_data(CrackArrays& arrays) {
+    arrays.real("time_of_failure", "s", [](const Crack& c) { return c.time; });
+    arrays.real("opening_at_failure", "m", [](const Crack& c) { return c.opening; });
+    arrays.real("sliding_at_failure", "m", [](const Crack& c) { return c.sliding; });
+    arrays.byte("mode", [](const Crack& c) { return c.mode; });
+    arrays.real("mode_angle", "rad", [](const Crack& c) { return c.mode_angle; });
+    arrays.byte("mode_by_displacement", [](const Crack& c) {
+        return *mode_of(c, {CrackEvent::failed, CrackModeRule::displacement});
+    });
+    arrays.real("fracture_energy_at_end", "J", [](const Crack& c) { return c.energy_released; });
+    arrays.real("time_broken", "s", [](const Crack& c) { return c.time_broken; });
+    arrays.byte("point", [](const Crack& c) { return c.point; });
+}
+
+/// Minerals on both sides.
+void add_phases(vtkCellData* cells, const std::vector<Crack>& cracks, const Specimen& specimen) {
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto contact_of = [&](std::size_t i) { return static_cast<std::size_t>(cracks[i].contact); };
     const auto phase = [&](const char* name, std::size_t side) {
         cells->AddArray(make_array<vtkUnsignedCharArray>(name, 1, cracks.size(), [&](std::size_t i, unsigned char* v) {
-            const auto node = static_cast<std::size_t>(specimen.contact_nodes[contact_of(i)][side]);
+            const auto node = static_cast<std::size_t>(specimen.contact_nodes[static_cast<std::size_t>(cracks[i].contact)][side]);
             *v = specimen.grain_phase[static_cast<std::size_t>(grain[node])];
         }));
     };
     phase("phase_a", 0);
     phase("phase_b", 2);
-    cells->AddArray(make_array<vtkDoubleArray>(
-        "damage", 1, cracks.size(), [&](std::size_t i, double* v) { *v = frame.damage[contact_of(i)][cracks[i].point]; }));
-}
-
-void add_crack_data(vtkCellData* cells, const std::vector<Crack>& cracks, double time) {
-    const auto real = [&](const char* name, auto value) {
-        cells->AddArray(
-            make_array<vtkDoubleArray>(name, 1, cracks.size(), [&](std::size_t i, double* v) { *v = value(cracks[i]); }));
-    };
-    const auto byte = [&](const char* name, auto value) {
-        cells->AddArray(make_array<vtkUnsignedCharArray>(
-            name, 1, cracks.size(), [&](std::size_t i, unsigned char* v) { *v = static_cast<unsigned char>(value(cracks[i])); }));
-    };
-    byte("mode", [](const Crack& c) { return c.mode; });
-    real("time", [](const Crack& c) { return c.time; });
-    real("mode_angle", [](const Crack& c) { return c.mode_angle; });
-    real("opening", [](const Crack& c) { return c.opening; });
-    real("sliding", [](const Crack& c) { return c.sliding; });
-    real("energy", [](const Crack& c) { return c.energy_released; });
-    byte("separated", [time](const Crack& c) { return c.time_separated <= time; });  // false for NaN
-    byte("point", [](const Crack& c) { return c.point; });
-    byte("mode_by_displacement", [](const Crack& c) {
-        return *mode_of(c, {CrackEvent::failed, CrackModeRule::displacement});
-    });  // of `opening`, `sliding`
-    byte("broken", [time](const Crack& c) { return c.time_broken <= time; });
-    real("time_broken", [](const Crack& c) { return c.time_broken; });
-    cells->AddArray(make_array<vtkIntArray>("contact", 1, cracks.size(), [&](std::size_t i, int* v) { *v = cracks[i].contact; }));
 }
 
 }  // namespace
 
-void write_grains(const std::string& path, const Specimen& specimen, Frame frame, const Fragments& fragments) {
+void write_grains(const std::string& path, const Specimen& specimen, Frame frame, const Fragments& fragments,
+                  const FrameMoment& moment) {
     vtkNew<vtkUnstructuredGrid> grid;
-    grid->GetPointData()->AddArray(vectors("displacement", std::exchange(frame.displacement, {})));
-    grid->GetPointData()->AddArray(vectors<vtkFloatArray>("velocity", std::exchange(frame.velocity, {})));
+    add_moment(grid, moment);
+    grid->GetPointData()->AddArray(with_unit(vectors("displacement", std::exchange(frame.displacement, {})), "m"));
+    grid->GetPointData()->AddArray(with_unit(vectors<vtkFloatArray>("velocity", std::exchange(frame.velocity, {})), "m/s"));
     vtkCellData* cells = grid->GetCellData();
     add_stress(cells, std::exchange(frame.element_stress, {}));
     frame = {};
@@ -173,7 +247,7 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
 }
 
 void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& labelled_cracks,
-                  const Frame& frame, const CrackLabel& label) {
+                  const Frame& frame, const CrackLabel& label, const ContactParameters& contact, const FrameMoment& moment) {
     const std::vector<Crack> present = cracks_until(labelled_cracks, frame.time);
     std::vector<std::array<double, 2>> ends;
     std::vector<std::array<double, 2>> moves;
@@ -194,13 +268,42 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     points->SetData(vectors("position", ends));
     data->SetPoints(points);
     data->SetLines(lines);
-    data->GetPointData()->AddArray(vectors("displacement", moves));
-    add_crack_data(data->GetCellData(), present, frame.time);
-    add_contact_data(data->GetCellData(), present, specimen, frame);
-    vtkNew<vtkStringArray> definition;
-    definition->SetName("crack_label");
-    definition->InsertNextValue(definition_of(label));
-    data->GetFieldData()->AddArray(definition);
+    data->GetPointData()->AddArray(with_unit(vectors("displacement", moves), "m"));
+    CrackArrays arrays(data->GetCellData(), present);
+    add_present_data(arrays, frame, contact);
+    add_failure_data(arrays);
+    data->GetCellData()->AddArray(
+        make_array<vtkIntArray>("contact", 1, present.size(), [&](std::size_t i, int* v) { *v = present[i].contact; }));
+    add_phases(data->GetCellData(), present, specimen);
+    add_texts(data, "crack_label", {definition_of(label)});
+    add_texts(data, "mode_names", {"tensile", "shear"});
+    add_moment(data, moment);
+    write_xml<vtkXMLPolyDataWriter>(path, data.Get());
+}
+
+void write_platens(const std::string& path, const Specimen& specimen, const FrameMoment& moment) {
+    const double half_width = specimen.width / 2 * (specimen.shape == "disc" ? 0.5 : 1.0);
+    const double thickness = 0.05 * specimen.height;
+    std::vector<std::array<double, 2>> corners;
+    std::vector<std::array<double, 2>> moves;
+    vtkNew<vtkCellArray> rectangles;
+    for (const double side : {-1.0, 1.0}) {
+        const double inner = side * specimen.height / 2;
+        const double outer = inner + side * thickness;
+        const auto first = static_cast<vtkIdType>(corners.size());
+        corners.insert(corners.end(), {{-half_width, inner}, {half_width, inner}, {half_width, outer}, {-half_width, outer}});
+        moves.insert(moves.end(), 4, {0, inner * moment.axial_strain});
+        rectangles->InsertNextCell({first, first + 1, first + 2, first + 3});
+    }
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPoints> points;
+    points->SetData(vectors("position", corners));
+    data->SetPoints(points);
+    data->SetPolys(rectangles);
+    data->GetPointData()->AddArray(with_unit(vectors("displacement", moves), "m"));
+    data->GetCellData()->AddArray(make_array<vtkUnsignedCharArray>(
+        "platen", 1, 2, [](std::size_t i, unsigned char* v) { *v = static_cast<unsigned char>(i); }));
+    add_moment(data, moment);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }
 

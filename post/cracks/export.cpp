@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <sstream>
@@ -21,11 +22,22 @@ namespace graincrack {
 
 namespace {
 
-std::string pvd(const std::string& stem, const std::string& suffix, const std::vector<double>& times) {
+/// Files of one kind in a series: "grains_0000.vtu", …
+struct Part {
+    std::string stem;
+    std::string suffix;
+};
+
+/// A list of files by time; several parts are blocks of one data set.
+std::string pvd(const std::vector<Part>& parts, const std::vector<double>& times) {
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
     for (std::size_t i = 0; i < times.size(); ++i) {
-        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}_{:04}.{}\"/>\n", times[i], stem, i, suffix);
+        for (std::size_t part = 0; part < parts.size(); ++part) {
+            const auto& [stem, suffix] = parts[part];
+            text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}_{:04}.{}\" name=\"{}\"/>\n", times[i], part,
+                                stem, i, suffix, stem);
+        }
     }
     return text + "  </Collection>\n</VTKFile>\n";
 }
@@ -51,18 +63,44 @@ std::vector<std::size_t> distinct_frames(const std::vector<double>& times) {
     return frames;
 }
 
-Breakup write_frames(const RunReader& run, const std::vector<std::size_t>& frames, const Specimen& specimen,
-                     const std::vector<Crack>& cracks, const CrackLabel& label, const std::string& folder, Verbosity verbosity) {
+/// What the frames of a run are written with.
+struct Series {
+    const RunReader& run;
+    const Specimen& specimen;
+    const RunData& data;
+    const std::vector<Crack>& cracks;
+    const CrackLabel& label;
+    std::string folder;
+    /// Platens press on the specimen, and move as the history says; those of direct tension are its own ends.
+    [[nodiscard]] bool has_platens() const { return data.header.test != "tension" && data.header.max_strain > 0; }
+};
+
+/// Load and strain in the row of the history at, or next after, a time.
+FrameMoment moment_of(const RunData& data, double time) {
+    const std::vector<double>& times = data.history[HistoryColumn::time];
+    if (times.empty()) return {time, 0, 0};
+    const auto after = std::lower_bound(times.begin(), times.end(), time);
+    const auto row = static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
+    return {time, data.history[HistoryColumn::axial_strain][row], data.history[HistoryColumn::axial_stress][row]};
+}
+
+Breakup write_frames(const Series& series, const std::vector<std::size_t>& frames, Verbosity verbosity) {
     Progress progress("cracks", verbosity);
     Breakup breakup;
     const std::size_t n = frames.size();
     for (std::size_t i = 0; i < n; ++i) {
         throw_if_interrupted();
-        Frame frame = read_frame(run, specimen, frames[i]);
-        breakup.last = find_fragments(specimen, frame.state);
+        Frame frame = read_frame(series.run, series.specimen, frames[i]);
+        const FrameMoment moment = moment_of(series.data, frame.time);
+        const auto file = [&](const char* stem, const char* suffix) {
+            return fmt::format("{}/{}_{:04}.{}", series.folder, stem, i, suffix);
+        };
+        breakup.last = find_fragments(series.specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
-        write_cracks(fmt::format("{}/cracks_{:04}.vtp", folder, i), specimen, cracks, frame, label);
-        write_grains(fmt::format("{}/grains_{:04}.vtu", folder, i), specimen, std::move(frame), breakup.last);
+        write_cracks(file("cracks", "vtp"), series.specimen, series.cracks, frame, series.label, series.data.header.contact,
+                     moment);
+        if (series.has_platens()) write_platens(file("platens", "vtp"), series.specimen, moment);
+        write_grains(file("grains", "vtu"), series.specimen, std::move(frame), breakup.last, moment);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(n), fmt::format("frame {}", i + 1));
     }
     progress.finish();
@@ -159,7 +197,8 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const OutputLock lock(folder + "/cracks");
     // The lists of files come last: a folder without them is not whole.
     for (const char* list : {"/grains.pvd", "/cracks.pvd"}) std::remove((folder + list).c_str());
-    const Breakup breakup = write_frames(run, frames, specimen, shown, options.label, folder, verbosity);
+    const Series series{run, specimen, data, shown, options.label, folder};
+    const Breakup breakup = write_frames(series, frames, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options.events);
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
@@ -175,8 +214,10 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     if (curve) {
         table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });
     }
-    write_whole_file(folder + "/grains.pvd", pvd("grains", "vtu", times));
-    write_whole_file(folder + "/cracks.pvd", pvd("cracks", "vtp", times));
+    std::vector<Part> blocks{{"grains", "vtu"}};
+    if (series.has_platens()) blocks.push_back({"platens", "vtp"});
+    write_whole_file(folder + "/grains.pvd", pvd(blocks, times));
+    write_whole_file(folder + "/cracks.pvd", pvd({{"cracks", "vtp"}}, times));
 }
 
 }  // namespace graincrack

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "post/fit/nonlinear_fit.hpp"
+#include "post/fit/paper_rock.hpp"
 #include "post/measure/comparable.hpp"
 #include "share/error.hpp"
 
@@ -45,8 +46,8 @@ void write_row(TableWriter& table, const SizeSeries& s, const std::string& name,
                static_cast<std::int64_t>(s.at_strain_limit), *small / millimetre, *large / millimetre,
                law ? Cell(law->exponent.value) : Cell(), law ? cell(law->exponent.low) : Cell(),
                law ? cell(law->exponent.high) : Cell(), law ? Cell(law->coefficient * 1e-6) : Cell(),
-               tensile ? Cell(theory_exponent) : Cell(), s.test == "brazilian" ? Cell(paper_exponent) : Cell(),
-               s.contact_zone_length / *small, s.contact_zone_length / *large});
+               tensile ? Cell(theory_exponent) : Cell(), cell(s.exponent_of_paper()), s.contact_zone_length / *small,
+               s.contact_zone_length / *large});
 }
 
 void require_sizes(const SizeSeries& s) {
@@ -94,6 +95,7 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLi
         SizeSeries& s = series[{h.test, h.confining_pressure}];
         s.test = h.test;
         s.confining_pressure = h.confining_pressure;
+        s.of_paper = is_rock_of_paper(h.material);
         s.contact_zone_length = fpz::contact_zone_length(h.rock, h.plane, h.contact.fracture_energy, h.contact.tensile_strength);
         if (stopped_at_strain_limit(run, strength, strain_limit_runs, "a size effect")) ++s.at_strain_limit;
         s.edge.push_back(run.specimen.mean_edge);

@@ -1,6 +1,7 @@
-// Strength against grain size: a power law with its interval, beside the exponents of theory and of the paper.
+// Strength against grain size: a power law with its interval, beside the exponents of theory and, for its rock, of the paper.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std
 
 /// σt ∝ dp^½ at fixed contact parameters (paper, Eq 44).
 inline constexpr double theory_exponent = 0.5;
-/// The exponent the paper finds for σt (Fig 10).
+/// The exponent the paper finds for σt of Augig granite (Fig 10).
 inline constexpr double paper_exponent = 0.39;
 
 /// Runs of one test at one confining pressure.
@@ -36,6 +37,11 @@ struct SizeSeries {
     std::vector<double> strength;     ///< Pa
     std::size_t at_strain_limit = 0;  ///< runs stopped at the strain limit, whose largest stress stands for a peak
     double contact_zone_length = 0;   ///< (9π/32) Ẽ Gf/tc², m
+    bool of_paper = false;            ///< the rock is that of the paper
+    /// The exponent to compare with; empty for another rock or test than the paper's.
+    [[nodiscard]] std::optional<double> exponent_of_paper() const {
+        return of_paper && test == "brazilian" ? std::optional(paper_exponent) : std::nullopt;
+    }
 };
 /// Mean edges of seeds of one size differ by up to a percent; scatter of 4 % in the strengths over this ratio of edges is an
 /// exponent of 0.2, half of the exponent of a typical size effect.

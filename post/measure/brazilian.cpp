@@ -38,21 +38,29 @@ std::optional<double> radius_of_first(const Specimen& specimen, const std::vecto
     return sum / static_cast<double>(n) / (specimen.width / 2);
 }
 
-std::string warning(const BrazilianSplit& split, double peak) {
-    std::string label;
-    const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
+std::vector<Objection> find_objections(const BrazilianSplit& split, double peak) {
+    std::vector<Objection> found;
     if (!split.spanning_stress) {
-        add(fmt::format("tensile cracks never span {:.2g} D", spanning_share));
+        const std::string text = fmt::format("tensile cracks never span {:.2g} D", spanning_share);
+        found.push_back({text, text});
     } else if (const double off = 1 - *split.spanning_stress / peak; std::abs(off) > 0.05) {
-        add(fmt::format("load at the span is {:.0f} % below the largest", 100 * off));
+        found.push_back({"the largest load is not that of the split",
+                         fmt::format("load at the span is {:.0f} % below the largest", 100 * off)});
     }
     if (split.first_crack_radius && *split.first_crack_radius > 0.5) {
-        add(fmt::format("first cracks at {:.2f} R, not inside 0.5 R", *split.first_crack_radius));
+        found.push_back(
+            {"first cracks outside 0.5 R", fmt::format("first cracks at {:.2f} R, not inside 0.5 R", *split.first_crack_radius)});
     }
-    return label;
+    return found;
 }
 
 }  // namespace
+
+std::string BrazilianSplit::warning() const {
+    std::string label;
+    for (const Objection& objection : objections) label += (label.empty() ? "" : "; ") + objection.text;
+    return label;
+}
 
 BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks) {
     const auto& times = run.history[HistoryColumn::time];
@@ -61,7 +69,7 @@ BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const S
     if (const auto time = time_of_span(specimen, cracks)) split.spanning_stress = at_time(times, curve.stress, *time);
     std::erase_if(cracks, [](const Crack& c) { return c.mode != CrackMode::tensile; });
     split.first_crack_radius = radius_of_first(specimen, cracks, times[curve.peak]);
-    split.warning = warning(split, curve.peak_stress());
+    split.objections = find_objections(split, curve.peak_stress());
     return split;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "post/measure/load_curve.hpp"
+#include "post/measure/objection.hpp"
 
 namespace graincrack {
 
@@ -16,8 +17,10 @@ struct BrazilianSplit {
     /// Mean distance of the first tensile cracks (the first 5 % of those at the peak, two points at least) from the centre
     /// over the radius; empty without any.
     std::optional<double> first_crack_radius;
-    /// Why 2Fmax/(π t D) may not be the tensile strength; empty if there is no objection.
-    std::string warning;
+    /// Why 2Fmax/(π t D) may not be the tensile strength.
+    std::vector<Objection> objections;
+    /// Their texts in one; empty if there are none.
+    [[nodiscard]] std::string warning() const;
 };
 inline constexpr double spanning_share = 0.8;
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "post/fit/statistics.hpp"
+#include "post/measure/tables_for_people.hpp"
 #include "post/measure/thresholds.hpp"
 #include "share/error.hpp"
 
@@ -46,7 +47,8 @@ const std::vector<std::string> columns{"file",
                                        "warning",
                                        "crack_initiation_count_damage_10_MPa",
                                        "crack_initiation_count_damage_50_MPa",
-                                       "crack_initiation_count_damage_90_MPa"};
+                                       "crack_initiation_count_damage_90_MPa",
+                                       "plane"};
 constexpr std::size_t n_damage_columns = std::tuple_size_v<InitiationByDamage>;
 
 void append(std::vector<Cell>& row, const ElasticPair& pair) {
@@ -104,12 +106,13 @@ std::vector<Cell> moduli_row(const std::string& path) {
     row.resize(21);
     row.emplace_back(kind);
     if (is_compression(run.header) && !kind.empty()) append_thresholds(row, run, curve);
-    row.resize(columns.size() - n_damage_columns - 1);
+    row.resize(columns.size() - n_damage_columns - 2);
     row.push_back(measured ? Cell(warning(*measured, kind)) : Cell());
     if (is_compression(run.header) && !kind.empty()) {
         for (const auto& stress : initiation_by_damage(run, curve, reader.cracks())) row.push_back(megapascal(stress));
     }
-    row.resize(columns.size());
+    row.resize(columns.size() - 1);
+    row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
 }
 
@@ -192,8 +195,14 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
                                   contact_length_per_area(specimen));
 }
 
-void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
-    write_file_rows(out, columns, runs, moduli_row, format);
+void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format) {
+    if (format) {
+        write_file_rows(out, columns, runs, moduli_row, *format);
+        return;
+    }
+    std::vector<std::vector<Cell>> rows;
+    for (const std::string& run : runs) rows.push_back(moduli_row(run));
+    write_moduli_for_people(out, {columns, rows});
 }
 
 }  // namespace graincrack

@@ -8,8 +8,10 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/run_state.hpp"
-#include "post/measure/brazilian.hpp"
+#include "post/measure/objections.hpp"
+#include "post/measure/tables_for_people.hpp"
 #include "share/error.hpp"
+#include "share/printable.hpp"
 
 namespace graincrack {
 
@@ -59,6 +61,7 @@ const std::vector<std::string> first_columns{"file",
 std::vector<std::string> all_columns() {
     std::vector<std::string> columns = first_columns;
     columns.insert(columns.end(), label_columns().begin(), label_columns().end());
+    columns.emplace_back("plane");
     return columns;
 }
 
@@ -66,13 +69,19 @@ constexpr double degree = std::numbers::pi / 180;
 
 Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
 
-void append_split(std::vector<Cell>& row, const RunReader& reader, const RunData& run) {
+/// The columns of a Brazilian test, empty for others. \return the split, empty for others
+std::optional<BrazilianSplit> append_split(std::vector<Cell>& row, const RunReader& reader, const RunData& run) {
+    if (run.header.test != "brazilian") {
+        row.insert(row.end(), 4, Cell());
+        return std::nullopt;
+    }
     const Specimen specimen = reader.specimen();
-    const BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
+    BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
     row.push_back(megapascal(split.spanning_stress));
     row.push_back(cell(split.first_crack_radius));
     row.emplace_back(specimen.loading_arc / degree);
-    row.emplace_back(split.warning);
+    row.emplace_back(split.warning());
+    return split;
 }
 
 void append_first_peak(std::vector<Cell>& row, const std::optional<FirstPeak>& peak) {
@@ -82,7 +91,17 @@ void append_first_peak(std::vector<Cell>& row, const std::optional<FirstPeak>& p
     row.push_back(peak && peak->rehardening ? Cell(*peak->rehardening * 1e-9) : Cell());
 }
 
-std::vector<Cell> strength_row(const std::string& path) {
+/// What speaks against the strengths of some runs: a line for each run and reason, and the runs counted.
+struct Doubts {
+    std::vector<std::string> lines;
+    ObjectionCount count;
+    void add(const RunData& run, const std::vector<Objection>& objections) {
+        for (const Objection& objection : objections) lines.push_back(printable(run.name) + ": warning: " + objection.text);
+        count.add(run, objections);
+    }
+};
+
+std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
     const Strength strength = measure_strength(run);
@@ -110,11 +129,7 @@ std::vector<Cell> strength_row(const std::string& path) {
                           megapascal(strength.stress_at_marks[0]),
                           megapascal(strength.stress_at_marks[1]),
                           megapascal(strength.stress_at_marks[2])};
-    if (run.header.test == "brazilian") {
-        append_split(row, reader, run);
-    } else {
-        row.insert(row.end(), 4, Cell());
-    }
+    doubts.add(run, objections_to(run, append_split(row, reader, run)));
     row.push_back(run.header.confining_pressure > 0 ? Cell(run.header.confinement_mean * 1e-6) : Cell());
     const ContactParameters& contact = run.header.contact;
     row.emplace_back(run.header.contact_law);
@@ -129,6 +144,7 @@ std::vector<Cell> strength_row(const std::string& path) {
     }
     const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
     for (Cell& each : label_cells(reader.cracks(), reader.has_damage_times(), time_of_peak)) row.push_back(std::move(each));
+    row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
 }
 
@@ -180,8 +196,23 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
     return true;
 }
 
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
-    write_file_rows(out, all_columns(), runs, strength_row, format);
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
+                          std::ostream& diagnostics) {
+    Doubts doubts;
+    const std::vector<std::string> columns = all_columns();
+    std::vector<std::vector<Cell>> rows;
+    for (const std::string& run : runs) rows.push_back(strength_row(run, doubts));
+    if (format) {
+        TableWriter table(out, columns, *format);
+        for (const auto& row : rows) table.row(row);
+    } else {
+        write_strengths_for_people(out, {columns, rows});
+    }
+    out.flush();
+    if (!out) return;  // the command says so
+    for (const std::string& line : doubts.lines) diagnostics << "strength: " << line << '\n';
+    const std::string tension = doubts.count.tension_line();
+    if (!tension.empty()) diagnostics << "strength: warning: " << tension << '\n';
 }
 
 }  // namespace graincrack

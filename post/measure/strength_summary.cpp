@@ -5,13 +5,16 @@
 #include <tuple>
 
 #include "post/measure/comparable.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
+#include "post/measure/tables_for_people.hpp"
 
 namespace graincrack {
 
 namespace {
 
 struct Members {
+    PlaneCondition plane{};
     std::vector<double> strengths;
     std::size_t without_peak = 0;
 };
@@ -32,13 +35,15 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
         require_same_material(run, runs.front(), "a mean over runs");
         const Strength strength = measure_strength(run);
         Members& members = sets[key_of(run.header)];
+        members.plane = run.header.plane;  // the same in all, as settings are
         members.strengths.push_back(strength.value());
         if (strength.peak_kind != "drop") ++members.without_peak;
     }
     std::vector<StrengthGroup> groups;
     std::optional<double> brazilian;
     for (const auto& [key, members] : sets) {
-        StrengthGroup group{std::get<2>(key), std::get<1>(key), sample(members.strengths), members.without_peak, std::nullopt};
+        StrengthGroup group{std::get<2>(key),          std::get<1>(key),     members.plane,
+                            sample(members.strengths), members.without_peak, std::nullopt};
         if (group.test == "brazilian") {
             brazilian = group.strength.mean.value;
         } else if (brazilian) {
@@ -49,18 +54,36 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     return groups;
 }
 
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format) {
-    const std::vector<StrengthGroup> groups = group_strengths(read_runs(paths));
-    TableWriter table(out,
-                      {"test", "confining_pressure_MPa", "runs", "runs_without_peak", "strength_MPa", "strength_deviation_MPa",
-                       "strength_low_MPa", "strength_high_MPa", "ratio_to_brazilian"},
-                      format);
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format,
+                            std::ostream& diagnostics) {
+    static const std::vector<std::string> columns{"test",
+                                                  "confining_pressure_MPa",
+                                                  "runs",
+                                                  "runs_without_peak",
+                                                  "strength_MPa",
+                                                  "strength_deviation_MPa",
+                                                  "strength_low_MPa",
+                                                  "strength_high_MPa",
+                                                  "ratio_to_brazilian",
+                                                  "plane"};
+    ObjectionCount doubts;
+    std::vector<std::vector<Cell>> rows;
     const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
-    for (const StrengthGroup& g : groups) {
-        table.row({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
-                   static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
-                   megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian)});
+    for (const StrengthGroup& g : group_strengths(read_doubted_runs(paths, doubts))) {
+        rows.push_back({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
+                        static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
+                        megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian),
+                        std::string(name_of(g.plane))});
     }
+    if (format) {
+        TableWriter table(out, columns, *format);
+        for (const auto& row : rows) table.row(row);
+    } else {
+        write_summary_for_people(out, {columns, rows});
+    }
+    out.flush();
+    if (!out) return;  // the command says so
+    for (const std::string& line : doubts.lines()) diagnostics << "strength: warning: " << line << '\n';
 }
 
 }  // namespace graincrack

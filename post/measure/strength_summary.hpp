@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace graincrack {
 struct StrengthGroup {
     std::string test;
     double confining_pressure = 0;  ///< Pa
-    Sample strength;                ///< Pa; largest stresses, also of runs without a peak
-    std::size_t without_peak = 0;   ///< number of runs
+    PlaneCondition plane{};
+    Sample strength;               ///< Pa; largest stresses, also of runs without a peak
+    std::size_t without_peak = 0;  ///< number of runs
     /// Mean strength over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
     std::optional<double> ratio_to_brazilian;
 };
@@ -25,7 +27,9 @@ struct StrengthGroup {
 /// \throws InputError if the runs are not of one material
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
 
-/// Table `strength --summary`.
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
+/// Table `strength --summary`. \param format for scripts; empty: the table for people \param diagnostics gets, after the table,
+/// what speaks against the strengths, with numbers of runs
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
+                            std::ostream& diagnostics);
 
 }  // namespace graincrack

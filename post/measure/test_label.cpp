@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace graincrack {
 
 std::string test_title(const RunHeader& header) {
@@ -19,6 +21,10 @@ std::string series_label(const std::string& test, double confining_pressure) {
     if (test == "tension") return "direct tension";
     return test;
 }
+
+std::string whole_contacts(double contacts) { return fmt::format("{:.0f}", std::ceil(contacts)); }
+
+std::string counted(std::size_t n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 std::string peak_label(const RunData& run) { return peak_kind(run, load_curve(run)) == "drop" ? "peak" : "largest stress"; }
 

@@ -1,6 +1,7 @@
 // Labels of tests and states in titles and tables.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "post/measure/load_curve.hpp"
@@ -15,5 +16,11 @@ std::string series_label(const std::string& test, double confining_pressure);
 
 /// "peak", or for a run without one "largest stress".
 std::string peak_label(const RunData& run);
+
+/// Contacts as a whole number: one of whose two points only one has failed counts as one.
+std::string whole_contacts(double contacts);
+
+/// "1 fragment", "2 fragments". \param what in the singular
+std::string counted(std::size_t n, const std::string& what);
 
 }  // namespace graincrack

@@ -1,14 +1,18 @@
 #include "post/measure/toughness.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
+#include <sstream>
 
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
 #include "share/error.hpp"
+#include "share/notch.hpp"
+#include "share/printable.hpp"
+#include "share/schema.hpp"
+#include "share/units.hpp"
 
 namespace graincrack {
 
@@ -17,25 +21,28 @@ namespace {
 /// How far the middle of a notch may lie from that of the specimen, as a share of the width.
 constexpr double central = 0.1;
 
-/// Ends of the notch along x, m; the first above the second if there is none.
-std::pair<double, double> notch_ends(const Specimen& s) {
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
-        if (s.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
-        for (const std::int32_t node : s.contact_nodes[c]) {
-            const double x = s.node_position[static_cast<std::size_t>(node)][0];
-            left = std::min(left, x);
-            right = std::max(right, x);
+/// The notch that the mesher was asked for, m; empty if the run does not say, or not so that it can be read.
+std::optional<double> requested_notch(const RunReader& reader) {
+    const std::string key = "notch = \"";
+    try {
+        std::istringstream lines(reader.file().attribute_or<std::string>(schema::provenance_group, "specimen_configuration", ""));
+        for (std::string line; std::getline(lines, line);) {
+            if (!line.starts_with(key)) continue;
+            const std::string value = line.substr(key.size(), line.find('"', key.size()) - key.size());
+            return parse_quantity(value, quantity::notch, "notch");
         }
+    } catch (const Error&) {
+        return std::nullopt;
     }
-    return {left, right};
+    return std::nullopt;
 }
 
-std::vector<Cell> toughness_row(const std::string& path) {
+std::vector<Cell> toughness_row(const std::string& path, std::vector<std::string>& warnings) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
-    const Toughness toughness = measure_toughness(run, reader.specimen());
+    const Toughness toughness = measure_toughness(reader, run);
+    const std::string warning = toughness.warning();
+    if (!warning.empty()) warnings.push_back(printable(run.name) + ": warning: " + warning);
     return {run.name,
             run.specimen.seed,
             run.specimen.grains,
@@ -43,7 +50,12 @@ std::vector<Cell> toughness_row(const std::string& path) {
             toughness.notch_length * 1e3,
             toughness.strength * 1e-6,
             toughness.mode_i_toughness * 1e-6,
-            toughness.predicted * 1e-6};
+            toughness.predicted * 1e-6,
+            toughness.requested_notch_length ? Cell(*toughness.requested_notch_length * 1e3) : Cell(),
+            toughness.characteristic_length * 1e3,
+            toughness.notch_ratio(),
+            warning,
+            std::string(name_of(run.header.plane))};
 }
 
 }  // namespace
@@ -54,8 +66,8 @@ double centre_crack_intensity(double stress, double length, double width) {
 }
 
 Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
-    const auto [left, right] = notch_ends(specimen);
-    if (run.header.test != "tension" || !(left < right) || std::abs(left + right) > 2 * central * specimen.width) {
+    const auto ends = notch_ends(specimen);
+    if (run.header.test != "tension" || !ends || std::abs((*ends)[0] + (*ends)[1]) > 2 * central * specimen.width) {
         throw InputError(run.name +
                          ": toughness needs a tension test of a rectangle with a notch through its middle "
                          "(graincrack-mesh rectangle --notch)");
@@ -63,15 +75,39 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
     const Strength strength = measure_strength(run);
     stopped_at_strain_limit(run, strength, StrainLimitRuns::refuse, "a toughness");
     Toughness toughness;
-    toughness.notch_length = right - left;
+    toughness.notch_length = (*ends)[1] - (*ends)[0];
     toughness.strength = strength.value();
     toughness.mode_i_toughness = centre_crack_intensity(toughness.strength, toughness.notch_length, specimen.width);
     toughness.predicted =
         std::sqrt(predict_moduli(run.header, specimen).plane_young_modulus * run.header.contact.fracture_energy);
+    toughness.characteristic_length = std::pow(toughness.predicted / run.header.contact.tensile_strength, 2);
     return toughness;
 }
 
-void write_toughness_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
+Toughness measure_toughness(const RunReader& reader, const RunData& run) {
+    Toughness toughness = measure_toughness(run, reader.specimen());
+    toughness.requested_notch_length = requested_notch(reader);
+    return toughness;
+}
+
+std::string Toughness::warning() const {
+    std::string label;
+    const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
+    if (!(notch_ratio() >= min_notch_ratio)) {
+        add(fmt::format(
+            "a/l_ch is {:.2g}, below {:g}: the process zone is no small part of the notch, and the measured toughness "
+            "is not K_IC; a longer notch or smaller fracture energy fits",
+            notch_ratio(), min_notch_ratio));
+    }
+    if (requested_notch_length && std::abs(notch_length / *requested_notch_length - 1) > notch_tolerance) {
+        add(fmt::format("the notch came out as {:.1f} mm where {:.1f} mm was requested; K_IC is computed with {:.1f} mm",
+                        notch_length * 1e3, *requested_notch_length * 1e3, notch_length * 1e3));
+    }
+    return label;
+}
+
+void write_toughness_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
+                           std::ostream& diagnostics) {
     static const std::vector<std::string> columns{"file",
                                                   "seed",
                                                   "grains",
@@ -79,8 +115,18 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
                                                   "notch_mm",
                                                   "strength_MPa",
                                                   "mode_i_toughness_MPa.m^0.5",
-                                                  "predicted_mode_i_toughness_MPa.m^0.5"};
-    write_file_rows(out, columns, runs, toughness_row, format);
+                                                  "predicted_mode_i_toughness_MPa.m^0.5",
+                                                  "requested_notch_mm",
+                                                  "characteristic_length_mm",
+                                                  "half_notch_over_characteristic_length",
+                                                  "warning",
+                                                  "plane"};
+    std::vector<std::string> warnings;
+    write_file_rows(
+        out, columns, runs, [&](const std::string& path) { return toughness_row(path, warnings); }, format);
+    out.flush();
+    if (!out) return;  // the command says so
+    for (const std::string& warning : warnings) diagnostics << "toughness: " << warning << '\n';
 }
 
 }  // namespace graincrack

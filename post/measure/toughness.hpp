@@ -1,7 +1,8 @@
 // Fracture toughness from direct tension of plates with a notch through the middle.
 #pragma once
 
-#include <iosfwd>
+#include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,22 @@
 namespace graincrack {
 
 struct Toughness {
-    double notch_length = 0;      ///< m, between the ends of the grain boundaries that were broken from the start
-    double strength = 0;          ///< Pa, largest load over the whole width
-    double mode_i_toughness = 0;  ///< Pa √m
+    double notch_length = 0;  ///< m, between the ends of the grain boundaries that were broken from the start
+    std::optional<double> requested_notch_length;  ///< m; empty if the run does not say
+    double strength = 0;                           ///< Pa, largest load over the whole width
+    double mode_i_toughness = 0;                   ///< Pa √m
     double predicted =
         0;  ///< Pa √m: √(E' Gf) of a straight crack along a contact, E' of the assemblage, E/(1 − ν²) in plane strain
+    double characteristic_length = 0;  ///< l_ch = E' Gf/tc² (Hillerborg et al. 1976), m: the scale of the process zone
+    /// a/l_ch, a half the notch: small-scale yielding, on which K_IC rests, needs it large.
+    [[nodiscard]] double notch_ratio() const { return 0.5 * notch_length / characteristic_length; }
+    /// Why the measured toughness may not be K_IC; empty if there is no objection.
+    [[nodiscard]] std::string warning() const;
 };
+/// a/l_ch below which the process zone is no small part of the notch, and the measured toughness is too low.
+inline constexpr double min_notch_ratio = 5;
+/// Relative difference of the notch from the requested one from which it is said.
+inline constexpr double notch_tolerance = 0.05;
 
 /// Stress intensity K_I, Pa √m, of a plate of this width under this mean tensile stress, with a crack of this length in its
 /// middle: σ √(π a) √sec(π a/W), a half the length (Feddersen 1966; within 0.3 % for 2a ≤ 0.7 W in a long plate).
@@ -25,8 +36,11 @@ double centre_crack_intensity(double stress, double length, double width);
 
 /// \throws InputError if the run is no tension test of a rectangle with a notch in its middle, or has no peak
 Toughness measure_toughness(const RunData& run, const Specimen& specimen);
+/// The same, with the requested notch, which the run records. \param run the data of `reader`
+Toughness measure_toughness(const RunReader& reader, const RunData& run);
 
-/// Writes the table `toughness`, a row a run; see share/doc/tables.md.
-void write_toughness_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
+/// Writes the table `toughness`, a row a run; see share/doc/tables.md. \param diagnostics gets the warnings, a line a run
+void write_toughness_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
+                           std::ostream& diagnostics);
 
 }  // namespace graincrack

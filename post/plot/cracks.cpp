@@ -10,6 +10,7 @@
 #include "post/chart/map_view.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/load_curve.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/test_label.hpp"
 #include "share/command_line.hpp"
 
@@ -76,8 +77,7 @@ void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, doub
     }
 }
 
-/// Points ÷ 2: whole contacts.
-std::string contacts_of(std::size_t points) { return fmt::format("{}", static_cast<double>(points) / 2); }
+std::string contacts_of(std::size_t points) { return whole_contacts(0.5 * static_cast<double>(points)); }
 
 /// What all maps of a picture have in common.
 struct Scene {
@@ -86,6 +86,7 @@ struct Scene {
     std::vector<Crack> cracks;
     RunData data;
     const CrackMapOptions& options;
+    std::vector<std::string> objections = {};  ///< what speaks against the strength, a line each
 };
 
 std::size_t count(const std::vector<Crack>& cracks, CrackMode mode) {
@@ -130,11 +131,13 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const Specimen& specimen = scene.specimen;
-    MapView map(specimen, std::move(shot.places),
-                {test_title(header),
-                 fmt::format("seed {}, {} grains, mean edge {:.3g} mm; law {}, {}", specimen.seed, specimen.n_grains(),
-                             specimen.statistics.mean_edge * 1e3, header.contact_law, header.fracture_energy_choice),
-                 standing_label(now, header.test == "brazilian", scene.options.magnification)});
+    std::vector<std::string> title{test_title(header),
+                                   fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed,
+                                               specimen.n_grains(), specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
+                                   fmt::format("law {}, {}", header.contact_law, header.fracture_energy_choice),
+                                   standing_label(now, header.test == "brazilian", scene.options.magnification)};
+    title.insert(title.end(), scene.objections.begin(), scene.objections.end());
+    MapView map(specimen, std::move(shot.places), title);
     std::vector<LegendEntry> legend{{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
                                     {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({palette::pre_existing, 6, "pre-existing"});
@@ -159,11 +162,17 @@ Drawing panel(const Scene& scene, Snapshot shot, double width, char letter) {
 /// Maps side by side under one title.
 Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     constexpr double page_width = 1000;
-    constexpr double head = 60;
+    constexpr double line = 34;
+    std::vector<std::string> lines{fmt::format("plane {}", name_of(scene.data.header.plane))};
+    lines.insert(lines.end(), scene.objections.begin(), scene.objections.end());
+    const double head = 60 + line * static_cast<double>(lines.size());
     constexpr double foot = 50;
     const double width = page_width / static_cast<double>(frames.size());
     Drawing page(static_cast<int>(page_width), 0);
     page.text({{26, 44}, test_title(scene.data.header), 31, palette::ink, Anchor::start, true});
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        page.text({{26, 44 + line * static_cast<double>(i + 1)}, lines[i], 25});
+    }
     int height = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const Drawing map = panel(scene, snapshot(scene, frames[i]), width, static_cast<char>('a' + i));
@@ -185,7 +194,8 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
     const Specimen specimen = run.specimen();
-    const Scene scene{run, specimen, read_labelled_cracks(run, specimen, options.label), run_data(run), options};
+    Scene scene{run, specimen, read_labelled_cracks(run, specimen, options.label), run_data(run), options};
+    for (const Objection& objection : objections_to(run, scene.data)) scene.objections.push_back(subtitle_line(objection));
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
 }

@@ -11,6 +11,7 @@
 #include "post/chart/numbers.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/first_peak.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
@@ -74,8 +75,8 @@ ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
         return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
     }
     ChartText text{test_title(run.header),
-                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm", run.specimen.seed, run.specimen.grains,
-                                run.specimen.mean_edge * 1e3),
+                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", run.specimen.seed, run.specimen.grains,
+                                run.specimen.mean_edge * 1e3, name_of(run.header.plane)),
                     fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
                                 100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
     if (!definition.empty()) text.subtitle.push_back(definition);
@@ -83,15 +84,17 @@ ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
 }
 
 /// \param definition of the cracks that are counted; empty if none are
-Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition) {
+Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
+           const std::vector<std::string>& objections) {
     // Rims that burst after the peak have large lateral strains, which would compress the part of the curve before it.
     const double lateral = std::max(extent.lateral, -0.75 * extent.strain);
     const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
-    return {heading(runs, definition), Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress},
-            right};
+    ChartText text = heading(runs, definition);
+    text.subtitle.insert(text.subtitle.end(), objections.begin(), objections.end());
+    return {text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
 }
 
 /// Counts of cracks against axial strain, on a scale of their own at the right.
@@ -161,13 +164,13 @@ LaboratoryCurve read_laboratory_curve(const std::string& path) {
 }
 
 Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition) {
+                    const std::string& definition, const std::vector<std::string>& objections) {
     const std::vector<Run> runs = prepare(data);
     Extent extent;
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
-    Chart chart = page(runs, extent, counts ? definition : "");
+    Chart chart = page(runs, extent, counts ? definition : "", objections);
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         draw_run(chart, runs[i], palette::series(i));
@@ -198,8 +201,16 @@ Command curve_plot() {
             std::vector<LaboratoryCurve> laboratory;
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
             std::vector<RunData> runs;
-            for (const std::string& file : call.files) runs.push_back(read_labelled_run(RunReader(file), options.label));
-            return draw_curves(runs, laboratory, definition_of(options.label));
+            ObjectionCount doubts;
+            std::vector<std::string> lines;  // of the only run
+            for (const std::string& file : call.files) {
+                const RunReader reader(file);
+                runs.push_back(read_labelled_run(reader, options.label));
+                const std::vector<Objection> objections = objections_to(reader, runs.back());
+                doubts.add(runs.back(), objections);
+                for (const Objection& objection : objections) lines.push_back(subtitle_line(objection));
+            }
+            return draw_curves(runs, laboratory, definition_of(options.label), runs.size() == 1 ? lines : doubts.lines());
         });
 }
 

@@ -24,7 +24,7 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
     std::vector<double> number;
     for (std::size_t i = 0; i < magnitudes.size(); ++i) number.push_back(static_cast<double>(magnitudes.size() - i));
     const auto fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
-    std::vector<std::string> subtitle{fmt::format("{} events", events.size())};
+    std::vector<std::string> subtitle{counted(events.size(), "event")};
     subtitle[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
                                      fit->completeness, fit->events)
                        : ", too few for a slope";

@@ -29,11 +29,12 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
     Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
     const Fragments fragments = find_fragments(specimen, frame.state);
     const FragmentCount count = count_fragments(fragments, frame.time);
-    MapView map(
-        specimen, moved_nodes(specimen, frame, options.magnification),
-        {test_title(run.header()), fmt::format("{} fragments, {} of them single grains", count.fragments, count.single_grains),
-         fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
-                     1e3 * fragments.all.front().diameter())});
+    MapView map(specimen, moved_nodes(specimen, frame, options.magnification),
+                {test_title(run.header()),
+                 counted(count.fragments, "fragment") +
+                     (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
+                 fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
+                             1e3 * fragments.all.front().diameter())});
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
     map.draw_legend({{palette::grain, 22, "largest fragment"}, {fragment_colour(1), 22, "others"}});
     return std::move(map).drawing();

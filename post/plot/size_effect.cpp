@@ -41,7 +41,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     if (law->exponent.low) label += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
     chart.legend(Stroke{colour, 4}, label);
     if (s.test != "brazilian" && s.test != "tension") return;
-    // The slopes of theory and paper through the middle of the points.
+    // The slopes of theory and, for its rock, of the paper through the middle of the points.
     double x = 0;
     double y = 0;
     for (std::size_t i = 0; i < edge.size(); ++i) {
@@ -53,7 +53,9 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
         chart.legend(stroke, fmt::format("{}, n = {}", who, exponent));
     };
     compare("theory", theory_exponent, Stroke{colour, 2.5, true});
-    if (s.test == "brazilian") compare("paper", paper_exponent, Stroke{palette::rim, 2.5, true});
+    if (const auto exponent = s.exponent_of_paper()) {
+        compare("Kazerani & Zhao (2014)", *exponent, Stroke{palette::rim, 2.5, true});
+    }
 }
 
 }  // namespace

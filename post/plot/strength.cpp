@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
@@ -57,14 +58,35 @@ void draw_group(Chart& chart, const std::vector<RunData>& runs, const StrengthGr
     if (const auto value = laboratory_of(group, material)) dot(x - 0.25, *value, measured);
 }
 
+/// "plane stress: Brazilian", a line for each plane condition.
+std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
+    std::vector<std::string> lines;
+    for (const PlaneCondition plane : {PlaneCondition::stress, PlaneCondition::strain}) {
+        std::string tests;
+        for (const StrengthGroup& group : groups) {
+            if (group.plane != plane) continue;
+            tests += (tests.empty() ? "" : ", ") + series_label(group.test, group.confining_pressure);
+        }
+        if (!tests.empty()) lines.push_back(fmt::format("plane {}: {}", name_of(plane), tests));
+    }
+    return lines;
+}
+
 }  // namespace
 
-Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material) {
+Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
+                       const std::vector<std::string>& objections) {
     const std::vector<StrengthGroup> groups = group_strengths(runs);
+    std::vector<std::string> subtitle = plane_lines(groups);
+    for (const std::string& objection : objections) {  // a long one in two lines
+        const std::size_t part = objection.find("; ");
+        subtitle.push_back(objection.substr(0, part == std::string::npos ? part : part + 1));
+        if (part != std::string::npos) subtitle.push_back(objection.substr(part + 2));
+    }
     const auto [low, high] = padded_range(all_values(runs, groups, material), 0);
     const double n = static_cast<double>(groups.size());
-    Chart chart({runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, {}}, Axis{"", 0.5, n + 0.5},
-                Axis{"strength, MPa", low / 1.6, high * 1.6, true});
+    Chart chart({runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, subtitle},
+                Axis{"", 0.5, n + 0.5}, Axis{"strength, MPa", low / 1.6, high * 1.6, true});
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -96,7 +118,9 @@ Command strength_plot() {
         [](const Options& options, const Call& call) {
             std::optional<Material> material;
             if (!options.material.empty()) material = read_material(options.material);
-            return draw_strengths(read_runs(call.files), material);
+            ObjectionCount doubts;
+            const std::vector<RunData> runs = read_doubted_runs(call.files, doubts);
+            return draw_strengths(runs, material, doubts.lines());
         });
 }
 

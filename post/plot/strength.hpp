@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "post/chart/drawing.hpp"
@@ -14,7 +15,9 @@ namespace graincrack {
 /// Every run as a point (a cross if it reached no peak), the mean of each test and confining pressure with its 95 %
 /// interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the axis.
 /// \throws InputError if the runs are not of one material
-Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material);
+/// \param objections what speaks against the strengths, a line each
+Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
+                       const std::vector<std::string>& objections = {});
 
 Command strength_plot();
 

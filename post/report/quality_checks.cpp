@@ -10,7 +10,6 @@
 
 #include "post/measure/test_label.hpp"
 #include "post/report/html.hpp"
-#include "share/equilibrium.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {
@@ -52,11 +51,15 @@ std::string ending_label(const TestReport& t) {
 
 std::string sliding_label(const CrackBalance& b) {
     const auto share = b.share_more_sliding();
-    return share ? fmt::format("{} of {} ({})", b.tensile_more_sliding, b.tensile, percent(*share)) : "no tensile cracks";
+    return share
+               ? fmt::format("{} of {} ({})", whole_contacts(b.tensile_more_sliding), whole_contacts(b.tensile), percent(*share))
+               : "no tensile cracks";
 }
 
+std::string pair_label(double one, double other) { return whole_contacts(one) + " : " + whole_contacts(other); }
+
 std::string mode_label(const std::optional<ModeCounts>& counts) {
-    return counts ? fmt::format("{} : {}", counts->tensile, counts->shear) : "not recorded";
+    return counts ? pair_label(counts->tensile, counts->shear) : "not recorded";
 }
 
 std::string rate_label(const RunHeader& h) {
@@ -66,13 +69,6 @@ std::string rate_label(const RunHeader& h) {
 }
 
 std::string damping_label(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
-
-std::string damping_load_warning(const TestReport& t) {
-    const double load = t.data.header.damping_load;
-    return load > trusted_damping_load ? short_name(t) + ": damping carries " + percent(load) +
-                                             " of the load; where grains slide the strength is too high by several times that"
-                                       : "";
-}
 
 std::string scaling_label(const RunHeader& header) {
     if (header.mass_scaling == "none") return "none";
@@ -144,11 +140,10 @@ const std::vector<Check>& checks() {
         {"contact zone over mean edge", nullptr,
          [](const TestReport& t) { return t.contact_zone_length / t.data.specimen.mean_edge; }},
         {"tensile : shear cracks at the peak",
-         [](const TestReport& t) { return fmt::format("{} : {}", t.at_peak.tensile, t.at_peak.shear); }},
+         [](const TestReport& t) { return pair_label(t.at_peak.tensile, t.at_peak.shear); }},
         {"tensile cracks with more sliding than opening, at the peak",
          [](const TestReport& t) { return sliding_label(t.at_peak); }},
-        {"failed open : closed, by the end",
-         [](const TestReport& t) { return fmt::format("{} : {}", t.branches.open, t.branches.closed); }},
+        {"failed open : closed, by the end", [](const TestReport& t) { return pair_label(t.branches.open, t.branches.closed); }},
         {"opened more than slid : not, when they failed, by the end",
          [](const TestReport& t) { return mode_label(t.failed_by_displacement); }},
         {"broken open : closed, by the end", [](const TestReport& t) { return mode_label(t.broken); }},
@@ -156,21 +151,19 @@ const std::vector<Check>& checks() {
          [](const TestReport& t) { return mode_label(t.broken_by_displacement); }},
         {"by traction angle < 45° : 45–90° : compressed",
          [](const TestReport& t) {
-             return fmt::format("{} : {} : {}", t.branches.by_tension, t.branches.by_shear, t.branches.compressed);
+             return pair_label(t.branches.by_tension, t.branches.by_shear) + " : " + whole_contacts(t.branches.compressed);
          }},
-        {"separated by the end", nullptr, [](const TestReport& t) { return t.branches.separated; }},
+        {"separated by the end", nullptr, [](const TestReport& t) { return std::ceil(t.branches.separated); }},
         {"platen speed", [](const TestReport& t) { return rate_label(t.data.header); }},
         {"damping", [](const TestReport& t) { return damping_label(t.data.header); }},
         {"mass scaling", [](const TestReport& t) { return scaling_label(t.data.header); }},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
-        {"warning", damping_load_warning},
-        {"warning",
-         [](const TestReport& t) {
-             const std::string warning = equilibrium_warning(t.data.header, t.data.history);
-             return warning.empty() ? warning : short_name(t) + ": " + warning;
-         }},
-        {"warning", [](const TestReport& t) {
-             return t.split && !t.split->warning.empty() ? short_name(t) + ": " + t.split->warning : std::string();
+        {"speaks against the strength", [](const TestReport& t) {
+             std::string lines;
+             for (const Objection& objection : t.objections) {
+                 lines += (lines.empty() ? "" : "\n") + short_name(t) + ": " + objection.text;
+             }
+             return lines;
          }}};
     return all;
 }
@@ -204,8 +197,8 @@ std::string common_paragraphs(const std::vector<TestReport>& tests) {
                     "crush; platens are rigid.",
                     number(rock.density)));
     if (without_peak > 0) {
-        paragraphs += html::paragraph(
-            fmt::format("{} of {} runs reached no peak: their largest stress is no strength.", without_peak, tests.size()));
+        paragraphs += html::paragraph(fmt::format("{} of {} reached no peak: a largest stress without one is no strength.",
+                                                  without_peak, counted(tests.size(), "run")));
     }
     return paragraphs;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <numbers>
 
@@ -11,6 +12,7 @@
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/comparable.hpp"
+#include "post/measure/objections.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/cracks.hpp"
@@ -111,10 +113,11 @@ std::vector<RunData> data_of(const Content& content) {
 }
 
 std::string key_figures(const Content& content) {
-    html::Table table({"test", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
+    html::Table table(
+        {"test", "plane", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
     for (const StrengthGroup& g : group_strengths(data_of(content))) {
         const Estimate& mean = g.strength.mean;
-        table.row({series_label(g.test, g.confining_pressure), std::to_string(g.strength.n),
+        table.row({series_label(g.test, g.confining_pressure), std::string(name_of(g.plane)), std::to_string(g.strength.n),
                    number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
                    mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.without_peak),
                    g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});
@@ -138,15 +141,41 @@ std::string run_table(const Content& content) {
     return table.str();
 }
 
+/// What speaks against the strengths of runs, a line each. \param wanted which runs
+std::vector<std::string> objection_lines(const Content& content, const std::function<bool(const RunHeader&)>& wanted) {
+    ObjectionCount doubts;
+    for (const TestReport& t : content.tests) {
+        if (wanted(t.data.header)) doubts.add(t.data, t.objections);
+    }
+    return doubts.lines();
+}
+
+std::vector<std::string> objection_lines(const Content& content) {
+    return objection_lines(content, [](const RunHeader&) { return true; });
+}
+
+/// Beside the key figures, what speaks against them.
+std::string objection_paragraphs(const Content& content) {
+    std::string paragraphs;
+    for (const std::string& line : objection_lines(content)) {
+        paragraphs += html::paragraph("Against these strengths: " + line + ".");
+    }
+    return paragraphs;
+}
+
+std::string kind_of(const RunHeader& header) { return is_compression(header) ? "compression" : header.test; }
+
 /// Tests whose stresses mean the same share a chart.
 std::string curve_figures(const Content& content, const CrackLabel& label) {
     std::map<std::string, std::vector<RunData>> kinds;
     for (const RunData& run : content.curves) {
-        kinds[is_compression(run.header) ? "compression" : run.header.test].push_back(run);
+        kinds[kind_of(run.header)].push_back(run);
     }
     std::string figures;
-    for (const auto& [kind, runs] : kinds)
-        figures += html::figure(draw_curves(runs, {}, definition_of(label)), "stress and strain: " + kind);
+    for (const auto& [kind, runs] : kinds) {
+        const auto lines = objection_lines(content, [&](const RunHeader& h) { return kind_of(h) == kind; });
+        figures += html::figure(draw_curves(runs, {}, definition_of(label), lines), "stress and strain: " + kind);
+    }
     return figures;
 }
 
@@ -219,9 +248,11 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        "</h1>\n<p class=\"lead\">Numerical tests by Graincrack, grain by grain; "
                        "contact law " +
                        html::escaped(header.contact_law) + ". Strengths positive; counts of micro-cracks are contacts.</p>\n";
-    body += html::section("figures", "Key figures",
-                          key_figures(content) + html::figure(draw_strengths(data_of(content), material), "strengths by test") +
-                              run_table(content));
+    body += html::section(
+        "figures", "Key figures",
+        key_figures(content) + objection_paragraphs(content) +
+            html::figure(draw_strengths(data_of(content), material, objection_lines(content)), "strengths by test") +
+            run_table(content));
     body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelope, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("curves", "Curves", figures(curve_figures(content, options.label)));

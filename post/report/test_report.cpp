@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "post/cracks/run_state.hpp"
+#include "post/measure/objections.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
 
@@ -64,7 +65,9 @@ TestReport read_test_report(const RunReader& run) {
         report.initiation = initiation_by_count(report.data, report.curve);
         report.initiation_by_damage = initiation_by_damage(report.data, report.curve, cracks);
     }
-    if (header.test == "brazilian") report.split = measure_split(report.data, report.curve, specimen, cracks);
+    std::optional<BrazilianSplit> split;
+    if (header.test == "brazilian") split = measure_split(report.data, report.curve, specimen, cracks);
+    report.objections = objections_to(report.data, split);
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.at_end = balance_cracks(cracks, times.back());

@@ -8,9 +8,9 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_summary.hpp"
-#include "post/measure/brazilian.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/measure/moduli.hpp"
+#include "post/measure/objection.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/thresholds.hpp"
 
@@ -39,7 +39,7 @@ struct TestReport {
     std::optional<Thresholds> thresholds;  ///< 2D, compression tests
     std::optional<double> initiation;      ///< by crack count, Pa
     InitiationByDamage initiation_by_damage;
-    std::optional<BrazilianSplit> split;
+    std::vector<Objection> objections;  ///< what speaks against the strength
     CrackBalance at_peak;
     CrackBalance at_end;
     FailureBranches branches;

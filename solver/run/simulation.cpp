@@ -39,6 +39,9 @@ double axial_stress(const Specimen& s, double force_bottom, double force_top) {
     return 0.5 * (force_bottom + force_top) / s.width;
 }
 
+/// Contacts whose points have failed: one with a single failed point counts as one.
+std::size_t whole_contacts(std::size_t points) { return (points + 1) / 2; }
+
 RunHeader make_header(const SimulationRequest& r, const Program& program, const Setup& setup) {
     RunHeader h;
     h.test = name_of(r.loading.test);
@@ -337,7 +340,7 @@ private:
     void show_progress() {
         progress_.update(driver_.progress(view()),
                          fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", absolute_stress() * 1e-6,
-                                     crack_log_.tensile_points() / 2, crack_log_.shear_points() / 2));
+                                     whole_contacts(crack_log_.tensile_points()), whole_contacts(crack_log_.shear_points())));
     }
 
     void finish_header() {
@@ -401,8 +404,8 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
-    summary.tensile_cracks = simulation.crack_log().tensile_points() / 2;
-    summary.shear_cracks = simulation.crack_log().shear_points() / 2;
+    summary.tensile_cracks = whole_contacts(simulation.crack_log().tensile_points());
+    summary.shear_cracks = whole_contacts(simulation.crack_log().shear_points());
     if (request.sensitivity) {
         summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     }

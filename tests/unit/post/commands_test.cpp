@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <map>
+#include <numbers>
 #include <sstream>
 
 #include "share/error.hpp"
@@ -129,6 +133,31 @@ TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
     EXPECT_NEAR(value("contact_tensile_strength_from_toughness(4 mm)", ""), 26.8, 0.05);
     EXPECT_NEAR(value("contact_tensile_strength_from_toughness(5.13 mm)", ""), 23.6, 0.05);
     EXPECT_NEAR(value("tensile_strength_from_toughness", ""), 10.3, 0.05);
+}
+
+TEST_F(Commands, FpzNeedsLaboratoryValuesAlone) {
+    std::ofstream(folder_.file("marble.toml")) << "name = \"marble\"\n[laboratory]\nyoung_modulus = \"49 GPa\"\n"
+                                                  "poisson_ratio = 0.19\ntensile_strength = \"7 MPa\"\ngrain_size = \"2 mm\"\n";
+    const auto values = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"fpz", "--material", folder_.file("marble.toml")});
+        std::map<std::string, double> found;
+        const auto rows = test::parse_tsv(output_of(more));
+        for (std::size_t i = 1; i < rows.size(); ++i) found[rows[i][0]] = std::stod(rows[i][2]);
+        return found;
+    };
+    const auto of_rock = values({});
+    const double toughness = 7 / 6.88;  // MPa√m, by Zhang (2002)
+    EXPECT_NEAR(of_rock.at("tensile_strength_from_toughness"), 7, 1e-5);
+    // Eq 40: 2 K_IC/√(π dp)
+    const auto strength = [&](double edge) { return 2 * toughness / std::sqrt(std::numbers::pi * edge); };
+    EXPECT_NEAR(of_rock.at("contact_tensile_strength_from_toughness(2 mm)"), strength(2e-3), 1e-4);
+    EXPECT_EQ(of_rock.count("contact_tensile_strength_from_toughness(5.13 mm)"), 0U);  // grains of another rock
+    EXPECT_EQ(of_rock.count("critical_opening"), 0U);
+    const auto asked = values({"--edge", "1.5mm", "--edge", "3mm"});
+    EXPECT_NEAR(asked.at("contact_tensile_strength_from_toughness(1.5 mm)"), strength(1.5e-3), 1e-4);
+    EXPECT_NEAR(asked.at("contact_tensile_strength_from_toughness(3 mm)"), strength(3e-3), 1e-4);
+    EXPECT_EQ(asked.count("contact_tensile_strength_from_toughness(2 mm)"), 0U);
+    EXPECT_THROW((void)values({"--edge", "far"}), UsageError);
 }
 
 TEST_F(Commands, DesignFitAndSolveByTheirTables) {

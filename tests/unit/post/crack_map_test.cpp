@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -97,7 +100,9 @@ TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
                 return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
             };
             EXPECT_EQ(data("mode"), static_cast<double>(present[i].mode));
-            EXPECT_EQ(data("time"), present[i].time);
+            EXPECT_EQ(data("time_of_failure"), present[i].time);
+            EXPECT_EQ(data("opening_at_failure"), present[i].opening);
+            EXPECT_EQ(data("fracture_energy_at_end"), present[i].energy_released);
             EXPECT_EQ(data("mode_angle"), present[i].mode_angle);
             EXPECT_EQ(data("separated"), present[i].time_separated <= time ? 1 : 0);
             EXPECT_EQ(data("contact"), present[i].contact);
@@ -107,6 +112,80 @@ TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
     }
     ASSERT_TRUE(cracks_until(all, 0).empty());
     ASSERT_LT(cracks_until(all, 1).size(), all.size());
+}
+
+vtkSmartPointer<vtkPolyData> read_lines(const std::string& path) {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+// The crack log has the motion at failure; each frame has its own.
+TEST_F(CrackMap, EachFrameHasItsPresentMotionAndTraction) {
+    std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
+    for (Crack& crack : cracks) crack.time = 0.4;
+    RunWriter writer(H5Output(folder_.file("moving.h5"), "run"), recipe_.specimen, test::synthetic_header(recipe_));
+    writer.append_history(test::synthetic_history(recipe_));
+    for (const double time : {0.5, 1.25}) {
+        Frame frame = test::synthetic_frame(recipe_.specimen, time, 0, 0);
+        frame.opening.assign(recipe_.specimen.n_contacts(), {4e-6 * time, -1e-6 * time});
+        frame.sliding.assign(recipe_.specimen.n_contacts(), {3e-6 * time, 5e-6 * time});
+        frame.traction.assign(recipe_.specimen.n_contacts(), {2e6 * time, 1e6 * time, -8e6 * time, 6e6 * time});
+        writer.add_frame(frame, FrameRole::kept);
+    }
+    writer.finish(test::synthetic_header(recipe_), cracks, Provenance{});
+    export_cracks(RunReader(folder_.file("moving.h5")), folder_.file("moving"), {}, Verbosity::quiet);
+    const ContactParameters contact = test::synthetic_header(recipe_).contact;
+    for (const auto& [file, time] : {std::pair{"moving/cracks_0000.vtp", 0.5}, {"moving/cracks_0001.vtp", 1.25}}) {
+        const auto lines = read_lines(folder_.file(file));
+        ASSERT_EQ(lines->GetNumberOfLines(), static_cast<vtkIdType>(cracks.size()));
+        for (std::size_t i = 0; i < cracks.size(); ++i) {
+            const auto data = [&](const char* name) {
+                return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
+            };
+            const bool first = cracks[i].point == 0;
+            EXPECT_DOUBLE_EQ(data("opening"), (first ? 4e-6 : -1e-6) * time);
+            EXPECT_DOUBLE_EQ(data("sliding"), (first ? 3e-6 : 5e-6) * time);
+            EXPECT_DOUBLE_EQ(data("normal_traction"), (first ? 2e6 : -8e6) * time);
+            EXPECT_DOUBLE_EQ(data("shear_traction"), (first ? 1e6 : 6e6) * time);
+            // Open: half of traction times motion; closed: of the squares of the tractions over the stiffnesses.
+            const double open = 0.5 * (2e6 * 4e-6 + 1e6 * 3e-6);
+            const double closed = 0.5 * (8e6 * 8e6 / contact.normal_stiffness + 6e6 * 6e6 / contact.shear_stiffness);
+            EXPECT_NEAR(data("stored_energy"), (first ? open : closed) * time * time * cracks[i].length, 1e-12);
+            EXPECT_EQ(data("opening_at_failure"), 2e-6);
+            EXPECT_EQ(data("sliding_at_failure"), 1e-6);
+        }
+    }
+}
+
+TEST_F(CrackMap, FilesHaveUnitsNamesOfModesAndWhereTheTestStands) {
+    const auto lines = read_lines(map("cracks_0001.vtp"));
+    for (const auto& [name, unit] : {std::pair{"opening", "m"}, {"shear_traction", "Pa"}, {"time_of_failure", "s"}}) {
+        vtkDataArray* array = lines->GetCellData()->GetArray(name);
+        ASSERT_NE(array, nullptr) << name;
+        ASSERT_TRUE(array->HasInformation()) << name;
+        EXPECT_STREQ(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()), unit) << name;
+    }
+    const auto* modes = vtkStringArray::SafeDownCast(lines->GetFieldData()->GetAbstractArray("mode_names"));
+    ASSERT_NE(modes, nullptr);
+    EXPECT_EQ(const_cast<vtkStringArray*>(modes)->GetValue(1), "shear");
+    const History history = test::synthetic_history(recipe_);
+    const auto peak = static_cast<std::size_t>(recipe_.rows - 1);  // the frame at 1 s
+    const auto field = [](vtkDataObject* data, const char* name) {
+        return data->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+    };
+    EXPECT_DOUBLE_EQ(field(lines, "time"), 1);
+    EXPECT_DOUBLE_EQ(field(lines, "axial_stress"), history[HistoryColumn::axial_stress][peak]);
+    EXPECT_DOUBLE_EQ(field(lines, "axial_strain"), history[HistoryColumn::axial_strain][peak]);
+    const auto platens = read_lines(map("platens_0001.vtp"));
+    ASSERT_EQ(platens->GetNumberOfPolys(), 2);
+    // The lower platen lies on the specimen, and has moved up by half of the approach.
+    EXPECT_DOUBLE_EQ(platens->GetPoint(0)[1], -recipe_.specimen.height / 2);
+    EXPECT_DOUBLE_EQ(platens->GetPointData()->GetArray("displacement")->GetComponent(0, 1),
+                     -recipe_.specimen.height / 2 * history[HistoryColumn::axial_strain][peak]);
+    const std::string pvd = test::read_text(map("grains.pvd"));
+    EXPECT_NE(pvd.find("part=\"1\" file=\"platens_0001.vtp\" name=\"platens\""), std::string::npos) << pvd;
 }
 
 TEST_F(CrackMap, WarpedCracksLieOnWarpedFacets) {
@@ -165,7 +244,7 @@ TEST_F(CrackMap, ATimeStandsOnceInTheSeries) {
     writer.finish(test::synthetic_header(recipe_), {}, Provenance{});
     export_cracks(RunReader(folder_.file("twice.h5")), folder_.file("twice"), {}, Verbosity::quiet);
     const std::string pvd = test::read_text(folder_.file("twice/grains.pvd"));
-    EXPECT_EQ(pvd.find("1.25"), pvd.rfind("1.25"));
+    EXPECT_EQ(pvd.find("timestep=\"1.25\" part=\"0\""), pvd.rfind("timestep=\"1.25\" part=\"0\""));
     EXPECT_NE(pvd.find("grains_0001.vtu"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder_.file("twice/grains_0002.vtu")));
     EXPECT_EQ(test::parse_tsv(test::read_text(folder_.file("twice/fragment-counts.tsv"))).size(), 3U);

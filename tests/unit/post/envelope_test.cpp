@@ -180,6 +180,20 @@ TEST_F(EnvelopeTable, RowOfThreeRuns) {
     EXPECT_NE(field(out.str(), "hoek_brown_mi"), "");
 }
 
+TEST_F(EnvelopeTable, ForPeopleHasItsIntervalsAndUnits) {
+    std::ostringstream out;
+    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, std::nullopt, {StrainLimitRuns::refuse}, notes_);
+    const std::string table = out.str();
+    EXPECT_NE(table.find("3 of 3 compression runs, plane strain; strength: largest\n"), std::string::npos) << table;
+    const std::size_t cohesion = table.find("cohesion C");
+    ASSERT_NE(cohesion, std::string::npos) << table;
+    const std::string line = table.substr(cohesion, table.find('\n', cohesion) - cohesion);
+    EXPECT_NE(line.find(" 21 "), std::string::npos) << line;
+    EXPECT_NE(line.find("21 to 21"), std::string::npos) << line;
+    EXPECT_TRUE(line.ends_with("MPa")) << line;
+    EXPECT_EQ(table.find('\t'), std::string::npos);
+}
+
 TEST_F(EnvelopeTable, OtherStressesThanThePeakHaveTheirEnvelopes) {
     // Platen strain is 1.02e-4 at the end of the isotropic stage and grows by 1.02 (σ1 − σ3)/E' from there: the E' that
     // puts σ1 at 1 % strain on a planted line. No peak comes before 2 %, none of the runs reaches 3 %.

@@ -30,6 +30,18 @@ TEST(Moduli, HasTheColumnsScriptsRelyOn) {
     EXPECT_EQ(table.substr(0, fixed.size()), fixed);
 }
 
+TEST(Moduli, ForPeopleHasUnitsAndThePlaneCondition) {
+    const test::TemporaryFolder folder;
+    test::write_run(folder.file("run.h5"), {});
+    std::ostringstream out;
+    write_moduli_table(out, {folder.file("run.h5")}, std::nullopt);
+    EXPECT_NE(out.str().find("\nplane strain: E and ν are material values"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("GPa"), std::string::npos);
+    EXPECT_NE(out.str().find(" 24.62 "), std::string::npos) << out.str();  // 26 (1 − (0.3/1.3)²)
+    EXPECT_EQ(out.str().find('\t'), std::string::npos);
+    EXPECT_EQ(field(table_of({}), "plane"), "strain");
+}
+
 TEST(Moduli, PlaneStrainIsConverted) {
     Recipe recipe;
     recipe.yield_share = 0.6;  // what happens beyond half the peak does not matter

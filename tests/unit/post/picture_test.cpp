@@ -7,7 +7,9 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
+#include "post/command_line.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/plot/counts.hpp"
 #include "post/plot/cracks.hpp"
@@ -139,16 +141,19 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
            {"tensile", "shear", "stress", "what a crack is"});
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
-    expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragments", "100.0 % of the area"});
+    expect(draw_fragments(run, {"last", std::nullopt, 1}), {">1 fragment<", "100.0 % of the area"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
     expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
     expect(draw_specimen(recipe_.specimen), {"256 grains"});
-    expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is"});
-    expect(cracks("last"), {"tensile cracks:"});
-    expect(cracks("first,peak,last"), {"(b) peak"});
-    expect(draw_strengths({data}, std::nullopt), {"uniaxial"});
+    expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is", "plane strain"});
+    expect(cracks("last"), {"tensile cracks:", "plane strain"});
+    // One of the two points of a contact has failed: one micro-crack, not a half.
+    test::write_run(path("odd.h5"), recipe_, {all.front()});
+    expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1<"});
+    expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
+    expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
@@ -161,6 +166,30 @@ TEST_F(Picture, StrengthsStandByTest) {
     EXPECT_NE(svg.find("uniaxial"), std::string::npos);
     EXPECT_NE(svg.find("laboratory"), std::string::npos);
     EXPECT_EQ(to_svg(draw_strengths(runs, std::nullopt)).find("laboratory"), std::string::npos);
+}
+
+TEST_F(Picture, SubtitlesSayWhatSpeaksAgainstAStrength) {
+    test::Recipe disc;
+    disc.test = "brazilian";  // the synthetic cracks span half of the height
+    test::write_run(path("disc.h5"), disc);
+    const std::string line = "against this strength: tensile cracks never span 0.8 D";
+    for (const char* frame : {"last", "first,last"}) {
+        const std::string map = to_svg(draw_cracks(RunReader(path("disc.h5")), {frame, std::nullopt, 1}));
+        EXPECT_NE(map.find(line), std::string::npos) << frame;
+    }
+    EXPECT_EQ(to_svg(cracks("last")).find("against this strength"), std::string::npos);
+    const auto svg_of = [&](std::vector<const char*> arguments) {
+        arguments.insert(arguments.begin(), "graincrack-post");
+        const std::string picture = path("doubted.svg");
+        arguments.insert(arguments.end(), {"-o", picture.c_str()});
+        std::ostringstream out;
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
+        return test::read_text(picture);
+    };
+    const std::string run = path("disc.h5");
+    EXPECT_NE(svg_of({"plot", "curve", run.c_str()}).find(line), std::string::npos);
+    EXPECT_NE(svg_of({"plot", "strength", run.c_str()}).find("Brazilian: tensile cracks never span 0.8 D (1 of 1 run)"),
+              std::string::npos);
 }
 
 TEST_F(Picture, TablesAreDrawnByTheirColumns) {

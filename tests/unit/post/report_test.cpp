@@ -90,7 +90,8 @@ TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
     const std::string html = page(runs);
     // The energy balance residual is the same in all, separated contacts are half of the cracks; a warning names its run.
     expect_texts(html,
-                 {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ", "b4: tensile cracks never span"});
+                 {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ", "b4: tensile cracks never span",
+                  "Against these strengths: Brazilian: tensile cracks never span 0.8 D (5 of 5 runs)."});
     EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
     runs.resize(2);
     expect_texts(page(runs), {"<th>b0</th><th>b1</th>"});
@@ -105,7 +106,7 @@ TEST_F(Report, RunsWithoutAPeakAreNamedSo) {
     test::Recipe at_strain_limit = recipe("uniaxial", 120e6);
     at_strain_limit.drop = 0;
     at_strain_limit.stop_reason = "strain limit";
-    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 runs reached no peak", "<td>cap</td>"});
+    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 run reached no peak", "<td>cap</td>"});
 }
 
 TEST_F(Report, AMissingFileIsOneLine) {

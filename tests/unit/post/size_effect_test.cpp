@@ -73,7 +73,22 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
     const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)));
     EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
     EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
-    EXPECT_NE(svg.find("paper, n = 0.39"), std::string::npos);
+    EXPECT_NE(svg.find("Kazerani &amp; Zhao (2014), n = 0.39"), std::string::npos);
+}
+
+TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {
+    std::vector<RunData> runs;
+    for (const double edge : edges) runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.3)));
+    for (RunData& run : runs) run.header.material = "Carrara marble";
+    std::ostringstream out;
+    std::ostringstream notes;
+    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
+    EXPECT_EQ(test::field(out.str(), "exponent"), "0.3");
+    EXPECT_EQ(test::field(out.str(), "paper_exponent"), "");
+    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)));
+    EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
+    EXPECT_EQ(svg.find("0.39"), std::string::npos);
+    EXPECT_EQ(svg.find("Kazerani"), std::string::npos);
 }
 
 TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <numbers>
 #include <sstream>
 
@@ -19,10 +20,11 @@ protected:
     std::string table_of(const Recipe& recipe) {
         test::write_run(folder_.file("run.h5"), recipe);
         std::ostringstream out;
-        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv);
+        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
         return out.str();
     }
     test::TemporaryFolder folder_;
+    std::ostringstream notes_;
 };
 
 TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
@@ -38,7 +40,7 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\tgrain_young_modulus_GPa\tgrain_poisson_ratio\t"
               "max_strain\trate_tolerance\t"
               "tensile_cracks_by_displacement\tshear_cracks_by_displacement\ttensile_cracks_broken\tshear_cracks_broken\t"
-              "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement");
+              "tensile_cracks_broken_by_displacement\tshear_cracks_broken_by_displacement\tplane");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
@@ -137,11 +139,89 @@ TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
     test::write_run(folder_.file("a.h5"), {});
     test::write_run(folder_.file("b.h5"), {});
     std::ostringstream out;
-    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv);
+    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes_);
     EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U);
     std::ostringstream nothing;
-    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv), InputError);
+    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv, notes_),
+                 InputError);
     EXPECT_EQ(nothing.str(), "");
+}
+
+TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& name, const Recipe& recipe) {
+        files.push_back(folder_.file(name));
+        test::write_run(files.back(), recipe);
+    };
+    Recipe recipe;
+    add("first.h5", recipe);
+    recipe.peak = 135e6;
+    add("second.h5", recipe);
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 5e6;
+    recipe.peak = 200e6;
+    add("third.h5", recipe);
+    std::ostringstream out;
+    write_strength_table(out, files, std::nullopt, notes_);
+    std::istringstream lines(out.str());
+    std::vector<std::vector<std::string>> words;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream stream(line);
+        words.emplace_back(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>());
+    }
+    ASSERT_EQ(words.size(), 10U) << out.str();
+    EXPECT_EQ(words[0], (std::vector<std::string>{"run", "seed", "grains", "mean", "edge", "strength", "at", "strain", "ended",
+                                                  "by", "tensile", "shear"}));
+    EXPECT_EQ(words[1], (std::vector<std::string>{"mm", "MPa", "%", "cracks", "cracks"}));
+    EXPECT_EQ(words[3], (std::vector<std::string>{"uniaxial,", "plane", "strain"}));
+    ASSERT_EQ(words[4].size(), 9U);
+    EXPECT_EQ(words[4][4], "125");
+    EXPECT_EQ(words[4][6], "peak");
+    EXPECT_EQ(words[5][4], "135");
+    EXPECT_EQ(words[6], (std::vector<std::string>{"mean", "of", "2,", "s.d.", "7.1", "130"}));
+    EXPECT_EQ(words[8], (std::vector<std::string>{"σ3", "=", "5", "MPa,", "plane", "strain"}));
+    EXPECT_EQ(words[9][4], "200");
+    for (const char* name : {"\t", "peak_compressive"}) EXPECT_EQ(out.str().find(name), std::string::npos);
+}
+
+TEST_F(StrengthTable, EveryStrengthHasItsPlaneCondition) {
+    Recipe recipe;
+    EXPECT_EQ(field(table_of(recipe), "plane"), "strain");
+    recipe.plane = PlaneCondition::stress;
+    EXPECT_EQ(field(table_of(recipe), "plane"), "stress");
+}
+
+TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
+    table_of({});
+    EXPECT_EQ(notes_.str(), "");
+    Recipe disc;
+    disc.test = "brazilian";
+    table_of(disc);  // the synthetic cracks span half of the height
+    EXPECT_NE(notes_.str().find("run.h5: warning: tensile cracks never span 0.8 D\n"), std::string::npos) << notes_.str();
+    Recipe at_strain_limit;
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain limit";
+    table_of(at_strain_limit);
+    EXPECT_NE(notes_.str().find("run.h5: warning: no peak: stopped at the strain limit\n"), std::string::npos) << notes_.str();
+}
+
+TEST_F(StrengthTable, DirectTensionAboveTheBrazilianStrengthIsSaid) {
+    const auto said = [&](double tension, double brazilian) {
+        Recipe recipe;
+        recipe.test = "tension";
+        recipe.peak = tension;
+        test::write_run(folder_.file("t.h5"), recipe);
+        recipe.test = "brazilian";
+        recipe.peak = brazilian;
+        test::write_run(folder_.file("b.h5"), recipe);
+        std::ostringstream out;
+        std::ostringstream notes;
+        write_strength_table(out, {folder_.file("t.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes);
+        return notes.str();
+    };
+    EXPECT_NE(said(12e6, 8e6).find("direct tension is 1.50 times the Brazilian strength; of rock 0.7 to 0.9 times (Perras"),
+              std::string::npos);
+    EXPECT_EQ(said(7e6, 8e6).find("direct tension"), std::string::npos);
 }
 
 }  // namespace

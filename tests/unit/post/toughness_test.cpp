@@ -35,10 +35,11 @@ protected:
     std::string table_of(const Recipe& recipe) {
         test::write_run(folder_.file("run.h5"), recipe);
         std::ostringstream out;
-        write_toughness_table(out, {folder_.file("run.h5")}, TableFormat::tsv);
+        write_toughness_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
         return out.str();
     }
     test::TemporaryFolder folder_;
+    std::ostringstream notes_;
 };
 
 TEST_F(ToughnessTable, OfANotchThroughTheMiddle) {
@@ -48,6 +49,20 @@ TEST_F(ToughnessTable, OfANotchThroughTheMiddle) {
     // 6 MPa √(π 20 mm) √sec 45°
     EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 6 * std::sqrt(std::numbers::pi * 0.02 * std::sqrt(2.0)),
                 1e-5);
+}
+
+// l_ch = E' Gf/tc² = (predicted/tc)², with Gf = 82.6 J/m² and tc = 24.15 MPa of the synthetic run.
+TEST_F(ToughnessTable, SaysWhereTheProcessZoneIsNoSmallPartOfTheNotch) {
+    const std::string table = table_of(notched_tension(-0.02, 0.02));
+    const double length = std::stod(field(table, "characteristic_length_mm"));
+    EXPECT_NEAR(length, 1e3 * std::pow(std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")) / 24.15, 2), 1e-5);
+    EXPECT_NEAR(std::stod(field(table, "half_notch_over_characteristic_length")), 20 / length, 1e-5);
+    EXPECT_EQ(field(table, "warning"), "");
+    EXPECT_EQ(notes_.str(), "");
+    const std::string shorter = table_of(notched_tension(-0.01, 0.01));
+    EXPECT_LT(std::stod(field(shorter, "half_notch_over_characteristic_length")), 5);
+    EXPECT_TRUE(field(shorter, "warning").starts_with("a/l_ch is 2.")) << field(shorter, "warning");
+    EXPECT_NE(notes_.str().find("run.h5: warning: a/l_ch is 2."), std::string::npos) << notes_.str();
 }
 
 // Energy release of two crack lengths by plane finite elements of 0.5 mm, ends moved apart as a whole: 1.104 √(π a) for 2a = 32

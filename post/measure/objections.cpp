@@ -1,0 +1,118 @@
+#include "post/measure/objections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "post/cracks/run_state.hpp"
+#include "post/measure/comparable.hpp"
+#include "post/measure/test_label.hpp"
+#include "share/equilibrium.hpp"
+
+namespace graincrack {
+
+namespace {
+
+void object_to_end(std::vector<Objection>& found, const RunData& run, const LoadCurve& curve) {
+    const std::string kind = peak_kind(run, curve);
+    if (kind == "drop" || run.header.test == "program") return;  // the stages of a program need no peak
+    const std::string text =
+        kind == "cap" ? "no peak: stopped at the strain limit" : "no peak: stopped before one (" + run.header.stop_reason + ")";
+    found.push_back({"no peak", text});
+}
+
+void object_to_damping(std::vector<Objection>& found, const RunHeader& header) {
+    if (!(header.damping_load > trusted_damping_load)) return;
+    found.push_back({"damping carries load",
+                     fmt::format("damping carries {:.2g} % of the load; where grains slide the strength is too high by several "
+                                 "times that",
+                                 100 * header.damping_load)});
+}
+
+}  // namespace
+
+std::vector<Objection> objections_to(const RunData& run, const std::optional<BrazilianSplit>& split) {
+    std::vector<Objection> found;
+    if (split) found = split->objections;
+    object_to_end(found, run, load_curve(run));
+    const std::string equilibrium = equilibrium_warning(run.header, run.history);
+    if (!equilibrium.empty()) found.push_back({"far from equilibrium", equilibrium});
+    object_to_damping(found, run.header);
+    return found;
+}
+
+std::vector<Objection> objections_to(const RunReader& reader, const RunData& run) {
+    if (run.header.test != "brazilian") return objections_to(run, std::nullopt);
+    const Specimen specimen = reader.specimen();
+    return objections_to(run, measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen)));
+}
+
+std::string subtitle_line(const Objection& objection) {
+    constexpr std::size_t room = 43;  // characters that fit beside the words before, at the size of subtitles
+    return "against this strength: " + (objection.text.size() <= room ? objection.text : objection.kind);
+}
+
+ObjectionCount::Group& ObjectionCount::group(const RunHeader& header) {
+    const std::string label = series_label(header.test, header.confining_pressure);
+    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
+    if (found != groups_.end()) return *found;
+    groups_.push_back({label, 0, {}, 0});
+    return groups_.back();
+}
+
+void ObjectionCount::add(const RunData& run, const std::vector<Objection>& objections) {
+    Group& own = group(run.header);
+    ++own.runs;
+    own.sum += load_curve(run).peak_stress();
+    for (const Objection& objection : objections) {
+        const auto known =
+            std::find_if(own.kinds.begin(), own.kinds.end(), [&](const auto& kind) { return kind.first == objection.kind; });
+        if (known == own.kinds.end()) {
+            own.kinds.emplace_back(objection.kind, 1);
+        } else {
+            ++known->second;
+        }
+    }
+    const bool known = std::any_of(headers_.begin(), headers_.end(),
+                                   [&](const RunHeader& h) { return material_difference(h, run.header).empty(); });
+    if (!known) headers_.push_back(run.header);
+}
+
+std::vector<std::string> ObjectionCount::lines() const {
+    std::vector<std::string> lines;
+    for (const Group& g : groups_) {
+        for (const auto& [kind, runs] : g.kinds) {
+            lines.push_back(fmt::format("{}: {} ({} of {} run{})", g.label, kind, runs, g.runs, g.runs == 1 ? "" : "s"));
+        }
+    }
+    const std::string tension = tension_line();
+    if (!tension.empty()) lines.push_back(tension);
+    return lines;
+}
+
+std::optional<double> ObjectionCount::mean_of(const std::string& test) const {
+    const std::string label = series_label(test, 0);
+    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
+    return found == groups_.end() ? std::nullopt : std::optional(found->sum / static_cast<double>(found->runs));
+}
+
+std::string ObjectionCount::tension_line() const {
+    const std::optional<double> brazilian = mean_of("brazilian");
+    const std::optional<double> direct = mean_of("tension");
+    if (!brazilian || !direct || !(*direct > *brazilian) || headers_.size() > 1) return "";
+    return fmt::format(
+        "direct tension is {:.2f} times the Brazilian strength; of rock 0.7 to 0.9 times (Perras & Diederichs 2014)",
+        *direct / *brazilian);
+}
+
+std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, ObjectionCount& count) {
+    std::vector<RunData> runs;
+    for (const std::string& path : paths) {
+        const RunReader reader(path);
+        runs.push_back(run_data(reader));
+        count.add(runs.back(), objections_to(reader, runs.back()));
+    }
+    return runs;
+}
+
+}  // namespace graincrack

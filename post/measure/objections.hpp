@@ -1,0 +1,50 @@
+// What speaks against the strength of a test: said wherever the strength is shown.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "post/measure/brazilian.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/measure/objection.hpp"
+
+namespace graincrack {
+
+/// Reasons to doubt the strength of a run: it reached no peak; it was far from equilibrium; damping carried part of the load; a
+/// disc did not split from its middle. \param split of a Brazilian test, empty for others
+std::vector<Objection> objections_to(const RunData& run, const std::optional<BrazilianSplit>& split);
+/// The same, read from the run. \param run the data of `reader`
+std::vector<Objection> objections_to(const RunReader& reader, const RunData& run);
+
+/// As a line below a title: "against this strength: first cracks at 0.81 R, not inside 0.5 R".
+std::string subtitle_line(const Objection& objection);
+
+/// The runs of a set with what speaks against their strengths.
+class ObjectionCount {
+public:
+    void add(const RunData& run, const std::vector<Objection>& objections);
+    /// "Brazilian: first cracks outside 0.5 R (9 of 9 runs)", a line for each test, pressure and kind; last the `tension_line`.
+    [[nodiscard]] std::vector<std::string> lines() const;
+    /// That direct tension is stronger than the Brazilian test, with what rock does; empty where it is not, without both tests,
+    /// and for runs of several materials.
+    [[nodiscard]] std::string tension_line() const;
+
+private:
+    struct Group {
+        std::string label;  ///< of the test
+        std::size_t runs = 0;
+        std::vector<std::pair<std::string, std::size_t>> kinds;  ///< with the number of runs, in their order
+        double sum = 0;                                          ///< of the largest stresses, Pa
+    };
+    Group& group(const RunHeader& header);
+    [[nodiscard]] std::optional<double> mean_of(const std::string& test) const;
+    std::vector<Group> groups_;
+    std::vector<RunHeader> headers_;  ///< the first of each material
+};
+
+/// Reads runs, and counts what speaks against their strengths. \throws InputError
+std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, ObjectionCount& count);
+
+}  // namespace graincrack

@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+"""Runs the commands of the documents as they stand there.
+
+Usage: documents.py BIN [--whole-tests]
+
+BIN is the folder of the tools. The commands are the indented lines of README.md, CONTRIBUTING.md and share/doc/*.md that call a tool, a
+script or make, with the pipelines that they begin, and the lines in the heads of share/programs/*.toml. Those of one document run one after
+the other in one folder, which has links to what is called by a path from the top. A command fails the test if its exit code is not 0.
+
+Studies are printed and not made (make -n; tests/studies/run makes them on tiny specimens), share/quickstart has QUICK=1, and tests have a
+larger tolerance of the loading rate unless --whole-tests is given. A form with a word to be replaced (FILE.toml, RUN) is no command. NOT_HERE
+lists what cannot run here, and why; a command that is in no list runs.
+"""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TOP = pathlib.Path(__file__).resolve().parent.parent.parent
+CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbatch|export)\b")
+NOT_HERE = {
+    "tests/run": "is what runs this test",
+    "share/studies/job-array": "needs Slurm: tests/slurm/run",
+    "sbatch": "needs Slurm: tests/slurm/run",
+}
+PLACEHOLDER = re.compile(r"(?<![\w$=/])[A-Z]{3,}(\.\w+)?(?![\w=])|…|►|\[")
+# A rock of one's own, as README says: a template, and its values entered.
+INIT = "graincrack-post material init my-rock"
+ENTER_VALUES = "sed -i 's/^# \\([a-z_]* = \\)/\\1/' my-rock.toml\n"
+QUICK = {
+    "make -C share/studies": lambda command: command.replace("make ", "make -n "),
+    "share/quickstart": lambda command: "QUICK=1 " + command,
+}
+
+
+def without_comment(line):
+    return re.sub(r"\s+#\s.*", "", line).strip()
+
+
+def commands_of(path):
+    """Commands of a document in their order; a pipeline over several lines is one."""
+    lines = path.read_text().splitlines()
+    if path.suffix == ".toml":
+        lines = ["    " + line[1:].strip() for line in lines if line.startswith("#   ")]
+    open_pipeline = ""
+    for line in lines:
+        if not line.startswith("    "):
+            continue
+        command = open_pipeline + without_comment(line)
+        open_pipeline = ""
+        if not CALLS.match(command):
+            continue
+        if command.endswith("|"):
+            open_pipeline = command + " "
+            continue
+        yield command
+
+
+def inline_commands(text):
+    """Commands within sentences that can run as they stand: those that name what they write."""
+    for command in re.findall(r"`(graincrack-[^`]*)`", text.replace("\n", " ")):
+        if re.search(r" -o |material init|--version", command) and not PLACEHOLDER.search(command):
+            yield command
+
+
+def as_run(command):
+    for start, quick in QUICK.items():
+        if command.startswith(start):
+            return quick(command)
+    return command
+
+
+def reason_not_to_run(command):
+    if command.startswith("export PATH="):
+        return "the tools are on the PATH"
+    for start, reason in NOT_HERE.items():
+        if command.startswith(start):
+            return reason
+    return "is a form" if PLACEHOLDER.search(command) else ""
+
+
+def run(command, folder, environment):
+    return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, errors="replace")
+
+
+def check(path, bin_folder, whole_tests):
+    """The number of commands that ran, and what failed, of one document."""
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("GRAINCRACK_") and not k.startswith("MAKE")}
+    environment |= {"PATH": f"{bin_folder}:{os.environ['PATH']}", "GRAINCRACK_THREADS": "1", "LC_ALL": "C.UTF-8"}
+    if not whole_tests:
+        environment["GRAINCRACK_RATE_TOLERANCE"] = "0.02"
+    ran, failed = 0, []
+    with tempfile.TemporaryDirectory(prefix="graincrack-documents-") as folder:
+        for name in ("share", "tests"):
+            os.symlink(TOP / name, pathlib.Path(folder, name))
+        for program in (TOP / "share" / "programs").glob("*.toml"):
+            os.symlink(program, pathlib.Path(folder, program.name))
+        commands = list(commands_of(path))
+        if path.suffix == ".md":
+            commands = list(inline_commands(path.read_text())) + commands
+        if not any(command == INIT for command in commands) and any("my-rock" in command for command in commands):
+            run(INIT + "; " + ENTER_VALUES, folder, environment)
+        for command in commands:
+            reason = reason_not_to_run(command)
+            if reason:
+                print(f"  not run: {command}: {reason}")
+                continue
+            result = run(as_run(command), folder, environment)
+            if command == INIT:
+                run(ENTER_VALUES, folder, environment)
+            ran += 1
+            print(f"  {'ran' if result.returncode == 0 else 'FAILED'}: {as_run(command)}", flush=True)
+            if result.returncode != 0:
+                failed.append(f"{path.name}: {command}: exit code {result.returncode}\n{result.stderr[-2000:]}")
+    return ran, failed
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("bin")
+    parser.add_argument("--whole-tests", action="store_true")
+    options = parser.parse_args()
+    documents = [TOP / "README.md", TOP / "CONTRIBUTING.md", *sorted((TOP / "share" / "doc").glob("*.md")),
+                 *sorted((TOP / "share" / "programs").glob("*.toml"))]
+    total, failures = 0, []
+    for path in documents:
+        print(path.relative_to(TOP))
+        ran, failed = check(path, pathlib.Path(options.bin).resolve(), options.whole_tests)
+        total += ran
+        failures += failed
+    print(f"{total} commands ran, {len(failures)} failed")
+    for failure in failures:
+        print(failure, file=sys.stderr)
+    # README alone has more than ten: fewer would mean that the commands were not found.
+    return 1 if failures or total < 20 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
