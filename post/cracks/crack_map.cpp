@@ -13,6 +13,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersion.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -203,5 +204,7 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     data->GetFieldData()->AddArray(definition);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }
+
+std::string vtk_library_version() { return std::string("VTK ") + vtkVersion::GetVTKVersion(); }
 
 }  // namespace graincrack

@@ -31,4 +31,7 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
 void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& labelled_cracks,
                   const Frame& frame, const CrackLabel& label);
 
+/// "VTK 9.1.0".
+std::string vtk_library_version();
+
 }  // namespace graincrack
