@@ -10,6 +10,7 @@
 #include <iostream>
 #include <map>
 
+#include "post/chart/font.hpp"
 #include "post/chart/picture.hpp"
 #include "post/commands/calibrate.hpp"
 #include "post/commands/ccd.hpp"
@@ -25,6 +26,7 @@
 #include "post/commands/report.hpp"
 #include "post/commands/size_effect.hpp"
 #include "post/commands/trend.hpp"
+#include "post/cracks/crack_map.hpp"
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 
@@ -135,7 +137,9 @@ std::vector<std::string> files_of(const Registered& command) {
 void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     CommonOptions common;
     CLI::App app("Turns runs into tables, VTK files and pictures");
-    add_common_options(app, "graincrack-post", common, examples, {vtk_library_version(), std::string("GSL ") + GSL_VERSION});
+    add_common_options(
+        app, "graincrack-post", common, examples,
+        {vtk_library_version(), cairo_library_version(), pango_library_version(), std::string("GSL ") + GSL_VERSION});
     app.require_subcommand(1);
     Registry registry;
     for (const Command& command : commands()) add(app, command, "", registry);

@@ -1,12 +1,12 @@
 # Sourced by share/quickstart, tests/run and .ci/run: the Debian 12 packages of the project and its build folders.
 # shellcheck shell=bash disable=SC2034
 
-# What the three tools are built from, with what draws pictures without a display.
+# What the three tools are built from, with the font of pictures.
 build_packages=(
     cmake g++ ninja-build
-    libcgal-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libssl-dev libtomlplusplus-dev
-    libvtk9-dev nlohmann-json3-dev
-    libegl-mesa0 libgl1-mesa-dri
+    libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libpango1.0-dev libssl-dev
+    libtomlplusplus-dev libvtk9-dev nlohmann-json3-dev pkg-config
+    fonts-liberation
 )
 # What the tests add: their framework, and what share/python and its examples need.
 test_packages=(libgtest-dev python3-h5py python3-matplotlib)

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "post/chart/font.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {

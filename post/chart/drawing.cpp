@@ -1,7 +1,5 @@
 #include "post/chart/drawing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,10 +75,12 @@ std::size_t Drawing::n_marks() const {
     return n;
 }
 
-double text_width(const std::string& label, double size) {
-    // Bytes that continue a UTF-8 character are not counted; DejaVu Sans, the widest of the fonts tried, has 0.58 em a letter.
-    const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    return 0.58 * size * static_cast<double>(letters);
+std::string Drawing::words() const {
+    std::string lines;
+    for (const Shape& shape : shapes_) {
+        if (const auto* text = std::get_if<Text>(&shape)) lines += text->label + "\n";
+    }
+    return lines;
 }
 
 std::string escape_xml(const std::string& text) {
@@ -96,85 +96,6 @@ std::string escape_xml(const std::string& text) {
         }
     }
     return out;
-}
-
-namespace {
-
-std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
-
-void append_path(std::string& path, std::span<const Pixel> points) {
-    char command = 'M';
-    for (const Pixel& p : points) {
-        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", command, p.x, p.y);
-        command = 'L';
-    }
-}
-
-/// Collects shapes into SVG elements; shapes of one style become one path.
-class SvgWriter {
-public:
-    void operator()(const Polygons& polygons) {
-        begin(fmt::format("fill=\"{}\"", hex(polygons.fill)));
-        for (std::size_t i = 0; i < polygons.size(); ++i) {
-            append_path(path_, polygons[i]);
-            path_ += 'Z';
-        }
-    }
-    void operator()(const Strokes& strokes) {
-        begin_stroke(strokes.width, strokes.colour);
-        for (std::size_t i = 0; i < strokes.ends.size(); i += 2) append_path(path_, std::span(strokes.ends).subspan(i, 2));
-    }
-    void operator()(const Polyline& line) {
-        begin_stroke(line.width, line.colour);
-        append_path(path_, line.points);
-    }
-    void operator()(const Text& text) {
-        end();
-        static constexpr std::array<const char*, 3> anchors{"start", "middle", "end"};
-        fmt::format_to(
-            std::back_inserter(body_),
-            "<text x=\"{0:.2f}\" y=\"{1:.2f}\" font-size=\"{2:.1f}\" fill=\"{3}\" text-anchor=\"{4}\"{5}{6}>{7}</text>\n",
-            text.at.x, text.at.y, text.size, hex(text.colour), anchors[static_cast<std::size_t>(text.anchor)],
-            text.bold ? " font-weight=\"bold\"" : "",
-            text.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x, text.at.y) : "",
-            escape_xml(text.label));
-    }
-    void end() {
-        if (!path_.empty()) fmt::format_to(std::back_inserter(body_), "<path {} d=\"{}\"/>\n", style_, path_);
-        path_.clear();
-        style_.clear();
-    }
-    [[nodiscard]] const std::string& body() const { return body_; }
-
-private:
-    void begin_stroke(double width, Colour colour) {
-        begin(
-            fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-                        hex(colour), width));
-    }
-    void begin(const std::string& style) {
-        if (style != style_) {
-            end();
-            style_ = style;
-        }
-    }
-    std::string body_;
-    std::string style_;
-    std::string path_;
-};
-
-}  // namespace
-
-std::string to_svg(const Drawing& drawing) {
-    SvgWriter writer;
-    for (const Drawing::Shape& shape : drawing.shapes()) std::visit(writer, shape);
-    writer.end();
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "font-family=\"Arial, Liberation Sans, Helvetica, sans-serif\">\n"
-        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n{2}</svg>\n",
-        drawing.width(), drawing.height(), writer.body());
 }
 
 std::vector<double> round_ticks(double low, double high, int wanted) {

@@ -1,4 +1,5 @@
-// A picture as a list of shapes, in pixels, before it becomes PNG or SVG. Independent of VTK and of the data that are drawn.
+// A picture as a list of shapes, in pixels, before it becomes PNG, SVG or PDF. Independent of Cairo and of the data that are
+// drawn.
 //
 // Origin at the top left, x to the right, y downwards. Later shapes cover earlier ones.
 #pragma once
@@ -100,6 +101,8 @@ public:
     [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
     /// Number of polygons, lines and texts.
     [[nodiscard]] std::size_t n_marks() const;
+    /// All texts, a line each: what the picture says to those who do not see it.
+    [[nodiscard]] std::string words() const;
 
 private:
     int width_;
@@ -109,12 +112,6 @@ private:
 
 /// Text with the characters escaped that XML and HTML reserve.
 std::string escape_xml(const std::string& text);
-
-/// The drawing as an SVG document. Neighbouring shapes of one style share a path.
-std::string to_svg(const Drawing& drawing);
-
-/// Approximate width of a text, in pixels: fonts differ between machines.
-double text_width(const std::string& label, double size);
 
 /// About `wanted` round numbers (1, 2, 5 × 10^k apart) inside [low, high], for the ticks of an axis.
 std::vector<double> round_ticks(double low, double high, int wanted);

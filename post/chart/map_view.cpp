@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/chart/font.hpp"
 #include "post/chart/pixel_fill.hpp"
 #include "share/units.hpp"
 

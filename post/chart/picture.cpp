@@ -1,35 +1,16 @@
 #include "post/chart/picture.hpp"
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkImageData.h>
-#include <vtkImageShrink3D.h>
-#include <vtkNew.h>
-#include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
-#include <vtkPNGWriter.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkVersion.h>
-#include <vtkWindowToImageFilter.h>
-#include <vtk_glew.h>
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
+#include <memory>
 #include <span>
 
-#include "post/chart/offscreen_window.hpp"
+#include "post/chart/font.hpp"
 #include "post/table/output_file.hpp"
 #include "share/error.hpp"
 
@@ -37,177 +18,165 @@ namespace graincrack {
 
 namespace {
 
-/// Pixels rendered for each pixel of the picture, along each side: edges are smooth whether or not the driver multisamples.
-constexpr int oversampling = 3;
+constexpr double metres_per_inch = 0.0254;
+constexpr double points_per_inch = 72;
+constexpr double default_resolution = 300;
+constexpr int max_pixels = 32767;  ///< of an image of Cairo, along a side
+
+struct Free {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Free>;
 
 std::string ending(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-/// A sans-serif font with Greek letters where one is installed; VTK's own otherwise.
-void set_font(vtkTextProperty* style, bool bold) {
-    static const std::array<std::filesystem::path, 2> folders{"/usr/share/fonts/truetype/liberation",
-                                                              "/usr/share/fonts/truetype/dejavu"};
-    static const std::array<std::array<const char*, 2>, 2> names{
-        {{"LiberationSans-Regular.ttf", "LiberationSans-Bold.ttf"}, {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"}}};
-    for (std::size_t i = 0; i < folders.size(); ++i) {
-        const std::filesystem::path file = folders[i] / names[i][bold ? 1 : 0];
-        std::error_code ignored;
-        if (std::filesystem::exists(file, ignored)) {
-            style->SetFontFamily(VTK_FONT_FILE);
-            style->SetFontFile(file.c_str());
-            return;
-        }
-    }
-    style->SetFontFamilyToArial();
-    style->SetBold(bold ? 1 : 0);
+void require(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw OutputError(fmt::format("picture: could not be made: {}", cairo_status_to_string(status)));
 }
 
-/// Turns shapes into coloured triangles of a 2D overlay, in order, and text into actors above them.
-class OverlayBuilder {
+/// Draws shapes, whose unit is the pixel of the drawing.
+class Painter {
 public:
-    OverlayBuilder(vtkRenderer* renderer, int height) : renderer_(renderer), height_(height) {
-        colours_->SetNumberOfComponents(3);
+    explicit Painter(cairo_t* context) : context_(context) {
+        cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
     }
-
     void operator()(const Polygons& polygons) {
-        for (std::size_t i = 0; i < polygons.size(); ++i) add_polygon(polygons[i], polygons.fill);
+        set_colour(polygons.fill);
+        for (std::size_t i = 0; i < polygons.size(); ++i) {
+            add_path(polygons[i]);
+            cairo_close_path(context_);
+            if (i % shapes_per_path == shapes_per_path - 1) cairo_fill(context_);
+        }
+        cairo_fill(context_);
     }
     void operator()(const Strokes& strokes) {
-        for (std::size_t i = 0; i < strokes.ends.size(); i += 2) {
-            add_line(std::span(strokes.ends).subspan(i, 2), strokes.width, strokes.colour);
+        for (std::size_t i = 0; i < strokes.size(); ++i) {
+            add_path(std::span(strokes.ends).subspan(2 * i, 2));
+            if (i % shapes_per_path == shapes_per_path - 1) stroke(strokes.width, strokes.colour);
         }
+        stroke(strokes.width, strokes.colour);
     }
-    void operator()(const Polyline& line) { add_line(line.points, line.width, line.colour); }
-    void operator()(const Text& text) {
-        vtkNew<vtkTextActor> actor;
-        actor->SetInput(text.label.c_str());
-        vtkTextProperty* style = actor->GetTextProperty();
-        set_font(style, text.bold);
-        // VTK measures fonts in points of 1/72 inch at the window's dots per inch, which is set to 72.
-        style->SetFontSize(static_cast<int>(std::lround(text.size * oversampling)));
-        style->SetColor(text.colour.red / 255.0, text.colour.green / 255.0, text.colour.blue / 255.0);
-        style->SetJustification(text.anchor == Anchor::start ? VTK_TEXT_LEFT
-                                : text.anchor == Anchor::end ? VTK_TEXT_RIGHT
-                                                             : VTK_TEXT_CENTERED);
-        style->SetVerticalJustificationToBottom();
-        style->UseTightBoundingBoxOff();
-        if (text.upwards) style->SetOrientation(90);
-        // VTK's bottom is that of the descenders, not the baseline.
-        const double descent = 0.22 * text.size;
-        const Pixel at = text.upwards ? Pixel{text.at.x + descent, text.at.y} : Pixel{text.at.x, text.at.y + descent};
-        actor->SetPosition(at.x * oversampling, (height_ - at.y) * oversampling);
-        texts_.push_back(actor.Get());
+    void operator()(const Polyline& line) {
+        add_path(line.points);
+        stroke(line.width, line.colour);
     }
-    /// Hands the collected triangles to the renderer, and above them the text.
-    void finish() {
-        vtkNew<vtkPolyData> mesh;
-        mesh->SetPoints(points_);
-        mesh->SetPolys(triangles_);
-        mesh->GetCellData()->SetScalars(colours_);
-        vtkNew<vtkPolyDataMapper2D> mapper;
-        mapper->SetInputData(mesh);
-        mapper->SetScalarModeToUseCellData();
-        mapper->ScalarVisibilityOn();
-        vtkNew<vtkActor2D> actor;
-        actor->SetMapper(mapper);
-        renderer_->AddActor2D(actor);
-        for (const auto& text : texts_) renderer_->AddActor2D(text);
-    }
+    void operator()(const Text& text) { show_text(context_, text); }
 
 private:
-    void add_polygon(std::span<const Pixel> corners, Colour fill) {
-        const vtkIdType first = points_->GetNumberOfPoints();
-        for (const Pixel& p : corners) add_point(p);
-        for (vtkIdType i = 2; i < static_cast<vtkIdType>(corners.size()); ++i)
-            add_triangle(first, first + i - 1, first + i, fill);
+    void set_colour(Colour c) { cairo_set_source_rgb(context_, c.red / 255.0, c.green / 255.0, c.blue / 255.0); }
+    void add_path(std::span<const Pixel> points) {
+        cairo_new_sub_path(context_);
+        for (const Pixel& p : points) cairo_line_to(context_, p.x, p.y);
     }
-    /// Bars with discs at ends and corners where these are wide enough to be seen.
-    void add_line(std::span<const Pixel> points, double width, Colour colour) {
-        for (std::size_t i = 1; i < points.size(); ++i) add_bar(points[i - 1], points[i], width, colour);
-        if (width < 1.5) return;
-        for (const Pixel& p : points) add_disc(p, width / 2, colour);
+    void stroke(double width, Colour colour) {
+        set_colour(colour);
+        cairo_set_line_width(context_, width);
+        cairo_stroke(context_);
     }
-    void add_point(Pixel p) { points_->InsertNextPoint(p.x * oversampling, (height_ - p.y) * oversampling, 0); }
-    void add_triangle(vtkIdType a, vtkIdType b, vtkIdType c, Colour colour) {
-        triangles_->InsertNextCell({a, b, c});
-        colours_->InsertNextTuple3(colour.red, colour.green, colour.blue);
-    }
-    void add_bar(Pixel a, Pixel b, double width, Colour colour) {
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        if (length == 0) return;
-        const double dx = -(b.y - a.y) / length * width / 2;
-        const double dy = (b.x - a.x) / length * width / 2;
-        const std::array<Pixel, 4> bar{{{a.x + dx, a.y + dy}, {b.x + dx, b.y + dy}, {b.x - dx, b.y - dy}, {a.x - dx, a.y - dy}}};
-        add_polygon(bar, colour);
-    }
-    void add_disc(Pixel centre, double radius, Colour colour) {
-        constexpr std::size_t corners = 12;
-        std::array<Pixel, corners> rim;
-        for (std::size_t i = 0; i < corners; ++i) {
-            const double angle = 2 * std::numbers::pi * static_cast<double>(i) / corners;
-            rim[i] = {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
-        }
-        add_polygon(rim, colour);
-    }
-
-    vtkRenderer* renderer_;
-    double height_;
-    vtkNew<vtkPoints> points_;
-    vtkNew<vtkCellArray> triangles_;
-    vtkNew<vtkUnsignedCharArray> colours_;
-    std::vector<vtkSmartPointer<vtkTextActor>> texts_;
+    static constexpr std::size_t shapes_per_path = 4096;  ///< bounds the memory of a path
+    cairo_t* context_;
 };
+
+/// Draws all shapes on white. \param scale units of the surface to a pixel of the drawing
+void paint(const Drawing& drawing, cairo_surface_t* surface, double scale) {
+    const std::unique_ptr<cairo_t, Free> context(cairo_create(surface));
+    cairo_set_source_rgb(context.get(), 1, 1, 1);
+    cairo_paint(context.get());
+    cairo_scale(context.get(), scale, scale);
+    Painter painter(context.get());
+    for (const Drawing::Shape& shape : drawing.shapes()) std::visit(painter, shape);
+    require(cairo_status(context.get()));
+}
+
+template <class Bytes>
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size) {
+    auto& all = *static_cast<Bytes*>(bytes);
+    all.insert(all.end(), data, data + size);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/// Paints on a surface whose bytes are complete when it is finished.
+void paint_whole(const Drawing& drawing, const Surface& surface, double scale) {
+    paint(drawing, surface.get(), scale);
+    cairo_surface_finish(surface.get());
+    require(cairo_surface_status(surface.get()));
+}
+
+/// Points of a page to a pixel of the drawing.
+double points_per_pixel(const Drawing& drawing, double width) {
+    return width / metres_per_inch * points_per_inch / drawing.width();
+}
+
+std::string to_pdf(const Drawing& drawing, const PictureSize& size) {
+    std::string bytes;
+    const double scale = points_per_pixel(drawing, size.width.value_or(pdf_width));
+    const Surface surface(
+        cairo_pdf_surface_create_for_stream(&append<std::string>, &bytes, scale * drawing.width(), scale * drawing.height()));
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "2000-01-01T00:00:00Z");  // the same bytes every day
+    paint_whole(drawing, surface, scale);
+    return bytes;
+}
 
 }  // namespace
 
-std::vector<unsigned char> png_bytes(const Drawing& drawing) {
-    // GLEW complains about the missing display although the context is complete; failures are checked for here.
-    vtkObject::GlobalWarningDisplayOff();
-    const vtkSmartPointer<vtkRenderWindow> window =
-        make_offscreen_window(drawing.width() * oversampling, drawing.height() * oversampling);
-    window->SetMultiSamples(0);
-    window->SetDPI(72);
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(1, 1, 1);
-    window->AddRenderer(renderer);
-    OverlayBuilder overlay(renderer, drawing.height());
-    for (const Drawing::Shape& shape : drawing.shapes()) std::visit(overlay, shape);
-    overlay.finish();
-    // All shapes have the same depth: later ones cover earlier ones.
-    vtkOpenGLRenderWindow::SafeDownCast(window)->GetState()->vtkglDepthFunc(GL_ALWAYS);
-    window->Render();
-
-    vtkNew<vtkWindowToImageFilter> grabber;
-    grabber->SetInput(window);
-    grabber->ReadFrontBufferOff();
-    grabber->ShouldRerenderOff();
-    vtkNew<vtkImageShrink3D> shrink;
-    shrink->SetInputConnection(grabber->GetOutputPort());
-    shrink->SetShrinkFactors(oversampling, oversampling, 1);
-    shrink->MeanOn();
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection(shrink->GetOutputPort());
-    writer->WriteToMemoryOn();
-    writer->Write();
-    vtkUnsignedCharArray* bytes = writer->GetResult();
-    if (writer->GetErrorCode() != 0 || bytes == nullptr) throw OutputError("picture: could not be made");
-    return {bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues()};
+std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size) {
+    const double scale =
+        size.width ? *size.width / metres_per_inch * size.resolution.value_or(default_resolution) / drawing.width() : 1;
+    const double width = std::round(scale * drawing.width());
+    const double height = std::round(scale * drawing.height());
+    if (!(std::max(width, height) <= max_pixels)) {
+        throw OutputError(
+            fmt::format("picture: {:.0f} x {:.0f} pixels are too many, at most {} along a side; a smaller --dpi fits", width,
+                        height, max_pixels));
+    }
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
+    paint(drawing, surface.get(), scale);
+    std::vector<unsigned char> bytes;
+    require(cairo_surface_write_to_png_stream(surface.get(), &append<std::vector<unsigned char>>, &bytes));
+    return bytes;
 }
 
-void require_picture_name(const std::string& path) {
+std::string to_svg(const Drawing& drawing, const PictureSize& size) {
+    std::string bytes;
+    const double scale = size.width ? points_per_pixel(drawing, *size.width) : 1;
+    const Surface surface(
+        cairo_svg_surface_create_for_stream(&append<std::string>, &bytes, scale * drawing.width(), scale * drawing.height()));
+    cairo_svg_surface_set_document_unit(surface.get(), size.width ? CAIRO_SVG_UNIT_PT : CAIRO_SVG_UNIT_PX);
+    paint_whole(drawing, surface, scale);
+    const std::size_t root = bytes.find('\n', bytes.find("<svg")) + 1;
+    bytes.insert(root, "<desc>" + escape_xml(drawing.words()) + "</desc>\n");
+    // Cairo numbers the surfaces of a process: the same drawing is to have the same bytes.
+    if (const std::size_t name = bytes.find("<g id=\"surface"); name != std::string::npos) {
+        bytes.erase(name + 2, bytes.find('>', name) - name - 2);
+    }
+    return bytes;
+}
+
+void require_picture(const std::string& path, const PictureSize& size) {
     const std::string kind = ending(path);
-    if (kind != ".png" && kind != ".svg") throw UsageError("--output " + path + ": a picture's name must end in .png or .svg");
+    if (kind != ".png" && kind != ".svg" && kind != ".pdf") {
+        throw UsageError("--output " + path + ": a picture's name must end in .png, .svg or .pdf");
+    }
+    if (size.resolution && kind != ".png") throw UsageError("--dpi: " + path + " has no pixels; leave it out");
+    if (size.resolution && !size.width) throw UsageError("--dpi: needs the picture's width; --width 84mm fits");
 }
 
-void write_picture(const Drawing& drawing, const std::string& path) {
-    require_picture_name(path);
+void write_picture(const Drawing& drawing, const std::string& path, const PictureSize& size) {
+    require_picture(path, size);
     if (ending(path) == ".svg") {
-        write_whole_file(path, to_svg(drawing));
+        write_whole_file(path, to_svg(drawing, size));
+    } else if (ending(path) == ".pdf") {
+        write_whole_file(path, to_pdf(drawing, size));
     } else {
-        const std::vector<unsigned char> bytes = png_bytes(drawing);
+        const std::vector<unsigned char> bytes = png_bytes(drawing, size);
         write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
 }
 
-std::string vtk_library_version() { return std::string("VTK ") + vtkVersion::GetVTKVersion(); }
+std::string cairo_library_version() { return std::string("cairo ") + cairo_version_string(); }
 
 }  // namespace graincrack

@@ -15,6 +15,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersion.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -306,5 +307,7 @@ void write_platens(const std::string& path, const Specimen& specimen, const Fram
     add_moment(data, moment);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }
+
+std::string vtk_library_version() { return std::string("VTK ") + vtkVersion::GetVTKVersion(); }
 
 }  // namespace graincrack

@@ -46,4 +46,7 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
 /// displacement (m). \throws OutputError
 void write_platens(const std::string& path, const Specimen& specimen, const FrameMoment& moment);
 
+/// "VTK 9.1.0".
+std::string vtk_library_version();
+
 }  // namespace graincrack

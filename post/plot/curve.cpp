@@ -190,7 +190,8 @@ Command curve_plot() {
     };
     return make_plot<Options>(
         "curve", "stress against axial and lateral strain, several runs on one plot",
-        {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv -o curve.svg"}, several_runs,
+        {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv --width 84mm -o curve.pdf"},
+        several_runs,
         [](CLI::App& app, Options& options) {
             add_picture(app, options);
             add_names(app, "--laboratory", options.laboratory, "FILE",

@@ -16,9 +16,11 @@ namespace graincrack {
 
 /// The options of every picture; a picture with options of its own derives from it.
 struct PlotOptions {
-    std::string picture;  ///< .png or .svg
+    std::string picture;  ///< .png, .svg or .pdf
+    PictureSize size;
 };
-inline void add_picture(CLI::App& app, PlotOptions& options) { add_output(app, options.picture, "picture: .png or .svg"); }
+/// -o, --width, --dpi
+void add_picture(CLI::App& app, PlotOptions& options);
 
 /// A picture with options; `add` declares them, the file of the picture by `add_picture` among them.
 template <class Options>
@@ -27,8 +29,8 @@ Command make_plot(std::string name, std::string help, std::vector<std::string> e
                   const std::function<Drawing(const Options&, const Call&)>& draw) {
     return make_command<Options>(std::move(name), std::move(help), std::move(examples), files, add,
                                  [draw](const Options& options, const Call& call) {
-                                     require_picture_name(options.picture);
-                                     write_picture(draw(options, call), options.picture);
+                                     require_picture(options.picture, options.size);
+                                     write_picture(draw(options, call), options.picture, options.size);
                                  });
 }
 

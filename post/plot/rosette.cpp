@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "post/chart/font.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"

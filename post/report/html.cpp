@@ -34,7 +34,7 @@ td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top
 .figures { display: flex; flex-wrap: wrap; gap: 20px; align-items: flex-start; }
 figure { margin: 10px 0; width: 500px; max-width: 100%; }
 figure.wide { width: 760px; }
-figure svg, figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
+figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 .columns { display: flex; flex-wrap: wrap; gap: 0 40px; }
 .columns th, .columns td, .checks th, .checks td { padding-right: 10px; }
@@ -54,20 +54,17 @@ std::string base64(const std::vector<unsigned char>& bytes) {
     return out;
 }
 
-/// The drawing as an <svg> element: without the XML declaration of a file.
-std::string inline_svg(const Drawing& drawing) {
-    const std::string file = to_svg(drawing);
-    return file.substr(file.find("<svg"));
-}
-
 std::string image(const Drawing& drawing, const std::string& caption) {
     constexpr std::size_t many_marks = 2500;
-    if (drawing.n_marks() < many_marks) return inline_svg(drawing);
-    try {
-        return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(caption), base64(png_bytes(drawing)));
-    } catch (const OutputError&) {  // no OpenGL on this machine: the same picture as SVG, which is longer
-        return inline_svg(drawing);
-    }
+    const bool is_svg = drawing.n_marks() < many_marks;
+    // As data of an image: several SVG elements in a page would share the names of their letters.
+    const auto encoded = [&] {
+        if (!is_svg) return base64(png_bytes(drawing));
+        const std::string svg = to_svg(drawing);
+        return base64({svg.begin(), svg.end()});
+    };
+    return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escaped(caption + ": " + drawing.words()),
+                       is_svg ? "svg+xml" : "png", encoded());
 }
 
 }  // namespace

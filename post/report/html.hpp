@@ -25,7 +25,7 @@ private:
     bool wraps_;
 };
 
-/// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG if one can be drawn here.
+/// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG.
 std::string figure(const Drawing& drawing, const std::string& caption, bool wide = false);
 
 /// A section with a heading; `id` is its place for links.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "post/chart/font.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -104,7 +106,7 @@ TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
     for (const Drawing::Shape& shape : page.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
         if (text == nullptr || text->label.find("several") == std::string::npos) continue;
-        EXPECT_LE(text->at.x + text_width(text->label, text->size), page.width());
+        EXPECT_LE(text->at.x + text_width(text->label, text->size, text->bold), page.width());
         lowest = std::max(lowest, text->at.y);
     }
     for (const Drawing::Shape& shape : page.shapes()) {
@@ -126,7 +128,7 @@ TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
         const auto* text = std::get_if<Text>(&shape);
         if (text == nullptr || text->label.find("several") == std::string::npos) continue;
         ++found;
-        EXPECT_LE(text->at.x + text_width(text->label, text->size), page.width());
+        EXPECT_LE(text->at.x + text_width(text->label, text->size, text->bold), page.width());
         EXPECT_EQ(text->label.find("φ-first_"), 0U) << text->label;
         EXPECT_NE(text->label.find("…"), std::string::npos) << text->label;
         EXPECT_NE(text->label.find("_last.h5:"), std::string::npos) << text->label;

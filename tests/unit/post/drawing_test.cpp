@@ -5,19 +5,6 @@
 namespace graincrack {
 namespace {
 
-TEST(Drawing, SvgSharesPathsOfOneStyleAndEscapesText) {
-    Drawing drawing(100, 50);
-    drawing.polygon({{0, 0}, {10, 0}, {0, 10}}, palette::grain);
-    drawing.polygon({{20, 0}, {30, 0}, {20, 10}}, palette::grain);
-    drawing.line({0, 0}, {5, 5}, 2, palette::tensile);
-    drawing.text({{1, 2}, "a < b & c"});
-    const std::string svg = to_svg(drawing);
-    EXPECT_NE(svg.find("width=\"100\" height=\"50\""), std::string::npos);
-    EXPECT_NE(svg.find("M0.00 0.00L10.00 0.00L0.00 10.00ZM20.00"), std::string::npos) << svg;
-    EXPECT_NE(svg.find("stroke=\"#e83e1c\""), std::string::npos) << svg;
-    EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
-}
-
 TEST(Drawing, MarksOfOneKindThatFollowEachOtherAreOneShape) {
     Drawing drawing(100, 50);
     for (double x : {0.0, 20.0, 40.0}) drawing.polygon({{x, 0}, {x + 10, 0}, {x, 10}}, palette::grain);

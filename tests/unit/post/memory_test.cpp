@@ -1,4 +1,5 @@
-// Commands read a run array by array: beside what the libraries take themselves, no more memory than twice the file.
+// Commands read a run array by array: beside what the libraries take themselves, no more memory than twice the file, and twice
+// the picture that they write.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -68,7 +69,7 @@ TEST(Memory, IsAtMostTwiceTheFile) {
     write_large_run(run);
     const auto size = static_cast<double>(std::filesystem::file_size(run));
     EXPECT_GT(size, 40e6);
-    const double libraries = memory_of({"--version"});
+    const double libraries = memory_of({"plot", "lennard-jones", "-o", folder.file("potential.svg")});  // with the fonts
     const std::vector<std::vector<std::string>> calls{{"strength", run},
                                                       {"moduli", run},
                                                       {"history", run},
@@ -78,7 +79,10 @@ TEST(Memory, IsAtMostTwiceTheFile) {
                                                       {"plot", "fragments", run, "-o", folder.file("fragments.svg")}};
     for (const auto& call : calls) {
         const double memory = memory_of(call) - libraries;
-        EXPECT_LE(memory, 2 * size) << call[0] << " " << call[1];
+        // Cairo and its writer hold an SVG as text, once each, until it is whole.
+        const std::string& output = call.back();
+        const double picture = output.ends_with(".svg") ? static_cast<double>(std::filesystem::file_size(output)) : 0;
+        EXPECT_LE(memory, 2 * size + 2 * picture) << call[0] << " " << call[1];
     }
 }
 

@@ -1,14 +1,15 @@
 #include "post/chart/picture.hpp"
 
+#include <cairo.h>
 #include <gtest/gtest.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
+#include "post/chart/font.hpp"
 #include "post/command_line.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/plot/counts.hpp"
@@ -31,29 +32,30 @@
 namespace graincrack {
 namespace {
 
+using Image = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+Image read_png(const std::string& path) { return {cairo_image_surface_create_from_png(path.c_str()), &cairo_surface_destroy}; }
+
 /// Pixels of exactly one colour in a PNG.
 int pixels_of(const std::string& path, Colour colour) {
-    vtkNew<vtkPNGReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    vtkImageData* image = reader->GetOutput();
-    const int* size = image->GetDimensions();
+    const Image image = read_png(path);
+    const int stride = cairo_image_surface_get_stride(image.get());
     int count = 0;
-    for (int y = 0; y < size[1]; ++y) {
-        for (int x = 0; x < size[0]; ++x) {
-            const auto* p = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
-            if (p[0] == colour.red && p[1] == colour.green && p[2] == colour.blue) ++count;
+    for (int y = 0; y < cairo_image_surface_get_height(image.get()); ++y) {
+        for (int x = 0; x < cairo_image_surface_get_width(image.get()); ++x) {
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, cairo_image_surface_get_data(image.get()) + y * stride + 4 * x, sizeof pixel);
+            if ((pixel & 0xFFFFFFU) == (colour.red * 65536U + colour.green * 256U + colour.blue)) ++count;
         }
     }
     return count;
 }
 
-/// Every line of text lies on the page, by the widest of the fonts tried.
+/// Every line of text lies on the page.
 void expect_words_fit(const Drawing& drawing, const std::string& what) {
     for (const Drawing::Shape& shape : drawing.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
         if (text == nullptr) continue;
-        const double width = text_width(text->label, text->size);
+        const double width = text_width(text->label, text->size, text->bold);
         const double before = text->anchor == Anchor::start ? 0 : text->anchor == Anchor::middle ? 0.5 : 1;
         const double along = text->upwards ? drawing.height() - text->at.y : text->at.x;
         const double page = text->upwards ? drawing.height() : drawing.width();
@@ -273,6 +275,42 @@ TEST_F(Picture, CurvesOfDifferentTestsDoNotShareAPlot) {
     other.peak = 8e6;
     test::write_run(path("brazilian.h5"), other);
     EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}, {}, ""), InputError);
+}
+
+TEST_F(Picture, AWidthOnPaperSetsPixelsOfAPngAndPointsOfSvgAndPdf) {
+    Drawing drawing(1000, 500);
+    drawing.rectangle({0, 0}, {500, 500}, palette::grain);
+    drawing.text({{500, 250}, "σ1 < 3 & φ"});
+    write_picture(drawing, path("column.png"), {0.0508, 600});
+    const Image image = read_png(path("column.png"));
+    EXPECT_EQ(cairo_image_surface_get_width(image.get()), 1200);
+    EXPECT_EQ(cairo_image_surface_get_height(image.get()), 600);
+    EXPECT_EQ(pixels_of(path("column.png"), palette::grain), 600 * 600);
+    const std::string svg = to_svg(drawing, {0.0508, std::nullopt});
+    EXPECT_NE(svg.find("width=\"144pt\" height=\"72pt\""), std::string::npos) << svg.substr(0, 300);
+    EXPECT_NE(svg.find("<desc>σ1 &lt; 3 &amp; φ\n</desc>"), std::string::npos) << svg.substr(0, 500);
+    write_picture(drawing, path("column.pdf"), {0.0508, std::nullopt});
+    std::ifstream file(path("column.pdf"), std::ios::binary);
+    const std::string pdf((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_TRUE(pdf.starts_with("%PDF-"));
+    EXPECT_NE(pdf.find("/MediaBox [ 0 0 144 72 ]"), std::string::npos);
+    EXPECT_NE(pdf.find("LiberationSans"), std::string::npos) << "the font is not in the file";
+    write_picture(drawing, path("again.pdf"), {0.0508, std::nullopt});
+    std::ifstream other(path("again.pdf"), std::ios::binary);
+    EXPECT_EQ(pdf, std::string((std::istreambuf_iterator<char>(other)), {}));
+}
+
+TEST_F(Picture, AResolutionThatMeansNothingIsRefused) {
+    test::expect_one_line<UsageError>([&] { require_picture("a.svg", {0.08, 300}); }, {"--dpi", "a.svg"});
+    test::expect_one_line<UsageError>([&] { require_picture("a.png", {std::nullopt, 300}); }, {"--dpi", "--width 84mm"});
+    test::expect_one_line<OutputError>([&] { (void)png_bytes(Drawing(100, 100), {2, 2400}); }, {"188976", "--dpi"});
+}
+
+TEST(Font, WidthsAreMeasured) {
+    EXPECT_GT(text_width("WWWW", 20), 2.5 * text_width("iiii", 20));
+    EXPECT_NEAR(text_width("strength", 40), 2 * text_width("strength", 20), 0.1);
+    EXPECT_GT(text_width("strength", 20, true), text_width("strength", 20));
+    EXPECT_NEAR(text_width("0123456789", 20), 10 * text_width("0", 20), 0.1);
 }
 
 TEST_F(Picture, NamesAndPlacesThatCannotBeAreOneError) {

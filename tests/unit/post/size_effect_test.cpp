@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "post/chart/picture.hpp"
 #include "post/plot/size_effect.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"

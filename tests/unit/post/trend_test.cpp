@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "post/chart/picture.hpp"
 #include "post/plot/trend.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
