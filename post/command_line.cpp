@@ -25,6 +25,7 @@
 #include "post/commands/plot.hpp"
 #include "post/commands/report.hpp"
 #include "post/commands/size_effect.hpp"
+#include "post/commands/summarize.hpp"
 #include "post/commands/trend.hpp"
 #include "post/cracks/crack_map.hpp"
 #include "share/command_line.hpp"
@@ -50,6 +51,7 @@ std::vector<Command> commands() {
         envelope_command(),
         size_effect_command(),
         trend_command(),
+        summarize_command(),
         material_command(),
         fpz_command(),
         ccd_command(),

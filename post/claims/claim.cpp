@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <utility>
 
@@ -16,6 +15,11 @@
 namespace graincrack::claims {
 
 namespace {
+
+Condition condition_of(const std::string& text, const std::string& where) {
+    if (auto condition = parse_condition(text)) return *condition;
+    throw InputError(fmt::format("{}: condition \"{}\"; {}", where, text, condition_form));
+}
 
 const std::vector<std::string> needed_columns{"claim", "kind", "table", "column", "paper"};
 const std::vector<std::string> further_columns{"where",   "value", "tolerance", "interval", "by",  "pair",
@@ -136,7 +140,7 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
     claim.name = file.text(row, "claim");
     claim.kind = parse_kind(file.text(row, "kind"), where);
     claim.table = file.text(row, "table");
-    for (const std::string& part : split(file.text(row, "where"), ';')) claim.where.push_back(parse_condition(part, where));
+    for (const std::string& part : split(file.text(row, "where"), ';')) claim.where.push_back(condition_of(part, where));
     claim.column = file.text(row, "column");
     claim.paper = file.text(row, "paper");
     claim.value = file.text(row, "value");
@@ -148,7 +152,7 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
     claim.against = file.text(row, "against");
     const std::string needs = file.text(row, "needs");
     claim.only_if_measured = needs == "rows";
-    if (!needs.empty() && !claim.only_if_measured) claim.needs = parse_condition(needs, where);
+    if (!needs.empty() && !claim.only_if_measured) claim.needs = condition_of(needs, where);
     const std::string factor = file.text(row, "factor");
     if (!factor.empty()) {
         const auto number = parse_number(factor);
@@ -162,36 +166,6 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
 }
 
 }  // namespace
-
-std::optional<double> parse_number(const std::string& text) {
-    const char* from = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
-    const char* const to = text.data() + text.size();
-    double value = 0;
-    const auto [end, error] = std::from_chars(from, to, value);
-    if (error != std::errc{} || end != to) return std::nullopt;
-    return value;
-}
-
-Condition parse_condition(const std::string& text, const std::string& where) {
-    using Comparison = Condition::Comparison;
-    const std::size_t at = text.find_first_of("<>=");
-    const std::size_t from = at == std::string::npos ? at : text.find_first_not_of("<>=", at);
-    static const std::map<std::string, Comparison> comparisons{{"=", Comparison::equal},
-                                                               {"<", Comparison::less},
-                                                               {"<=", Comparison::less_or_equal},
-                                                               {">", Comparison::greater},
-                                                               {">=", Comparison::greater_or_equal}};
-    const auto found = from == std::string::npos ? comparisons.end() : comparisons.find(text.substr(at, from - at));
-    if (at == 0 || found == comparisons.end()) {
-        throw InputError(fmt::format("{}: condition \"{}\"; COLUMN=VALUE, or <, <=, >, >= and a number, is needed", where, text));
-    }
-    Condition condition{found->second, trimmed(text.substr(0, at)), trimmed(text.substr(from))};
-    if (condition.comparison != Comparison::equal && !parse_number(condition.value)) {
-        throw InputError(
-            fmt::format("{}: condition \"{}\"; a number is needed behind {}", where, text, text.substr(at, from - at)));
-    }
-    return condition;
-}
 
 std::vector<Claim> read_claims(const std::string& file, const std::map<std::string, std::string>& settings) {
     const ClaimsFile claims(file, settings);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "post/claims/verdict.hpp"
+#include "post/table/condition.hpp"
 
 namespace graincrack::claims {
 
@@ -22,13 +23,6 @@ enum class Kind {
 struct Tolerance {
     enum class Kind { absolute, relative, interval, standard_errors } kind = Kind::absolute;
     double amount = 0;
-};
-
-/// A condition on the rows of a table: "series=b", "level<=0.75".
-struct Condition {
-    enum class Comparison { equal, less, less_or_equal, greater, greater_or_equal } comparison = Comparison::equal;
-    std::string column;
-    std::string value;
 };
 
 struct Claim {
@@ -55,11 +49,5 @@ struct Claim {
 /// Reads claims. `settings` replace {NAME} in any field.
 /// \throws InputError naming row and column if one cannot be understood or a {NAME} is not set
 std::vector<Claim> read_claims(const std::string& file, const std::map<std::string, std::string>& settings);
-
-/// Reads one condition. \throws InputError naming `where`
-Condition parse_condition(const std::string& text, const std::string& where);
-
-/// A number, empty if the text is none.
-std::optional<double> parse_number(const std::string& text);
 
 }  // namespace graincrack::claims

@@ -9,24 +9,6 @@ namespace graincrack::claims {
 
 namespace {
 
-bool compare(Condition::Comparison comparison, double entry, double wanted) {
-    using Comparison = Condition::Comparison;
-    switch (comparison) {
-        case Comparison::less: return entry < wanted;
-        case Comparison::less_or_equal: return entry <= wanted;
-        case Comparison::greater: return entry > wanted;
-        case Comparison::greater_or_equal: return entry >= wanted;
-        default: return std::abs(entry - wanted) <= 1e-9 * std::abs(wanted);
-    }
-}
-
-bool matches_text(const Condition& condition, const std::string& entry) {
-    const auto number = parse_number(entry);
-    const auto wanted = parse_number(condition.value);
-    if (number && wanted) return compare(condition.comparison, *number, *wanted);
-    return condition.comparison == Condition::Comparison::equal && entry == condition.value;
-}
-
 /// One row's entry of the claim's column.
 std::optional<double> entry_of(const Claim& claim, const Rows& rows, std::size_t row) {
     const std::size_t minus = claim.column.find(" - ");
@@ -96,7 +78,7 @@ Rows::Rows(const TableFile& table, const std::vector<Condition>& where) : table_
     for (const Condition& condition : where) {
         if (condition.column == "row") continue;
         const std::vector<std::string> entries = table.texts(condition.column);
-        std::erase_if(rows_, [&](std::size_t row) { return !matches_text(condition, entries[row]); });
+        std::erase_if(rows_, [&](std::size_t row) { return !meets(condition, entries[row]); });
     }
     for (const Condition& condition : where) {
         if (condition.column != "row") continue;
@@ -117,7 +99,7 @@ std::optional<double> Rows::number(std::size_t row, const std::string& column) c
 }
 
 bool matches(const Condition& condition, const Rows& rows, std::size_t row) {
-    return matches_text(condition, rows.text(row, condition.column));
+    return meets(condition, rows.text(row, condition.column));
 }
 
 std::vector<double> numbers_of(const Claim& claim, const Rows& rows) {

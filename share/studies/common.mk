@@ -189,6 +189,12 @@ $(runs_list): $$(if $$(filter-out $$(runs_listed),$$(file <$$@))$$(filter-out $$
 	@$(call lines,$(runs_listed)) >$@
 FORCE:
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
+# $(call column,NAME,EXPRESSION): a column of `summarize`. $(call sample,EXPRESSION,UNIT): deviation and 95 % interval of a mean.
+column = --column '$(1)=$(2)'
+sample = $(call column,deviation_$(2),deviation($(1))) $(call column,low_$(2),low($(1))) $(call column,high_$(2),high($(1)))
+without_peak = $(call column,without_peak,n(peak_kind where peak_kind!=drop))
+# Whichever strength a test measures, MPa.
+strength = tensile_strength_MPa | peak_compressive_stress_MPa
 # Verdicts on the claims of a study: its claims.tsv is the first prerequisite, the tables of results are the others. A study may set
 # claim_settings, --set NAME=VALUE for each {NAME} in its claims.
 claims = $(call table,$(POST) --quiet claims $(filter %.tsv,$^) --study $(STUDY) $(claim_settings))

@@ -66,6 +66,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post toughness",
                                 "post envelope",
                                 "post trend",
+                                "post summarize",
                                 "post fpz",
                                 "post material init",
                                 "post cracks",

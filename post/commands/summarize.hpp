@@ -1,0 +1,10 @@
+// The command `summarize`: statistics of the rows of tables by groups.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command summarize_command();
+
+}  // namespace graincrack
