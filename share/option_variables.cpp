@@ -15,18 +15,19 @@ namespace {
 constexpr std::string_view prefix = "GRAINCRACK_";
 
 constexpr const char* option_list =
-    "--alpha --block-speed --block-steps --capped --centre-runs --check --checkpoint-every --confining-pressure "
-    "--contact-cohesion --contact-friction-angle --contact-law --contact-normal-stiffness "
-    "--contact-open-shear-strength --contact-residual-cohesion --contact-residual-friction-angle "
-    "--contact-residual-tensile-strength --contact-shear-stiffness --contact-tensile-strength --coupling "
-    "--crack-event --crack-mode --damping --damping-form --diameter --diameters --digest --dpi --dry-run --edge "
-    "--elements-per-edge --event-distance --event-time --factor --follow --format --fracture-energy --frame "
-    "--frames --grains --group --height --laboratory --loaded-diameter --magnify --mass-scaling "
-    "--mass-scaling-factor --material --materials --max-strain --maximise --minimise --mode-ii-fracture-energy "
-    "--model --normal-stress --notch --output --peak-drop --plane --platen-friction --points --pole --power "
-    "--print-program --probe --program --quiet --rate --rate-share --rate-tolerance --response --restart "
-    "--save-state --seed --sensitivity --set --spread --stages --study --star --strength --summary --table --target --threads "
-    "--time --time-step-fraction --vector --verbose --walltime --width --x --y";
+    "--alpha --block-speed --block-steps --by --capped --centre-runs --check --checkpoint-every --column "
+    "--confining-pressure --contact-cohesion --contact-friction-angle --contact-law "
+    "--contact-normal-stiffness --contact-open-shear-strength --contact-residual-cohesion "
+    "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
+    "--contact-tensile-strength --coupling --crack-event --crack-mode --damping --damping-form --diameter "
+    "--diameters --digest --dpi --dry-run --edge --elements-per-edge --event-distance --event-time --factor "
+    "--follow --format --fracture-energy --frame --frames --grains --group --height --join --laboratory "
+    "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
+    "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --peak-drop "
+    "--plane --platen-friction --points --pole --power --print-program --probe --program --quiet --rate "
+    "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set --sort "
+    "--spread --stages --star --strength --study --summary --table --target --threads --time "
+    "--time-step-fraction --vector --verbose --walltime --where --width --x --y";
 
 std::string option_of(std::string_view variable) {
     std::string option(variable.substr(prefix.size()));

@@ -143,7 +143,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
            {"tensile", "shear", "stress", "what a crack is"});
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
-    expect(draw_fragments(run, {"last", std::nullopt, 1}), {">1 fragment<", "100.0 % of the area"});
+    expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragment\n", "100.0 % of the area"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
     expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
@@ -153,7 +153,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(cracks("last"), {"tensile cracks:", "plane strain"});
     // One of the two points of a contact has failed: one micro-crack, not a half.
     test::write_run(path("odd.h5"), recipe_, {all.front()});
-    expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1<"});
+    expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1\n"});
     expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
     expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);

@@ -86,10 +86,10 @@ TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {
     write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
     EXPECT_EQ(test::field(out.str(), "exponent"), "0.3");
     EXPECT_EQ(test::field(out.str(), "paper_exponent"), "");
-    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)));
-    EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
-    EXPECT_EQ(svg.find("0.39"), std::string::npos);
-    EXPECT_EQ(svg.find("Kazerani"), std::string::npos);
+    const std::string words = draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)).words();
+    EXPECT_NE(words.find("theory, n = 0.5"), std::string::npos);
+    EXPECT_EQ(words.find("0.39"), std::string::npos);
+    EXPECT_EQ(words.find("Kazerani"), std::string::npos);
 }
 
 TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {

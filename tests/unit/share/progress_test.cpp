@@ -52,7 +52,7 @@ TEST(Progress, ABarOnATerminalThatIsWipedAtTheEnd) {
     ::close(master);
     ASSERT_GT(n, 0);
     const std::string text(bytes, static_cast<std::size_t>(n));
-    EXPECT_NE(text.find("uniaxial [############............]  50 %  stress 54.2 MPa"), std::string::npos) << text;
+    EXPECT_NE(text.find("uniaxial [############............]  50 %, stress 54.2 MPa"), std::string::npos) << text;
     EXPECT_TRUE(text.ends_with("\r\033[K")) << text;
 }
 
