@@ -41,7 +41,9 @@ figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 @media print { h2 { break-after: avoid; } figure, table { break-inside: avoid; } body { max-width: none; } nav { display: none; } }
 )css";
 
-std::string base64(const std::vector<unsigned char>& bytes) {
+using Bytes = std::vector<unsigned char>;
+
+std::string base64(const Bytes& bytes) {
     static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
     out.reserve((bytes.size() + 2) / 3 * 4);
@@ -56,15 +58,12 @@ std::string base64(const std::vector<unsigned char>& bytes) {
 
 std::string image(const Drawing& drawing, const std::string& caption) {
     constexpr std::size_t many_marks = 2500;
-    const bool is_svg = drawing.n_marks() < many_marks;
+    constexpr std::size_t long_svg = 150'000;  // bytes, about those of the PNG
+    const std::string svg = drawing.n_marks() < many_marks ? to_svg(drawing) : "";
+    const bool is_svg = !svg.empty() && svg.size() < long_svg;
     // As data of an image: several SVG elements in a page would share the names of their letters.
-    const auto encoded = [&] {
-        if (!is_svg) return base64(png_bytes(drawing));
-        const std::string svg = to_svg(drawing);
-        return base64({svg.begin(), svg.end()});
-    };
     return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escaped(caption + ": " + drawing.words()),
-                       is_svg ? "svg+xml" : "png", encoded());
+                       is_svg ? "svg+xml" : "png", base64(is_svg ? Bytes(svg.begin(), svg.end()) : png_bytes(drawing)));
 }
 
 }  // namespace
