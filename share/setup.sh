@@ -28,7 +28,8 @@ have_packages() {
     fi
     for package in "$@"; do
         status=$(dpkg-query --show --showformat='${db:Status-Status} ' "$package" 2>/dev/null) || status=
-        [[ $status == *installed\ * ]] || missing+=("$package")
+        # "not-installed" is the status of what another package only mentions.
+        [[ " $status" == *" installed "* ]] || missing+=("$package")
     done
     if ((${#missing[@]} == 0)); then
         say "packages: all there"

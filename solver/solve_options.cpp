@@ -181,14 +181,6 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     return command;
 }
 
-/// Why masses must stay as they are; "" where the test is quasi-static.
-std::string why_dynamic(const SimulationRequest& request) {
-    if (request.damping == 0) {
-        return "it has no damping";
-    }
-    return request.program ? request.program->why_dynamic() : "";
-}
-
 /// A program, its damping, and whether it can do with the masses it is asked to have.
 void complete_program(SimulationRequest& request, const RawOptions& raw) {
     request.loading.test = TestKind::program;
@@ -214,7 +206,7 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
 
 /// Scaled masses for what is quasi-static, unless they were chosen; a run that goes on from another keeps what that has.
 void complete_mass_scaling(SimulationRequest& request, const RawOptions& raw) {
-    const std::string why = why_dynamic(request);
+    const std::string why = request.why_dynamic();
     request.mass_scaling = raw.mass_scaling.value_or(why.empty());
     if (!request.restart.empty() && raw.mass_scaling != false && !request.mass_scaling_factor) {
         const double factor = RunReader(request.restart).header().mass_scaling_factor;

@@ -77,7 +77,7 @@ public:
         : specimen_(specimen),
           request_(request),
           program_(program_of(request, specimen)),
-          is_dynamic_(request.damping == 0 || !program_.why_dynamic().empty()),
+          is_dynamic_(!request.why_dynamic().empty()),
           setup_(make_setup(specimen, request, program_)),
           gauges_(make_gauges(assemblage_, specimen)),
           transit_time_(bar_transit_time(specimen, request.material.rock)),

@@ -88,6 +88,15 @@ struct SimulationRequest {
     int threads = 1;                            ///< at most
     std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given
     std::size_t elements_per_thread = 250;      ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
+
+    /// Why the run is not quasi-static, so that mass scaling would falsify it: it has no damping, or its program makes waves
+    /// (`Program::why_dynamic`); "" for what is quasi-static, as all standard tests with damping are.
+    [[nodiscard]] std::string why_dynamic() const {
+        if (damping == 0) {
+            return "it has no damping";
+        }
+        return program ? program->why_dynamic() : "";
+    }
 };
 
 }  // namespace graincrack
