@@ -30,5 +30,18 @@ TEST(Install, ToolsFindTheMaterialsTheyCameWith) {
               "brazilian\n");
 }
 
+// "not-installed" is what dpkg says of a package that another one mentions.
+TEST(Install, APackageThatDpkgOnlyKnowsOfIsMissing) {
+    const Shell shell;
+    write_text(shell.file("dpkg-query"),
+               "#!/bin/sh\ncase $3 in here) printf 'installed ';; known) printf 'not-installed ';; *) exit 1;; esac\n");
+    write_text(shell.file("apt-get"), "#!/bin/sh\nexit 1\n");
+    const Outcome outcome = shell.run("chmod +x dpkg-query apt-get; PATH=$PWD:$PATH; source " GRAINCRACK_SOURCE
+                                      "/share/setup.sh; have_packages here known unknown");
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.err.find(" known unknown"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("here known"), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace graincrack::test
