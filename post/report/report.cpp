@@ -173,7 +173,7 @@ std::string curve_figures(const Content& content, const CrackLabel& label) {
     }
     std::string figures;
     for (const auto& [kind, runs] : kinds) {
-        const auto lines = objection_lines(content, [&](const RunHeader& h) { return kind_of(h) == kind; });
+        const auto lines = objection_lines(content, [&, of = kind](const RunHeader& h) { return kind_of(h) == of; });
         figures += html::figure(draw_curves(runs, {}, definition_of(label), lines), "stress and strain: " + kind);
     }
     return figures;
