@@ -1,0 +1,15 @@
+// Material files, whole and incomplete, and the [study] table of a calibration.
+#include "share/material.hpp"
+#include "post/calibrate/folder.hpp"
+#include "share/incomplete_material.hpp"
+#include "tests/fuzz/fuzz.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    using namespace graincrack;
+    const std::string file = fuzz::written(fuzz::text_of(bytes, size), ".toml");
+    fuzz::one_input([&] {
+        std::vector<std::string> notes;
+        rock_of_laboratory(read_incomplete_material(file), notes);
+    });
+    return fuzz::one_input([&] { calibrate::read_study(read_material(file)); });
+}
