@@ -63,6 +63,10 @@ std::string heading_of(const std::string& markdown) {
 std::string table_of(const fs::path& file) {
     const TableFile table(file.string());
     std::vector<std::string> header = table.columns();
+    for (const std::string& name : header) {
+        if (std::count(header.begin(), header.end(), name) > 1)
+            throw InputError(fmt::format("{}: column {} is there twice; each needs a name of its own", file.string(), name));
+    }
     std::vector<std::vector<std::string>> columns;
     for (std::size_t i = 0; i < header.size(); ++i) columns.push_back(table.texts(header[i]));
     for (std::string& name : header) std::replace(name.begin(), name.end(), '_', ' ');

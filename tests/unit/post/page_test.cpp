@@ -23,6 +23,8 @@ TEST(Page, HasTextsTablesAndPicturesInTheirOrder) {
         "# The *law*\n\nA text.\n\n![Law scan](law-scan.png)\n\n## Size of run\n\n| mean edge | \\|σ\\| | name |\n|---|---|---|\n"
         "| 4.123 | 1.5 | a_b\\|c |\n| 12345678 | 1.235e-05 |  |\n\n");
     test::expect_one_line<UsageError>([&] { markdown_page({folder.file("law.pdf")}); }, {"law.pdf", ".md", ".svg"});
+    std::ofstream(folder.file("twice.tsv")) << "a\tb\ta\n1\t2\t3\n";
+    test::expect_one_line<InputError>([&] { markdown_page({folder.file("twice.tsv")}); }, {"twice.tsv: column a is there twice"});
     test::expect_one_line<InputError>([&] { markdown_page({folder.file("none.md")}); }, {"none.md: cannot be read"});
     test::expect_one_line<InputError>([&] { markdown_page({folder.file("none.tsv")}); }, {"none.tsv: cannot be read"});
 }
