@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "post/fit/paper_rock.hpp"
 #include "post/measure/moduli.hpp"
@@ -112,13 +113,15 @@ Estimate slope_of(const Estimate& angle) {
     return {mohr_coulomb_slope(angle.value), slope(angle.low), slope(angle.high)};
 }
 
-bool has_two_pressures(const EnvelopeTests& tests) {
-    const std::vector<double> confining = tests.confining();
-    return std::any_of(confining.begin(), confining.end(), [&](double pressure) { return pressure != confining.front(); });
+bool have_two_pressures(const std::vector<RunData>& runs) {
+    std::set<double> pressures;
+    for (const RunData& run : runs) {
+        if (is_compression(run.header)) pressures.insert(run.header.confining_pressure);
+    }
+    return pressures.size() > 1;
 }
 
 void add_envelope(std::vector<Property>& properties, const EnvelopeTests& tests, const Known& known) {
-    if (!has_two_pressures(tests)) return;
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     const auto seeds = fit_seed_envelopes(tests);
     const auto add = [&](const std::string& name, const Value& laboratory, const Value& published, const Estimate& ours) {
@@ -169,7 +172,7 @@ std::vector<Property> measure_properties(const std::vector<RunData>& runs, const
     std::vector<Property> properties;
     add_moduli(properties, runs, known);
     add_strengths(properties, runs, known);
-    add_envelope(properties, collect_envelope_tests(runs, options), known);
+    if (have_two_pressures(runs)) add_envelope(properties, collect_envelope_tests(runs, options), known);
     return properties;
 }
 

@@ -91,6 +91,13 @@ TEST_F(Properties, TheLineIsComparedWithTheLaboratorysLine) {
     EXPECT_EQ(found.at("cohesion_MPa").specimens_for_3_percent(), std::nullopt);  // no mean of specimens
 }
 
+TEST_F(Properties, OfDiscsAlone) {
+    add("brazilian", 1, 8e6);
+    const auto found = measured();
+    EXPECT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found.at("tensile_strength_MPa").ours.value, 8, 1e-9);
+}
+
 TEST_F(Properties, WhatIsUnknownIsEmpty) {
     add("tension", 1, 6e6);
     add("uniaxial", 1, 120e6);
