@@ -19,7 +19,6 @@ double needed(const Material& rock, const std::string& key) {
     throw InputError(fmt::format("{}: [laboratory] has no {}; a calibration needs it", rock.file.string(), key));
 }
 
-
 Target strength(const std::string& name, const std::string& symbol, const std::string& test, double pressure, double value,
                 Role role) {
     const bool compression = test == "uniaxial" || test == "triaxial";

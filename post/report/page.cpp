@@ -68,7 +68,7 @@ std::string table_of(const fs::path& file) {
             throw InputError(fmt::format("{}: column {} is there twice; each needs a name of its own", file.string(), name));
     }
     std::vector<std::vector<std::string>> columns;
-    for (std::size_t i = 0; i < header.size(); ++i) columns.push_back(table.texts(header[i]));
+    for (const std::string& name : header) columns.push_back(table.texts(name));
     for (std::string& name : header) std::replace(name.begin(), name.end(), '_', ' ');
     std::ostringstream text;
     TableWriter writer(text, header, TableFormat::markdown);
