@@ -22,7 +22,9 @@
 #include "post/commands/info.hpp"
 #include "post/commands/material.hpp"
 #include "post/commands/measures.hpp"
+#include "post/commands/page.hpp"
 #include "post/commands/plot.hpp"
+#include "post/commands/properties.hpp"
 #include "post/commands/report.hpp"
 #include "post/commands/size_effect.hpp"
 #include "post/commands/summarize.hpp"
@@ -49,6 +51,7 @@ std::vector<Command> commands() {
         moduli_command(),
         toughness_command(),
         envelope_command(),
+        properties_command(),
         size_effect_command(),
         trend_command(),
         summarize_command(),
@@ -59,6 +62,7 @@ std::vector<Command> commands() {
         claims_command(),
         cracks_command(),
         report_command(),
+        page_command(),
         plot_command(),
     };
     // clang-format on

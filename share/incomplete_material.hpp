@@ -1,6 +1,8 @@
 // Materials of which not everything is known yet: what is missing, a template to fill in, and the rock of laboratory values.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,13 +13,17 @@ namespace graincrack {
 /// A material file of which needed keys may be missing; those are 0.
 struct IncompleteMaterial {
     Material material;
-    std::vector<std::string> missing;  ///< "rock.density", in the order of the template
+    std::vector<std::string> missing;      ///< "rock.density", in the order of the template
+    std::map<std::string, double> values;  ///< what the file has, by key, "rock.density"; SI
 };
 /// Reads a material as `read_material` does, without asking for all keys. \throws InputError as there for everything else
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file);
 
 /// Every key of a material file, "rock.young_modulus", in the order of the template.
 std::vector<std::string> material_keys();
+
+/// What a key of a material file holds, "rock.young_modulus"; empty if there is no such key.
+std::optional<Quantity> material_quantity(const std::string& key);
 
 /// The rock for the fracture process zone from what a file has: [rock], else the same values of [laboratory], else, of a
 /// toughness that nobody measured, K_IC = σt/6.88 MPa√m (Zhang 2002) and K_IIC = 2 K_IC, as of Augig granite. \param notes gets a

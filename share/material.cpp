@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
@@ -99,8 +101,8 @@ struct MissingKey {
     std::string meaning;  ///< "mass density of the rock, in kg/m3"
 };
 
-/// \param missing gets the needed keys that are not there
-Material read_material_file(const fs::path& file, std::vector<MissingKey>& missing) {
+/// \param missing gets the needed keys that are not there \param values gets what is there, by key
+Material read_material_file(const fs::path& file, std::vector<MissingKey>& missing, std::map<std::string, double>& values) {
     const TomlFile toml = read_toml(file.string());
     Material material;
     material.file = file;
@@ -150,7 +152,10 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
             throw InputError(fmt::format("{}: line {}: unknown key {}.{}{}; known are {}", toml.file, entry.line, table->first,
                                          entry.key, suggestion(entry.key, names_of(keys)), fmt::join(names_of(keys), ", ")));
         }
-        key->set(read_value(entry, *key, fmt::format("{}: line {}: {}.{}", toml.file, entry.line, table->first, key->name)));
+        const std::string name = table->first + "." + key->name;
+        const double value = read_value(entry, *key, fmt::format("{}: line {}: {}", toml.file, entry.line, name));
+        key->set(value);
+        values[name] = value;
         key->found = true;
     }
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
@@ -229,14 +234,17 @@ fs::path find_material(const std::string& name_or_file) {
 Material read_material(const std::string& name_or_file) {
     const fs::path file = find_material(name_or_file);
     std::vector<MissingKey> missing;
-    Material material = read_material_file(file, missing);
+    std::map<std::string, double> values;
+    Material material = read_material_file(file, missing, values);
     refuse_missing(file, missing);
     return material;
 }
 
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
     std::vector<MissingKey> missing;
-    IncompleteMaterial read{read_material_file(find_material(name_or_file), missing), {}};
+    std::map<std::string, double> values;
+    IncompleteMaterial read{read_material_file(find_material(name_or_file), missing, values), {}, {}};
+    read.values = std::move(values);
     for (const MissingKey& key : missing) read.missing.push_back(key.name);
     return read;
 }
@@ -248,6 +256,16 @@ std::vector<std::string> material_keys() {
         for (const Key& key : keys) names.push_back(table + "." + key.name);
     }
     return names;
+}
+
+std::optional<Quantity> material_quantity(const std::string& key) {
+    Material material;
+    for (const auto& [table, keys] : tables_of(material)) {
+        for (const Key& each : keys) {
+            if (table + "." + each.name == key) return each.quantity;
+        }
+    }
+    return std::nullopt;
 }
 
 FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where) {

@@ -10,6 +10,11 @@
 
 namespace graincrack {
 
+double mohr_coulomb_slope(double friction_angle) {
+    const double sine = std::sin(friction_angle);
+    return (1 + sine) / (1 - sine);
+}
+
 MohrCoulomb fit_mohr_coulomb(std::span<const double> confining, std::span<const double> strength) {
     if (confining.size() != strength.size()) throw std::invalid_argument("a confining pressure is needed for each strength");
     const std::size_t n = confining.size();

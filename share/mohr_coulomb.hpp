@@ -14,6 +14,9 @@ struct MohrCoulomb {
     double r_squared = 0;       ///< coefficient of determination; 1 if all strengths are equal
 };
 
+/// b = (1 + sin φ)/(1 − sin φ) of a line σ1 = 2C√b + b σ3. \param friction_angle φ, rad
+double mohr_coulomb_slope(double friction_angle);
+
 /// Fits σ1 = a + b σ3 by least squares and gives C and φ of the line, as Kazerani & Zhao (2014) §4.2 do for Table 7.
 ///
 /// \param confining σ3 of each test, Pa \param strength peak σ1 of each test, Pa; equally long

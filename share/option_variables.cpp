@@ -21,13 +21,13 @@ constexpr const char* option_list =
     "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
     "--contact-tensile-strength --coupling --crack-event --crack-mode --damping --damping-form --diameter "
     "--diameters --digest --dpi --dry-run --edge --elements-per-edge --event-distance --event-time --factor "
-    "--follow --format --fracture-energy --frame --frames --grains --group --height --join --laboratory "
+    "--follow --format --fracture-energy --frame --frames --grains --group --height --join --label --laboratory --look-up "
     "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
     "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --peak-drop "
     "--plane --platen-friction --points --pole --power --print-program --probe --program --quiet --rate "
     "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set --sort "
     "--spread --stages --star --strength --study --summary --table --target --threads --time "
-    "--time-step-fraction --vector --verbose --walltime --where --width --x --y";
+    "--time-step-fraction --unit --vector --verbose --walltime --where --width --x --y";
 
 std::string option_of(std::string_view variable) {
     std::string option(variable.substr(prefix.size()));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "share/error.hpp"
+#include "share/mohr_coulomb.hpp"
 
 namespace graincrack::calibrate {
 
@@ -17,8 +18,6 @@ double needed(const Material& rock, const std::string& key) {
     if (found != rock.laboratory.end()) return found->second;
     throw InputError(fmt::format("{}: [laboratory] has no {}; a calibration needs it", rock.file.string(), key));
 }
-
-double slope_of(double friction_angle) { return (1 + std::sin(friction_angle)) / (1 - std::sin(friction_angle)); }
 
 Target strength(const std::string& name, const std::string& symbol, const std::string& test, double pressure, double value,
                 Role role) {
@@ -33,7 +32,7 @@ Target strength(const std::string& name, const std::string& symbol, const std::s
 
 double laboratory_slope(const Material& rock) {
     const auto angle = rock.laboratory.find("friction_angle");
-    if (angle != rock.laboratory.end()) return slope_of(angle->second);
+    if (angle != rock.laboratory.end()) return mohr_coulomb_slope(angle->second);
     const auto cohesion = rock.laboratory.find("cohesion");
     if (cohesion != rock.laboratory.end()) return std::pow(needed(rock, "compressive_strength") / (2 * cohesion->second), 2);
     throw InputError(
@@ -44,7 +43,7 @@ double disagreement(const Material& rock) {
     const auto angle = rock.laboratory.find("friction_angle");
     const auto cohesion = rock.laboratory.find("cohesion");
     if (angle == rock.laboratory.end() || cohesion == rock.laboratory.end()) return 0;
-    return 2 * cohesion->second * std::sqrt(slope_of(angle->second)) / needed(rock, "compressive_strength") - 1;
+    return 2 * cohesion->second * std::sqrt(mohr_coulomb_slope(angle->second)) / needed(rock, "compressive_strength") - 1;
 }
 
 std::vector<Target> targets_of(const Material& rock, const TargetOptions& options) {

@@ -30,26 +30,6 @@ std::vector<Cell> row_of(const Claim& claim, const Finding& finding, const std::
             ours ? cell(ours->high) : Cell()};
 }
 
-/// A bar would end the cell of a Markdown table.
-std::string markdown(const std::vector<Cell>& row) {
-    std::string line = "|";
-    for (const Cell& each : row) {
-        std::string text = each.text();
-        for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
-        line += " " + text + " |";
-    }
-    return line + "\n";
-}
-
-std::vector<Cell> header() { return {columns.begin(), columns.end()}; }
-
-void write_markdown(std::ostream& out, const std::vector<std::vector<Cell>>& rows) {
-    out << markdown(header()) << "|";
-    for (std::size_t i = 0; i < columns.size(); ++i) out << "---|";
-    out << "\n";
-    for (const auto& row : rows) out << markdown(row);
-}
-
 void write_html(std::ostream& out, const std::vector<std::vector<Cell>>& rows, const std::string& study) {
     html::Table table(columns, true);
     for (const auto& row : rows) {
@@ -69,9 +49,11 @@ void write_claims(std::ostream& out, const std::string& claims, const std::vecto
     for (const Claim& claim : read_claims(claims, options.settings)) {
         if (const auto finding = evaluate(claim, results)) rows.push_back(row_of(claim, *finding, options.study));
     }
-    if (options.format == ClaimsFormat::markdown) return write_markdown(out, rows);
     if (options.format == ClaimsFormat::html) return write_html(out, rows, options.study);
-    TableWriter table(out, columns, options.format == ClaimsFormat::jsonl ? TableFormat::jsonl : TableFormat::tsv);
+    const std::map<ClaimsFormat, TableFormat> formats{{ClaimsFormat::jsonl, TableFormat::jsonl},
+                                                      {ClaimsFormat::markdown, TableFormat::markdown}};
+    const auto format = formats.find(options.format);
+    TableWriter table(out, columns, format == formats.end() ? TableFormat::tsv : format->second);
     for (const auto& row : rows) table.row(row);
 }
 

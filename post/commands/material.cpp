@@ -1,13 +1,19 @@
 #include "post/commands/material.hpp"
 
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "post/option_parts.hpp"
 #include "post/table/output_file.hpp"
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
+#include "share/material_edit.hpp"
+#include "share/toml_file.hpp"
+#include "share/units.hpp"
 
 namespace graincrack {
 
@@ -39,8 +45,93 @@ Command init_command() {
         });
 }
 
+/// Unit in which tables and names of runs have values of a dimension.
+std::string_view table_unit(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::stress: return "MPa";
+        case Dimension::angle: return "deg";
+        case Dimension::length: return "mm";
+        case Dimension::toughness: return "MPa.m^0.5";
+        default: return si_unit(dimension);
+    }
+}
+
+/// \param unit "": that of tables
+void write_value(std::ostream& out, const std::string& key, const std::string& name_or_file, const std::string& unit) {
+    const auto quantity = material_quantity(key);
+    if (!quantity) {
+        const std::string nearest = nearest_word(key, material_keys());
+        throw UsageError(fmt::format("key: {}: unknown{}; known are {}", key,
+                                     nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
+                                     fmt::join(material_keys(), ", ")));
+    }
+    const IncompleteMaterial read = read_incomplete_material(name_or_file);
+    const auto value = read.values.find(key);
+    if (value == read.values.end()) {
+        throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity->meaning));
+    }
+    const std::vector<Unit>& units = units_of(quantity->dimension);
+    const auto fits = [&](const Unit& each) { return each.symbol == unit; };
+    if (!unit.empty() && std::none_of(units.begin(), units.end(), fits)) {
+        std::vector<std::string_view> symbols;
+        for (const Unit& each : units) symbols.push_back(each.symbol);
+        throw UsageError(fmt::format("--unit {}: {} is a {}; one of {} fits", unit, key, name_of(quantity->dimension),
+                                     fmt::join(symbols, ", ")));
+    }
+    const std::string_view shown = unit.empty() ? table_unit(quantity->dimension) : std::string_view(unit);
+    fmt::print(out, "{}\n", format_number(in_unit(value->second, quantity->dimension, shown), 6));
+}
+
+Command value_command() {
+    struct Options {
+        std::string key;
+        std::string material;
+        std::string unit;
+    };
+    return make_command<Options>(
+        "value", "one value of a material as a bare number, for scripts",
+        {"contact.cohesion augig-granite", "rock.young_modulus augig-granite --unit GPa"}, std::nullopt,
+        [](CLI::App& app, Options& options) {
+            app.add_option("key", options.key, "table and key, as contact.cohesion")->required();
+            app.add_option("material", options.material, "material: a name of share/materials or a TOML file")->required();
+            app.add_option("--unit", options.unit,
+                           "unit of the number; unless given MPa, deg, mm or MPa.m^0.5, and SI for what has none of these");
+        },
+        [](const Options& options, const Call& call) { write_value(call.out, options.key, options.material, options.unit); });
+}
+
+Command with_command() {
+    struct Options {
+        std::string material;
+        std::vector<std::string> settings;
+    };
+    return make_command<Options>(
+        "with", "a material file with other values, its comments kept, on stdout",
+        {"augig-granite --set 'contact.cohesion=70 MPa'",
+         "augig-granite --set name='Augig granite, stiff' --set 'rock.young_modulus=30 GPa' --set rock.poisson_ratio=0.2"},
+        std::nullopt,
+        [](CLI::App& app, Options& options) {
+            app.add_option("material", options.material, "material: a name of share/materials or a TOML file")->required();
+            add_names(app, "--set", options.settings, "KEY=VALUE",
+                      "new value of a key with its table, as contact.cohesion, or of name; may be given again");
+            app.get_option("--set")->required();
+        },
+        [](const Options& options, const Call& call) {
+            std::vector<MaterialSetting> settings;
+            for (const std::string& text : options.settings) {
+                const std::size_t at = text.find('=');
+                if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", text));
+                settings.emplace_back(text.substr(0, at), text.substr(at + 1));
+            }
+            call.out << material_with(options.material, settings);
+        });
+}
+
 }  // namespace
 
-Command material_command() { return make_group("material", "materials: a template to fill in", {init_command()}); }
+Command material_command() {
+    return make_group("material", "materials: a template to fill in, a value, a material with other values",
+                      {init_command(), value_command(), with_command()});
+}
 
 }  // namespace graincrack

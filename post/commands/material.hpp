@@ -1,4 +1,4 @@
-// The command `material`: a template of a material file.
+// The command `material`: a template of a material file, values of one, one with other values.
 #pragma once
 
 #include "post/command.hpp"

@@ -22,10 +22,17 @@ Command summarize_command() {
             add_names(app, "--where", options.where, "CONDITION",
                       "only rows that meet COLUMN=VALUE, or !=, <, <=, >, >=; may be given again");
             add_names(app, "--column", options.columns, "NAME=EXPRESSION",
-                      "a column: statistics such as mean(A), n(A where B=x), slope(X, Y), with + - * / | and numbers; may be "
-                      "given again");
+                      "a column: statistics such as mean(A), n(A where B=x), slope(X, Y), with + - * / | and numbers; or a text "
+                      "that has them as {mean(A):.1f}; may be given again");
             app.add_flag("--sort", options.sort, "rows by rising entries of the columns of --by");
-            add_format(app, options.format);
+            app.add_option("--label", options.label, "tables are given as LABEL=FILE, and this new column has the label")
+                ->type_name("COLUMN");
+            add_names(app, "--look-up", options.look_up, "TABLE",
+                      "columns of this table are added to each row with the same entry in its first column; may be given again");
+            add_choice<TableFormat>(
+                app, "--format", options.format,
+                {{"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}, {"markdown", TableFormat::markdown}},
+                "form of the table: tab-separated with one header line, JSON lines, or Markdown");
         },
         [](const SummaryOptions& options, const Call& call) { summary::write_summary(call.out, call.files, options); });
 }

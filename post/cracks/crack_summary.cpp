@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "post/cracks/crack_counts.hpp"
+#include "post/cracks/rosette.hpp"
 
 namespace graincrack {
 
@@ -31,6 +33,7 @@ const std::vector<std::string> first_columns{"file",
 std::vector<std::string> all_columns() {
     std::vector<std::string> columns = first_columns;
     columns.insert(columns.end(), label_columns().begin(), label_columns().end());
+    columns.insert(columns.end(), {"tensile_length_m", "tensile_share_within_30_deg", "facet_share_within_30_deg"});
     return columns;
 }
 
@@ -38,6 +41,17 @@ std::vector<Cell> balance_cells(const CrackBalance& b) {
     return {count_cell(b.tensile),        count_cell(b.shear),
             count_cell(b.separated),      count_cell(b.tensile_more_sliding),
             cell(b.share_more_sliding()), count_cell(b.tensile_by_traction)};
+}
+
+/// Length of the tensile cracks until a time, the share of it along the load, and that of all facets.
+std::vector<Cell> direction_cells(const CrackRows& cracks, double time) {
+    std::vector<Crack> so_far;
+    for (const Crack& crack : cracks.all) {
+        if (crack.time <= time) so_far.push_back(crack);
+    }
+    const Rosette rosette = crack_rosette(so_far, cracks.specimen);
+    return {std::accumulate(rosette.tensile.begin(), rosette.tensile.end(), 0.0), cell(share_along_load(rosette.tensile)),
+            cell(share_along_load(rosette.facet))};
 }
 
 std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
@@ -83,6 +97,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
         for (Cell& each : label_cells(cracks.all, cracks.has_damage_times, run.history[HistoryColumn::time][row_index])) {
             row.push_back(std::move(each));
         }
+        for (Cell& each : direction_cells(cracks, run.history[HistoryColumn::time][row_index])) row.push_back(std::move(each));
         table.row(row);
     };
     if (curve) finish(begin("peak", curve->peak), curve->peak);

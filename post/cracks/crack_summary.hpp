@@ -28,6 +28,7 @@ CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time);
 struct CrackRows {
     const std::vector<Crack>& all;
     bool has_damage_times;
+    const Specimen& specimen;
 };
 
 /// Table: one row at the peak, if there is a curve, one at the end. Emission and fragments are given in the row of the end only.

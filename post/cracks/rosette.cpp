@@ -28,6 +28,14 @@ Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen
     return rosette;
 }
 
+std::optional<double> share_along_load(const std::array<double, Rosette::n_bins>& length) {
+    constexpr std::size_t middle = Rosette::n_bins / 2;
+    constexpr std::size_t reach = Rosette::n_bins / 6;
+    const double total = std::accumulate(length.begin(), length.end(), 0.0);
+    if (total <= 0) return std::nullopt;
+    return std::accumulate(length.begin() + middle - reach, length.begin() + middle + reach, 0.0) / total;
+}
+
 void write_rosette(std::ostream& out, const Rosette& rosette, TableFormat format) {
     TableWriter table(out,
                       {"orientation_low_deg", "orientation_high_deg", "tensile_length_m", "tensile_share", "shear_length_m",

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <iosfwd>
+#include <optional>
 #include <vector>
 
 #include "post/table/table.hpp"
@@ -22,6 +23,9 @@ struct Rosette {
 std::size_t rosette_bin(double orientation);
 
 Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen);
+
+/// Share of a length by orientation that lies within 30° of the load (y), by whole bins; empty where there is no length at all.
+std::optional<double> share_along_load(const std::array<double, Rosette::n_bins>& length);
 
 /// Table: orientation_low_deg, orientation_high_deg, then for tensile, shear and facet the length_m and the share of
 /// the total (empty where there is no length at all).

@@ -32,10 +32,13 @@ td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top
 .wide { overflow-x: auto; }
 .checks { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
 .figures { display: flex; flex-wrap: wrap; gap: 20px; align-items: flex-start; }
+img { max-width: 100%; }
 figure { margin: 10px 0; width: 500px; max-width: 100%; }
 figure.wide { width: 760px; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
+.study table { display: block; overflow-x: auto; }
+.study td { white-space: normal; min-width: 5ch; }
 .columns { display: flex; flex-wrap: wrap; gap: 0 40px; }
 .columns th, .columns td, .checks th, .checks td { padding-right: 10px; }
 @media print { h2 { break-after: avoid; } figure, table { break-inside: avoid; } body { max-width: none; } nav { display: none; } }

@@ -109,6 +109,13 @@ private:
         if (take('-'))
             return combine<Argument>(
                 '*', [](const Argument&) { return Number(-1); }, atom<Argument>());
+        if (next() == 'a' && text_.compare(at_, 4, "abs(") == 0) {
+            at_ += 3;
+            return [inner = atom<Argument>()](const Argument& argument) -> Number {
+                const Number value = inner(argument);
+                return value ? Number(std::abs(*value)) : std::nullopt;
+            };
+        }
         double value = 0;
         next();
         const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);

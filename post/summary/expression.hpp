@@ -3,7 +3,7 @@
 //     sum       = product { ("+" | "-") product }
 //     product   = either { ("*" | "/") either }
 //     either    = atom { "|" atom }              the first that is not empty
-//     atom      = number | "-" atom | "(" sum ")" | column
+//     atom      = number | "-" atom | "abs" "(" sum ")" | "(" sum ")" | column
 //     statistic = name "(" sum { "," sum } [ "where" condition { "and" condition } ] ")"
 //
 // Outside a statistic its atoms are statistics, inside they are columns. What has an empty part is empty, and so is x / 0.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "post/summary/expression.hpp"
+#include "post/summary/text_template.hpp"
 #include "post/table/condition.hpp"
 #include "share/error.hpp"
 
@@ -79,6 +80,32 @@ std::vector<Group> groups_of(const JoinedRows& rows, const SummaryOptions& optio
     return groups;
 }
 
+/// The tables that are named; with --label as LABEL=FILE.
+JoinedRows rows_of(const std::vector<std::string>& files, const SummaryOptions& options) {
+    Joining joining{options.join, options.label, {}};
+    std::vector<TableFile> tables;
+    for (const std::string& file : files) {
+        const std::size_t at = options.label.empty() ? std::string::npos : file.find('=');
+        if (!options.label.empty() && (at == 0 || at == std::string::npos))
+            throw UsageError(fmt::format("{}: with --label a table is LABEL=FILE", file));
+        tables.emplace_back(at == std::string::npos ? file : file.substr(at + 1));
+        joining.labels.push_back(file.substr(0, at));
+    }
+    JoinedRows rows(tables, joining);
+    for (const std::string& file : options.look_up) rows.look_up(TableFile(file));
+    return rows;
+}
+
+/// A column of the summary: an entry from the rows of a group.
+using Column = std::function<Cell(const std::vector<std::size_t>&)>;
+
+Column column_of(const std::string& text, const JoinedRows& rows) {
+    if (text.find('{') != std::string::npos) {
+        return [fill = parse_template(text, rows)](const std::vector<std::size_t>& group) { return Cell(fill(group)); };
+    }
+    return [evaluate = parse_expression(text, rows)](const std::vector<std::size_t>& group) { return cell(evaluate(group)); };
+}
+
 Cell key_cell(const std::string& entry) {
     const auto number = parse_number(entry);
     return number ? Cell(*number) : Cell(entry);
@@ -87,20 +114,20 @@ Cell key_cell(const std::string& entry) {
 }  // namespace
 
 void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options) {
-    const JoinedRows rows(std::vector<TableFile>(files.begin(), files.end()), options.join);
+    const JoinedRows rows = rows_of(files, options);
     std::vector<std::string> names;
     for (const std::string& by : options.by) names.push_back(by.substr(0, by.find('=')));
-    std::vector<GroupExpression> expressions;
+    std::vector<Column> columns;
     for (const std::string& column : options.columns) {
         const auto [name, expression] = assignment(column, "--column");
         names.push_back(name);
-        expressions.push_back(parse_expression(expression, rows));
+        columns.push_back(column_of(expression, rows));
     }
     std::vector<std::vector<Cell>> cells;
     for (const Group& group : groups_of(rows, options)) {
         std::vector<Cell>& row = cells.emplace_back();
         for (const std::string& entry : group.key) row.push_back(key_cell(entry));
-        for (const GroupExpression& expression : expressions) row.push_back(cell(expression(group.rows)));
+        for (const Column& column : columns) row.push_back(column(group.rows));
     }
     TableWriter table(out, names, options.format);
     for (const std::vector<Cell>& row : cells) table.row(row);

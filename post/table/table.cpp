@@ -22,6 +22,19 @@ std::string tsv_text(const Cell& cell) {
     return printable(clean);
 }
 
+/// A bar would end the cell.
+std::string markdown_text(const Cell& cell) {
+    std::string text = tsv_text(cell);
+    for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
+    return text;
+}
+
+void write_markdown_row(std::ostream& out, const std::vector<Cell>& cells) {
+    out << '|';
+    for (const Cell& each : cells) out << ' ' << markdown_text(each) << " |";
+    out << '\n';
+}
+
 std::string json_string(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -54,6 +67,12 @@ Cell count_cell(double count) {
 
 TableWriter::TableWriter(std::ostream& out, std::vector<std::string> columns, TableFormat format)
     : out_(out), columns_(std::move(columns)), format_(format) {
+    if (format_ == TableFormat::markdown) {
+        write_markdown_row(out_, {columns_.begin(), columns_.end()});
+        out_ << '|';
+        for (std::size_t i = 0; i < columns_.size(); ++i) out_ << "---|";
+        out_ << '\n';
+    }
     if (format_ != TableFormat::tsv) return;
     for (std::size_t i = 0; i < columns_.size(); ++i) out_ << (i == 0 ? "" : "\t") << printable(columns_[i]);
     out_ << '\n';
@@ -61,6 +80,7 @@ TableWriter::TableWriter(std::ostream& out, std::vector<std::string> columns, Ta
 
 void TableWriter::row(const std::vector<Cell>& cells) {
     assert(cells.size() == columns_.size());
+    if (format_ == TableFormat::markdown) return write_markdown_row(out_, cells);
     const bool json = format_ == TableFormat::jsonl;
     if (json) out_ << '{';
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -1,4 +1,4 @@
-// Tables on stdout: TSV with one header line, or the same as JSON lines; numbers alike in every locale.
+// Tables on stdout: TSV with one header line, or the same as JSON lines or Markdown; numbers alike in every locale.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-enum class TableFormat { tsv, jsonl };
+enum class TableFormat { tsv, jsonl, markdown };
 /// \throws UsageError for anything but "tsv" and "jsonl"
 TableFormat table_format(std::string_view name);
 

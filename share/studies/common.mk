@@ -63,7 +63,7 @@ MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' 
                  awk '/^\[/ { on = $$0 != "[laboratory]" } on && NF' | cksum | awk '{ printf "%04x", $$1 % 65536 }')
 RUNS := $(OUT)/runs/$(MATERIAL_ID)
 # $(call of_material,contact.cohesion): a value as a bare number, in MPa, degrees, mm
-of_material = $(shell awk -v key=$(1) -f $(STUDIES)/lib/material-value.awk $(MATERIAL_FILE))
+of_material = $(shell $(POST) material value $(1) $(MATERIAL_FILE))
 # The material's own contact strengths, as tokens of a run
 point_of_material = tc$(call of_material,contact.tensile_strength)_cc$(call of_material,contact.cohesion)_phic$(call of_material,contact.friction_angle)
 
@@ -146,6 +146,10 @@ describe = $(call describe_test,$(word 1,$(1))), $(word 1,$(subst -s, ,$(word 2,
 describe_test = $(if $(filter triaxial%,$(1)),triaxial at $(patsubst triaxial%,%MPa,$(1)),$(1))
 # Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))
+# When this make began, and the runs that were not there then; set when it is first asked for.
+started := $(shell date +%s)
+missing_runs = $(eval missing_runs := $(filter-out $(wildcard $(RUNS)/*.h5),$(runs)))$(missing_runs)
+time_left = $(STUDIES)/lib/time-left $(started) $(words $(missing_runs)) $(RUNS)
 
 # --- rules -----------------------------------------------------------------------------------------------------------
 
@@ -167,7 +171,7 @@ $(SPECIMENS)/disc%.h5:
 # The names of specimen and rock contain their settings: an existing run need never be made again. What was stopped goes on from its
 # checkpoint.
 $(RUNS)/%.h5: | $(SPECIMENS)/$$(word 2,$$(call words_of,$$*)).h5
-	@echo "[$(call position,$@)/$(words $(runs))] $(call describe,$(call words_of,$*))"
+	@echo "[$(call position,$@)/$(words $(runs))] $(call describe,$(call words_of,$*))$$($(time_left))"
 	@mkdir -p $(@D)
 	@$(LAUNCH) $(BIN)/graincrack-solve $(call test_command,$(word 1,$(call words_of,$*))) $| $(call test_options,$(word 1,$(call words_of,$*))) --material $(MATERIAL_FILE) --threads $(THREADS) --quiet $(OPTIONS) $(foreach t,$(call tokens_of,$*),$(call option_of,$(t))) $$(! test -e $@.checkpoint || echo --restart $@.checkpoint) -o $@
 
@@ -198,13 +202,29 @@ strength = tensile_strength_MPa | peak_compressive_stress_MPa
 # Verdicts on the claims of a study: its claims.tsv is the first prerequisite, the tables of results are the others. A study may set
 # claim_settings, --set NAME=VALUE for each {NAME} in its claims.
 claims = $(call table,$(POST) --quiet claims $(filter %.tsv,$^) --study $(STUDY) $(claim_settings))
-# A page: a text of the study, its claims, its tables and pictures, in the order of the prerequisites.
-page = $(call table,awk $(call lib,page) $(filter-out $(RUNS)/% $(checks),$^) $(filter $(checks),$^))
+# $(call labels,COLUMN…,ROW…): a table for `summarize --look-up`; a row is RUN|LABEL…, columns have | between them too.
+labels = $(call table,printf '%s\n' 'file|$(1)' $(patsubst $(RUNS)/%,'%',$(sort $(2))) | tr '|' '\t')
+# $(call labelled,RUNS,LABEL): such rows
+labelled = $(foreach r,$(1),$(r)|$(2))
+# $(call mean_and_half,EXPRESSION): a mean with half of its 95 % interval, as a text
+mean_and_half = [{mean($(1)):.1f} ± {half_interval($(1)):.1f};{mean($(1)):.1f}]
+# A page, and the same as HTML: a text of the study, its claims, its tables and pictures, in the order of the prerequisites.
+define page
+$(call table,$(page_command))
+@$(page_command) --format html >$(@:.md=.html).part && mv $(@:.md=.html).part $(@:.md=.html)
+endef
+page_command = $(POST) page $(filter-out $(RUNS)/% $(checks),$^) $(filter $(checks),$^)
 # Quality checks of the runs of a page, a row for each test and pressure, at the end of the page.
 checks = $(HERE)/checks.tsv
 $(HERE)/page.md: $$(if $$(strip $$(runs)),$(checks))
-$(checks): $$(runs) $(runs_list) $(STUDIES)/lib/checks.awk
-	$(call table,($(call of_runs,strength)) | awk $(call lib,names checks))
+# $(call at_most,COLUMN,FORMAT): in per cent
+at_most = {100 * largest($(1)):$(2)}
+check_columns = $(call column,runs,n(file)) $(call column,damping_carried_at_most_percent,$(call at_most,damping_load,.2f)) \
+                $(call column,energy_balance_off_by_at_most_percent,$(call at_most,energy_balance_error,.3f)) \
+                $(call column,platen_forces_differ_at_most_percent,$(call at_most,platen_force_difference,.2f)) \
+                $(call column,damping_carried_more_than_2_percent_in,[{file where damping_load>0.02};none])
+$(checks): $$(runs) $(runs_list)
+	$(call table,($(call of_runs,strength)) | $(POST) summarize - --by test --by confining_pressure_MPa $(check_columns))
 
 .PHONY: all clean distclean print-runs print-here
 # For job-array: the files of the runs, a line each, and the folder of the study.

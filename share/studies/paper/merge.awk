@@ -17,7 +17,7 @@ FNR == 1 { head(); ++file; next }
     else if (value("explanation") != "" && value("explanation") != explanation[key]) explanation[key] = explanation[key] "; at our point: " value("explanation")
 }
 END {
-    print "study\tclaim\tpaper\tat_the_paper's_point\tdifference\tverdict\tat_our_point\tdifference\tverdict\texplanation"
+    print "study\tclaim\tpaper\tat_the_paper's_point\tdifference\tverdict\tat_our_point\tour_difference\tour_verdict\texplanation"
     for (i = 1; i <= n; ++i) {
         key = order[i]
         if (key == "table 9") {

@@ -6,11 +6,11 @@ theirs = $(patsubst %,$(OUT)/%/claims.tsv,$(AT_THEIRS))
 ours = $(wildcard $(patsubst %,$(HERE)/ours/%/claims.tsv,$(AT_OURS)))
 all: $(HERE)/page.md
 $(HERE)/claims.tsv: $(theirs) $(ours) merge.awk
-	$(call table,awk -v n_theirs=$(words $(theirs)) $(call lib,names) -f merge.awk $(theirs) $(ours))
+	$(call table,awk -v n_theirs=$(words $(theirs)) $(call lib,columns) -f merge.awk $(theirs) $(ours))
 $(HERE)/summary.tsv: $(HERE)/claims.tsv
-	$(call table,awk $(call lib,names) -f summary.awk $<)
+	$(call table,awk $(call lib,columns) -f summary.awk $<)
 $(HERE)/calibration.md: $(calibration)/report.md calibration.awk
 	$(call table,awk -v report=../calibrate/$(notdir $(calibration))/report.md -f calibration.awk $<)
 $(HERE)/page.md: about.md $(HERE)/summary.tsv $(HERE)/claims.tsv $(HERE)/calibration.md pictures.md
-	$(call table,awk $(call lib,page) $^)
+	$(page)
 	@echo "$@"

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
@@ -228,6 +230,13 @@ TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
     EXPECT_EQ(test::field(summary, "peak_kind", 1), "drop");
     EXPECT_EQ(test::field(summary, "share_with_more_sliding", 1), "0");  // 1 µm against 2 µm of opening
     EXPECT_EQ(test::field(summary, "fragments", 1), "1");
+    const Rosette rosette = crack_rosette(cracks, recipe_.specimen);
+    const auto share = [](const std::optional<double>& value) { return cell(value).text(); };
+    EXPECT_EQ(test::field(summary, "tensile_share_within_30_deg", 1), share(share_along_load(rosette.tensile)));
+    EXPECT_EQ(test::field(summary, "facet_share_within_30_deg", 0), share(share_along_load(rosette.facet)));
+    const double length = std::stod(test::field(summary, "tensile_length_m", 1));
+    EXPECT_NEAR(length, std::accumulate(rosette.tensile.begin(), rosette.tensile.end(), 0.0), 1e-7 * length);
+    EXPECT_LT(std::stod(test::field(summary, "tensile_length_m", 0)), length);
     EXPECT_EQ(test::parse_tsv(test::read_text(map("fragment-counts.tsv"))).size(), 4U);
     EXPECT_EQ(test::parse_tsv(test::read_text(map("fragments.tsv"))).size(), 2U);
     EXPECT_GT(test::parse_tsv(test::read_text(map("events.tsv"))).size(), 2U);

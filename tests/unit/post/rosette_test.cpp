@@ -42,6 +42,16 @@ TEST(Rosette, CracksGoByModeAndLength) {
     EXPECT_NEAR(rosette.shear[2], 0.002, 1e-15);
 }
 
+TEST(Rosette, AlongTheLoadIsWithin30Degrees) {
+    std::array<double, Rosette::n_bins> length{};
+    EXPECT_EQ(share_along_load(length), std::nullopt);
+    for (std::size_t bin = 0; bin < length.size(); ++bin) length[bin] = bin >= 6 && bin < 12 ? 3 : 1;  // 60° to 120° from x
+    EXPECT_DOUBLE_EQ(share_along_load(length).value(), 18.0 / 30);
+    length.fill(0);
+    length[5] = length[12] = 1;
+    EXPECT_EQ(share_along_load(length), 0.0);
+}
+
 TEST(Rosette, SharesAreEmptyWithoutCracks) {
     std::ostringstream out;
     write_rosette(out, crack_rosette({}, test::grid_specimen(4, 4, 0.04, 0.04)), TableFormat::tsv);

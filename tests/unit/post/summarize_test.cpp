@@ -120,6 +120,78 @@ TEST_F(Summarize, GroupsByAnExpression) {
     EXPECT_EQ(summary(options), "next\tn\n11\t5\n10\t1\n");
 }
 
+TEST_F(Summarize, MagnitudesOfRowsAndOfGroups) {
+    EXPECT_EQ(number("largest(abs(stress - 4))"), 3);
+    EXPECT_EQ(number("abs(mean(stress) - 4) + 1"), 2.5);
+    EXPECT_EQ(number("mean(abs(2 * stress))"), 5);
+}
+
+TEST_F(Summarize, TextsWithNumbersOfAGroup) {
+    const auto text = [this](const std::string& shown) {
+        const std::string table = summary({{}, "", {}, {"x=" + shown}, false, TableFormat::tsv});
+        return table.substr(2);
+    };
+    EXPECT_EQ(text("{mean(stress where level=10):.1f} of {n(run)}, {largest(stress):+.0f}"), "2.5 of 6, +10\n");
+    // Entries that are not empty, each once, in the order of the rows.
+    EXPECT_EQ(text("ended by {peak_kind}"), "ended by drop; none\n");
+    EXPECT_EQ(text("[{run where stress>2 and level=10};none]"), "d; e\n");
+    EXPECT_EQ(text("[{run where stress>20};none]"), "none\n");
+    // The first alternative without anything empty; "-" without any, and for what is empty outside.
+    EXPECT_EQ(
+        text("[{mean(stress where level=9):.1f} ± {deviation(stress where level=9):.1f};{mean(stress where level=9):.1f}] MPa"),
+        "10.0 MPa\n");
+    EXPECT_EQ(text("[{deviation(stress where level=9):.1f}] and {deviation(stress where level=9):.1f}"), "- and -\n");
+    EXPECT_EQ(text("{mean(stress - stress):+.1f}"), "+0.0\n");
+}
+
+TEST_F(Summarize, SaysWhatATextLacks) {
+    const auto with = [this](const std::string& text) {
+        return [this, text] { std::ignore = summary({{}, "", {}, {"x=" + text}, false, TableFormat::tsv}); };
+    };
+    expect_one_line<UsageError>(with("{mean(stress):.1f"), {"{mean(stress):.1f", "} is needed"});
+    expect_one_line<UsageError>(with("[{mean(stress):.1f}"), {"] is needed"});
+    expect_one_line<UsageError>(with("{mean(stress):.1x}"), {"\".1x\" is no format", ".1f"});
+    expect_one_line<UsageError>(with("{average(stress):.1f}"), {"average(stress)", "half_interval"});
+    expect_one_line<UsageError>(with("{run where stress~2}"), {"{run where stress~2}", "COLUMN=VALUE"});
+    expect_one_line<InputError>(with("{strain}"), {"first.tsv", "no column strain"});
+    expect_one_line<InputError>(with("{run where strain>2}"), {"no column strain"});
+}
+
+TEST_F(Summarize, ATableOfRunsSaysWhatTheyAre) {
+    // Run a is in two series, run c in none.
+    std::ofstream(second_) << "run\tseries\tangle\na\tx\t0\nb\tx\t30\na\ty\t90\nzz\ty\t0\n";
+    SummaryOptions options{{"series"}, "", {"stress<3.5"}, {"runs={run}", "stress=sum(stress)", "angle=largest(angle)"}};
+    options.look_up = {second_};
+    EXPECT_EQ(summary(options), "series\truns\tstress\tangle\nx\ta\t1\t0\ny\ta\t1\t90\n\tc; d\t5\t\n");
+    std::ofstream(second_) << "run\tlevel\na\t0\n";
+    expect_one_line<InputError>([&] { std::ignore = summary(options); }, {"second.tsv: column level is in", "first.tsv too"});
+    std::ofstream(second_) << "file\tseries\na\tx\n";
+    expect_one_line<InputError>([&] { std::ignore = summary(options); }, {"first.tsv: no column file"});
+}
+
+TEST_F(Summarize, TablesHaveLabels) {
+    SummaryOptions options{{"from"}, "", {}, {"n=n(level)", "slope=sum(slope)"}};
+    options.label = "from";
+    const auto labelled = [&](const std::vector<std::string>& files) {
+        std::ostringstream out;
+        write_summary(out, files, options);
+        return out.str();
+    };
+    EXPECT_EQ(labelled({"a=" + first_, "b=" + second_}), "from\tn\tslope\na\t6\t\nb\t2\t0.75\n");
+    options.join = "level";  // rows of the second table fill those of the first, whose label they keep
+    EXPECT_EQ(labelled({"a=" + first_, "b=" + second_}), "from\tn\tslope\na\t2\t0.75\n");
+    expect_one_line<UsageError>([&] { std::ignore = labelled({"a=" + first_, second_}); }, {second_, "LABEL=FILE"});
+    options.label = "level";
+    options.join = "";
+    expect_one_line<InputError>([&] { std::ignore = labelled({"a=" + first_}); }, {"first.tsv: has a column level", "--label"});
+}
+
+TEST_F(Summarize, WritesMarkdown) {
+    SummaryOptions options{{"test"}, "", {}, {"n=n(run)", "|σ|, MPa={mean(stress):.1f}"}};
+    options.format = TableFormat::markdown;
+    EXPECT_EQ(summary(options), "| test | n | \\|σ\\|, MPa |\n|---|---|---|\n| disc | 5 | 4.0 |\n| plate | 1 | - |\n");
+}
+
 TEST_F(Summarize, SaysWhatItCannotUnderstand) {
     const auto with = [this](const std::string& column) {
         return [this, column] { std::ignore = summary({{}, "", {}, {column}, false, TableFormat::tsv}); };

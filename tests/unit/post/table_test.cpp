@@ -32,6 +32,11 @@ TEST(Table, JsonLinesHoldTheSame) {
     EXPECT_TRUE(line["nothing"].is_null());
 }
 
+TEST(Table, MarkdownHasARuleAndNoOpenBars) {
+    EXPECT_EQ(written(TableFormat::markdown, {std::string("|a|\tb"), 1.5, std::int64_t{2}, Cell()}),
+              "| name | value | count | nothing |\n|---|---|---|---|\n| \\|a\\| b | 1.5 | 2 |  |\n");
+}
+
 TEST(Table, WhatIsNotFiniteIsEmpty) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::vector<Cell> cells{std::string("x"), std::numeric_limits<double>::quiet_NaN(), infinity, -infinity};

@@ -195,6 +195,8 @@ TEST(MohrCoulomb, ALineGivesItsOwnCohesionAndFriction) {
 TEST(MohrCoulomb, WhatHasNoEnvelope) {
     const std::array<double, 2> same{4 * MPa, 4 * MPa};
     const std::array<double, 2> strength{100 * MPa, 110 * MPa};
+    EXPECT_NEAR(mohr_coulomb_slope(std::asin(4.0 / 6)), 5, 1e-12);  // the line of tests/unit/post/summarize_test.cpp
+    EXPECT_EQ(mohr_coulomb_slope(0), 1);
     EXPECT_THROW(fit_mohr_coulomb(same, strength), InputError);
     EXPECT_THROW(fit_mohr_coulomb({}, {}), InputError);
     const std::array<double, 2> confining{0, 4 * MPa};

@@ -1,0 +1,24 @@
+#include "post/commands/page.hpp"
+
+#include "post/report/page.hpp"
+#include "share/command_line.hpp"
+
+namespace graincrack {
+
+Command page_command() {
+    enum class Form { markdown, html };
+    return make_command<Form>(
+        "page", "one page of texts, tables and pictures, in the order of the files",
+        {"properties.tsv modes.tsv", "properties.tsv cracks.png --format html"},
+        FileArguments{"files", "texts (.md), tables (.tsv) and pictures (.png, .svg)"},
+        [](CLI::App& app, Form& form) {
+            add_choice<Form>(app, "--format", form, {{"markdown", Form::markdown}, {"html", Form::html}},
+                             "form of the page; pictures are links to files in its folder");
+        },
+        [](const Form& form, const Call& call) {
+            const std::string markdown = markdown_page(call.files);
+            call.out << (form == Form::html ? html_page(markdown) : markdown);
+        });
+}
+
+}  // namespace graincrack

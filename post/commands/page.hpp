@@ -1,0 +1,10 @@
+// The command `page`: texts, tables and pictures of a study as one page.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command page_command();
+
+}  // namespace graincrack

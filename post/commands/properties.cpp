@@ -1,0 +1,34 @@
+#include "post/commands/properties.hpp"
+
+#include "post/option_parts.hpp"
+#include "post/report/properties.hpp"
+#include "share/command_line.hpp"
+#include "share/incomplete_material.hpp"
+
+namespace graincrack {
+
+Command properties_command() {
+    struct Options {
+        std::string material;
+        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        TableFormat format = TableFormat::tsv;
+    };
+    return make_command<Options>(
+        "properties", "elasticity, strengths, cohesion and friction angle of a set of tests beside the laboratory's",
+        {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
+        several_runs,
+        [](CLI::App& app, Options& options) {
+            add_laboratory_material(app, options.material);
+            app.get_option("--material")->required();
+            add_strain_limit_runs(app, options.strain_limit_runs);
+            add_format(app, options.format);
+        },
+        [](const Options& options, const Call& call) {
+            const Material material = read_incomplete_material(options.material).material;
+            write_properties(
+                call.out, measure_properties(read_runs(call.files), material, {options.strain_limit_runs, StrengthKind::largest}),
+                options.format);
+        });
+}
+
+}  // namespace graincrack

@@ -1,0 +1,10 @@
+// The command `properties`: what specimens measure beside what the laboratory did.
+#pragma once
+
+#include "post/command.hpp"
+
+namespace graincrack {
+
+Command properties_command();
+
+}  // namespace graincrack

@@ -1,0 +1,46 @@
+// Properties of a rock on specimens beside those of its laboratory (the paper's Table 8): one row a property.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/fit/envelope.hpp"
+#include "post/measure/load_curve.hpp"
+#include "post/table/table.hpp"
+#include "share/material.hpp"
+
+namespace graincrack {
+
+/// One property in the unit of its name. Empty: unknown, or it does not apply.
+struct Property {
+    std::string name;  ///< "young_modulus_GPa"
+    std::optional<double> laboratory = std::nullopt;
+    std::optional<double> published = std::nullopt;  ///< of the paper's model, for the paper's rock
+    Estimate ours = {};
+    std::optional<double> deviation = std::nullopt;  ///< over specimens; of C and φ over seeds with tests at all pressures
+    std::size_t specimens = 0;
+    std::optional<std::size_t> without_peak = std::nullopt;  ///< specimens among them without a peak
+    bool is_mean = false;                                    ///< of a sample of specimens; else from a fit through all of them
+
+    /// 100 (ours/laboratory − 1)
+    [[nodiscard]] std::optional<double> off_laboratory_percent() const;
+    /// Half of the 95 % interval over our value.
+    [[nodiscard]] std::optional<double> half_interval_percent() const;
+    /// Specimens, at least three, whose mean has a 95 % half interval of 3 %, with the deviation of these.
+    [[nodiscard]] std::optional<double> specimens_for_3_percent() const;
+};
+
+/// E and ν (chord to half the peak) of the uniaxial tests, tensile strengths, σ1 at each pressure, and C, φ and b of the line
+/// through them, also by the stress at first yield. The laboratory's σ1 under pressure is that of its line σ1 = 2C√b + b σ3. What
+/// the runs do not give is left out, as are fits through a single pressure. \throws InputError as group_strengths and
+/// collect_envelope_tests
+std::vector<Property> measure_properties(const std::vector<RunData>& runs, const Material& material,
+                                         const EnvelopeOptions& options);
+
+/// Table property, laboratory, published, ours, low, high, deviation, specimens, without_peak, off_laboratory_percent,
+/// half_interval_percent, specimens_for_3_percent.
+void write_properties(std::ostream& out, const std::vector<Property>& properties, TableFormat format);
+
+}  // namespace graincrack

@@ -1,0 +1,125 @@
+#include "share/material_edit.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "share/error.hpp"
+#include "share/incomplete_material.hpp"
+#include "share/toml_file.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// "contact" and "cohesion"; the name of the material is in no table.
+std::pair<std::string, std::string> parts_of(const std::string& key) {
+    const std::size_t dot = key.find('.');
+    return dot == std::string::npos ? std::pair(std::string(), key) : std::pair(key.substr(0, dot), key.substr(dot + 1));
+}
+
+/// \throws UsageError
+void check(const MaterialSetting& setting) {
+    const auto& [key, value] = setting;
+    if (key == "name") {
+        if (value.empty() || value.find_first_of("\"\\\n") != std::string::npos)
+            throw UsageError(fmt::format("name={}: a name without quotes is wanted", value));
+        return;
+    }
+    const auto quantity = material_quantity(key);
+    if (!quantity) {
+        const std::string nearest = nearest_word(key, material_keys());
+        throw UsageError(fmt::format("{}: unknown key{}; known are name, {}", key,
+                                     nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
+                                     fmt::join(material_keys(), ", ")));
+    }
+    static_cast<void>(parse_quantity(value, *quantity, key));
+}
+
+/// A line of a TOML file, with a comment.
+std::string line_of(const std::string& key, const std::string& value, const std::string& comment) {
+    const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos;
+    return fmt::format("{:<39} # {}", bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value), comment);
+}
+
+bool is_in(const TomlEntry& entry, const std::string& table) {
+    return table.empty() ? entry.section.empty() : entry.section == std::vector<std::string>{table};
+}
+
+/// Lines of a file, and those to add behind some of them.
+class Edit {
+public:
+    Edit(TomlFile toml, std::vector<std::string> lines) : toml_(std::move(toml)), lines_(std::move(lines)) {}
+    /// \throws InputError
+    void set(const MaterialSetting& setting) {
+        const auto [table, key] = parts_of(setting.first);
+        const auto same = [&, t = table, k = key](const TomlEntry& entry) { return is_in(entry, t) && entry.key == k; };
+        const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), same);
+        if (found == toml_.entries.end()) return add(table, line_of(key, setting.second, "added"));
+        const auto on_line = [&](const TomlEntry& entry) { return entry.line == found->line; };
+        if (std::count_if(toml_.entries.begin(), toml_.entries.end(), on_line) > 1 || found->values.empty()) {
+            throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own",
+                                         toml_.file, found->line, setting.first));
+        }
+        lines_[static_cast<std::size_t>(found->line) - 1] = line_of(key, setting.second, "was " + found->values[0].text);
+    }
+    [[nodiscard]] std::string text() const {
+        std::string text;
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            text += lines_[i] + "\n";
+            const auto [from, to] = added_.equal_range(static_cast<int>(i) + 1);
+            for (auto line = from; line != to; ++line) text += line->second + "\n";
+        }
+        for (const auto& [table, lines] : new_tables_) {
+            text += fmt::format("\n[{}]\n", table);
+            for (const std::string& line : lines) text += line + "\n";
+        }
+        return text;
+    }
+
+private:
+    void add(const std::string& table, const std::string& line) {
+        int last = 0;
+        for (const TomlSection& section : toml_.sections) {
+            if (section.name == std::vector<std::string>{table}) last = section.line;
+        }
+        if (last == 0) {
+            new_tables_[table].push_back(line);
+            return;
+        }
+        for (const TomlEntry& entry : toml_.entries) {
+            if (is_in(entry, table)) last = std::max(last, entry.line);
+        }
+        added_.emplace(last, line);
+    }
+
+    TomlFile toml_;
+    std::vector<std::string> lines_;
+    std::multimap<int, std::string> added_;  ///< by the number of the line before
+    std::map<std::string, std::vector<std::string>> new_tables_;
+};
+
+}  // namespace
+
+std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
+    const std::string file = read_incomplete_material(name_or_file).material.file.string();
+    Edit edit(read_toml(file), lines_of(file));
+    for (const MaterialSetting& setting : settings) {
+        check(setting);
+        edit.set(setting);
+    }
+    return edit.text();
+}
+
+}  // namespace graincrack

@@ -1,0 +1,19 @@
+// A material file with other values, its comments kept.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace graincrack {
+
+/// A key of a material file, "contact.cohesion" or "name", and its new value: "70 MPa" or a bare SI number.
+using MaterialSetting = std::pair<std::string, std::string>;
+
+/// The text of a material file with other values. A comment on each changed line has the former value; a key that the file does
+/// not have comes at the end of its table. \param name_or_file as of `read_material`; the file may be incomplete \throws
+/// UsageError for an unknown key or a value that does not fit it, InputError if the file cannot be read, or a key shares
+///         its line with others
+std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings);
+
+}  // namespace graincrack
