@@ -7,7 +7,8 @@ namespace graincrack {
 
 Stroke series_stroke(std::size_t i, double width) {
     constexpr std::array<Dash, 5> dashes{Dash::none, Dash::dashed, Dash::dash_dot, Dash::long_dashed, Dash::dotted};
-    return {palette::series(i), width, dashes[i % dashes.size()]};
+    const Dash dash = dashes[i % dashes.size()];
+    return {palette::series(i), dash == Dash::dotted ? 1.4 * width : width, dash};  // dots are faint
 }
 
 MarkerShape marker_shape(std::size_t i) {

@@ -34,7 +34,7 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
                 Axis{"axial strain, %", 0, 1.03 * largest(strain)},
                 Axis{"micro-cracks (contacts)", 0, 1.08 * std::max(last.tensile, last.shear)},
                 {Axis{"stress, MPa", 0, 1.08 * largest(stress)}});
-    const Stroke load{palette::rim, 3, Dash::dotted};
+    const Stroke load{palette::rim, 4.5, Dash::dotted};
     chart.line(strain, stress, load, Chart::Side::right);
     const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& label) {
         chart.line(strain, values, stroke);

@@ -106,7 +106,7 @@ void draw_counts(Chart& chart, const Run& run) {
         chart.line(strain, run.data->history[column], stroke, Chart::Side::right);
         chart.legend(stroke, name);
     };
-    draw(HistoryColumn::shear_cracks, {palette::shear, 3, Dash::dotted}, "shear cracks, right");
+    draw(HistoryColumn::shear_cracks, {palette::shear, 4, Dash::dotted}, "shear cracks, right");
     draw(HistoryColumn::tensile_cracks, {palette::tensile, 3, Dash::dashed}, "tensile cracks, right");
 }
 

@@ -23,7 +23,7 @@ const std::vector<Term>& terms() {
                                        {energy_strain, "strain", {palette::series(0), 4}},
                                        {energy_contact, "contacts", {palette::series(4), 4, Dash::long_dashed}},
                                        {energy_fracture_tension, "fracture, tension", {palette::tensile, 4, Dash::dash_dot}},
-                                       {energy_fracture_shear, "fracture, shear", {palette::tensile, 3, Dash::dotted}},
+                                       {energy_fracture_shear, "fracture, shear", {palette::tensile, 4.5, Dash::dotted}},
                                        {energy_friction, "friction", {palette::series(2), 4, Dash::dashed}},
                                        {energy_damping, "damping", {palette::series(3), 6, Dash::dotted}},
                                        {energy_platen, "platens", {palette::series(5), 3, Dash::dashed}},

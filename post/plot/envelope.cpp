@@ -143,7 +143,7 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
 
 void draw_laboratory(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
     for (const auto& set : laboratory) {
-        const Stroke stroke{palette::rim, 2.5, Dash::dotted};
+        const Stroke stroke{palette::rim, 3.5, Dash::dotted};
         for (std::size_t i = 0; i < set.strength.size(); ++i) {
             const Points points = circle(set.confining[i], set.strength[i]);
             chart.line(points.x, points.y, stroke);

@@ -53,7 +53,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
         draw_law(chart, low, high, std::exp(y - exponent * x), exponent, thin);
         chart.legend(thin, fmt::format("{}, n = {}", who, exponent));
     };
-    compare("theory", theory_exponent, Stroke{colour, 2.5, Dash::dotted});
+    compare("theory", theory_exponent, Stroke{colour, 4, Dash::dotted});
     if (const auto exponent = s.exponent_of_paper()) {
         compare("Kazerani & Zhao (2014)", *exponent, Stroke{palette::rim, 2.5, Dash::long_dashed});
     }

@@ -35,7 +35,7 @@ th, td:not(:first-child) { white-space: pre-line; }
 .figures { column-count: 2; column-gap: 32px; }
 .figures h3, .figures .across { column-span: all; }
 .columns > div:only-child { grid-column: 1 / -1; }
-figure { margin: 6px 0 14px; min-width: 0; break-inside: avoid; }
+figure { margin: 6px 0 14px; min-width: 0; max-width: 564px; break-inside: avoid; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 @media (max-width: 860px) { .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
