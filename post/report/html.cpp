@@ -33,7 +33,7 @@ th, td:not(:first-child) { white-space: pre-line; }
 .checks { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
 .columns { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 32px; align-items: start; }
 .figures { column-count: 2; column-gap: 32px; }
-.figures h3, .figures .across { column-span: all; }
+.figures .across { column-span: all; }
 .columns > div:only-child { grid-column: 1 / -1; }
 figure { margin: 6px 0 14px; min-width: 0; max-width: 564px; break-inside: avoid; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
@@ -41,7 +41,7 @@ figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 @media (max-width: 860px) { .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
        .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3 { break-after: avoid; }
-       figure, tr { break-inside: avoid; } }
+       figure, tr, .kind { break-inside: avoid; } }
 )css";
 
 using Bytes = std::vector<unsigned char>;
@@ -103,7 +103,9 @@ std::string figure(const Drawing& drawing, const std::string& caption, bool wide
 
 std::string figures(const std::string& content) { return "<div class=\"figures\">\n" + content + "</div>\n"; }
 
-std::string figures_heading(const std::string& heading) { return "<h3>" + escaped(heading) + "</h3>\n"; }
+std::string figures_of(const std::string& heading, const std::string& content) {
+    return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + figures(content) + "</div>\n";
+}
 
 std::string section(const std::string& id, const std::string& heading, const std::string& content) {
     return fmt::format("<h2 id=\"{}\">{}</h2>\n{}", id, escaped(heading), content);

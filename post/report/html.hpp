@@ -34,8 +34,8 @@ PictureStyle figure_style(bool wide = false);
 std::string figure(const Drawing& drawing, const std::string& caption, bool wide = false);
 /// Figures in two columns, in one where the window is narrow.
 std::string figures(const std::string& content);
-/// A heading across both columns.
-std::string figures_heading(const std::string& heading);
+/// The same under a heading of their own, on one page of a print.
+std::string figures_of(const std::string& heading, const std::string& content);
 
 /// A section with a heading; `id` is its place for links.
 std::string section(const std::string& id, const std::string& heading, const std::string& content);

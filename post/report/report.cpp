@@ -55,7 +55,7 @@ std::string name_of_row(const SizedStrengths& row) {
 /// Pictures of one run of a kind, two by two.
 std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabel& label) {
     const Specimen specimen = run.specimen();
-    std::string figures = html::figures_heading(name + " (" + t.data.name + ")");
+    std::string figures;
     if (run.n_frames() > 0) {
         figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}, html::figure_style()),
                                 "cracks before, at and after the peak");
@@ -68,7 +68,7 @@ std::string map_figures(const RunReader& run, const TestReport& t, const std::st
     }
     figures += html::figure(draw_energy(t.data, html::figure_style()), "energy balance");
     if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data, html::figure_style()), "thresholds");
-    return figures;
+    return html::figures_of(name + " (" + t.data.name + ")", figures);
 }
 
 std::vector<RunData> data_of(const Content& content) {
@@ -278,7 +278,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelopes, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));
-    body += html::section("maps", "Cracks, directions, energy, thresholds", html::figures(content.maps));
+    body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);
     body += html::section("mesh", "Specimens", html::figures(content.mesh));
     body += html::section("inputs", "Parameters", parameters(content));
     body += html::section("provenance", "Provenance", provenance(content));
