@@ -39,7 +39,11 @@ void add_envelope_options(CLI::App& app, EnvelopeOptions& options) {
 
 void add_names(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
                const std::string& help) {
-    app.add_option(option, target, help)->type_name(type)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option(option, target, help)
+        ->type_name(type)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->default_str("");  // no "[]", which --config would read as a value
 }
 
 void add_laboratory_material(CLI::App& app, std::string& material) {

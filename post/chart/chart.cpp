@@ -1,89 +1,42 @@
 #include "post/chart/chart.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "post/chart/font.hpp"
-#include "share/units.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "share/error.hpp"
 
 namespace graincrack {
 
 namespace {
 
-constexpr double page_width = 1000;
-constexpr double left_margin = 145;
-constexpr double right_margin = 40;
-constexpr double right_margin_with_axis = 130;
-constexpr double top_margin = 30;
-constexpr double plot_height = 600;
-constexpr double title_size = 31;
-constexpr double subtitle_size = 25;
-constexpr double label_size = 30;
-constexpr double tick_size = 27;
-constexpr double name_size = 23;
-constexpr double legend_size = 26;
-constexpr double legend_line = 40;
-constexpr double legend_mark = 52;
-constexpr double dash = 16;
+constexpr double tick_length = 8;
+constexpr double tick_gap = 8;     ///< from a tick to its text
+constexpr double right_room = 40;  ///< beside the frame, for half a text of a tick
+constexpr double digit_rise = 0.36;
+constexpr double faint_line = 1;
 
-std::string tick_text(double tick) { return format_number(std::abs(tick) < 1e-12 ? 0.0 : tick, 6); }
-
-double text_end(double top, const ChartText& text) {
-    return top + (text.title.empty() ? 0 : 1.35 * title_size) + 1.35 * subtitle_size * static_cast<double>(text.subtitle.size());
+double largest_width(const std::vector<std::string>& texts) {
+    double width = 0;
+    for (const std::string& text : texts) width = std::max(width, text_width(text, letters::text));
+    return width;
 }
 
-std::vector<double> ticks_of(const Axis& axis, int wanted) {
-    if (!axis.logarithmic) return round_ticks(axis.low, axis.high, wanted);
-    if (axis.high < 3 * axis.low) return round_ticks(axis.low, axis.high, wanted);
-    const std::vector<double> factors =
-        axis.high < 30 * axis.low ? std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 8} : std::vector<double>{1, 2, 5};
-    std::vector<double> ticks;
-    for (double decade = std::pow(10, std::floor(std::log10(axis.low))); decade <= axis.high; decade *= 10) {
-        for (double factor : factors) {
-            const double tick = factor * decade;
-            if (tick >= axis.low * (1 - 1e-9) && tick <= axis.high * (1 + 1e-9)) ticks.push_back(tick);
-        }
-    }
-    return ticks;
+/// The label of an upright axis, in two lines where it is longer than the frame is high.
+std::vector<std::string> upright_lines(const std::string& label, double height) {
+    return broken_lines(label, letters::label, height);
+}
+constexpr double upright_leading = 1.15 * letters::label;
+
+/// Room beside a frame for the ticks and the label of an axis.
+double room_beside(const Axis& axis, double height) {
+    const Ticks ticks = ticks_of(axis, 6);
+    const auto lines = static_cast<double>(upright_lines(ticks.label, height).size());
+    return tick_length + tick_gap + largest_width(ticks.texts) + 10 + lines * upright_leading;
 }
 
-/// A word with its middle left out if it is wider than `room`, as names of files may be: they differ at either end.
-std::string shortened(std::string word, double size, double room) {
-    if (text_width(word, size) <= room) return word;
-    std::size_t keep = word.size();
-    std::string shorter;
-    do {
-        --keep;
-        std::size_t front = (keep + 1) / 2;
-        std::size_t back = word.size() - keep / 2;
-        const auto inside = [&word](std::size_t at) {
-            return at < word.size() && (static_cast<unsigned char>(word[at]) & 0xc0U) == 0x80U;
-        };
-        while (front > 0 && inside(front)) --front;  // not within a character
-        while (inside(back)) ++back;
-        shorter = word.substr(0, front) + "…" + word.substr(back);
-    } while (keep > 1 && text_width(shorter, size) > room);
-    return shorter;
-}
-
-/// Text in lines that are no wider than `room`, broken at blanks.
-std::vector<std::string> broken_lines(const std::string& text, double size, double room) {
-    std::vector<std::string> lines(1);
-    std::istringstream in(text);
-    for (std::string next; in >> next;) {
-        const std::string word = shortened(next, size, room);
-        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-        if (!lines.back().empty() && text_width(longer, size) > room) {
-            lines.push_back(word);
-        } else {
-            lines.back() = longer;
-        }
-    }
-    return lines;
-}
+Axis limited(const Axis& axis, const std::optional<AxisLimits>& limits) { return limits ? axis.limited(*limits) : axis; }
 
 /// Part of a segment inside a box (Liang & Barsky); false if none.
 bool clip(Pixel& a, Pixel& b, Pixel low, Pixel high) {
@@ -124,56 +77,54 @@ private:
 
 }  // namespace
 
-MarkerShape marker_shape(std::size_t i) {
-    constexpr std::array<MarkerShape, 4> shapes{MarkerShape::disc, MarkerShape::square, MarkerShape::triangle,
-                                                MarkerShape::cross};
-    return shapes[i % shapes.size()];
-}
-
-std::pair<double, double> padded_range(std::span<const double> values, double pad) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    if (!(low <= high)) return {0, 1};
-    const double room = high > low ? pad * (high - low) : std::max(pad * std::abs(high), 1e-12);
-    return {low - room, high + room};
-}
-
-double Chart::Scale::operator()(double value) const {
-    const auto share = [&](double v) {
-        if (!axis.logarithmic) return (v - axis.low) / (axis.high - axis.low);
-        return std::log(v / axis.low) / std::log(axis.high / axis.low);
-    };
-    return from + share(value) * (to - from);
-}
-
-Chart::Chart(const ChartText& text, const Axis& x, const Axis& y, const std::optional<Axis>& right, bool equal_scales)
-    : drawing_(static_cast<int>(page_width), 100) {
-    const double top = text_end(top_margin, text) + 20;
-    const double width = page_width - left_margin - (right ? right_margin_with_axis : right_margin);
-    const double height = equal_scales ? width * (y.high - y.low) / (x.high - x.low) : plot_height;
-    x_ = {x, left_margin, left_margin + width};
-    y_ = {y, top + height, top};
-    if (right) right_ = Scale{*right, y_.from, y_.to};
-    double line = top_margin;
-    if (!text.title.empty()) {
-        line += 1.35 * title_size;
-        drawing_.text({{left_margin - 105, line - 10}, text.title, title_size, palette::ink, Anchor::start, true});
-    }
-    for (const std::string& label : text.subtitle) {
-        line += 1.35 * subtitle_size;
-        drawing_.text({{left_margin - 105, line - 8}, label, subtitle_size});
-    }
+Chart::Chart(const PictureStyle& style, const ChartText& text, const Axis& x, const Axis& y, const ChartForm& form)
+    : style_(style),
+      x_unlimited_(x),
+      y_unlimited_(y),
+      drawing_(static_cast<int>(style.page_width), 100),
+      x_{limited(x, style.x_limits), 0, 0},
+      y_{limited(y, style.y_limits), 0, 0} {
+    if (form.right) right_ = Scale{*form.right, 0, 0};
+    ChartText heading = text;
+    if (!style.title.empty()) heading.title = style.title;
+    const double end = draw_heading(drawing_, heading, {page_margin, drawing_.width() - page_margin}, 0.6 * page_margin);
+    lay_out(end + 24, form);
     draw_grid();
 }
 
+void Chart::lay_out(double top, const ChartForm& form) {
+    constexpr double edge = 0.3 * page_margin;
+    double height = form.height > 0 ? form.height : 19 * std::sqrt(style_.page_width);
+    x_.from = std::max(form.min_left, edge + room_beside(y_.axis, height));
+    x_.to = drawing_.width() - (right_ ? edge + room_beside(right_->axis, height) : right_room);
+    const double width = x_.to - x_.from;
+    if (form.equal_scales) {
+        const double shape = (y_.axis.high - y_.axis.low) / (x_.axis.high - x_.axis.low);
+        const double most = 1.2 * width;
+        height = std::min(width * shape, most);
+        x_.to = x_.from + height / shape;
+    }
+    y_.from = top + height;
+    y_.to = top;
+    if (right_) {
+        right_->from = y_.from;
+        right_->to = y_.to;
+    }
+}
+
+bool Chart::inside(Pixel at) const {
+    return at.x >= x_.from - 1 && at.x <= x_.to + 1 && at.y >= y_.to - 1 && at.y <= y_.from + 1;
+}
+
 void Chart::draw_grid() {
-    for (const double tick : ticks_of(x_.axis, 7)) drawing_.line({x_(tick), y_.from}, {x_(tick), y_.to}, 1, palette::faint);
-    for (const double tick : ticks_of(y_.axis, 6)) drawing_.line({x_.from, y_(tick)}, {x_.to, y_(tick)}, 1, palette::faint);
+    const bool has_numbers = !x_.axis.label.empty();
+    for (const double tick :
+         has_numbers ? ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).values : std::vector<double>{}) {
+        drawing_.line({x_(tick), y_.from}, {x_(tick), y_.to}, faint_line, palette::faint);
+    }
+    for (const double tick : ticks_of(y_.axis, 6).values) {
+        drawing_.line({x_.from, y_(tick)}, {x_.to, y_(tick)}, faint_line, palette::faint);
+    }
     const auto crossed = [](const Axis& axis) { return !axis.logarithmic && axis.low < 0 && axis.high > 0; };
     if (crossed(x_.axis)) drawing_.line({x_(0), y_.from}, {x_(0), y_.to}, 1.6, palette::rim);
     if (crossed(y_.axis)) drawing_.line({x_.from, y_(0)}, {x_.to, y_(0)}, 1.6, palette::rim);
@@ -183,7 +134,7 @@ void Chart::line(std::span<const double> x, std::span<const double> y, const Str
     const Scale& scale = side == Side::right && right_ ? *right_ : y_;
     LineInHand hand;
     const auto finish = [&] {
-        stroke_line(hand.finish(), stroke);
+        draw_stroke(drawing_, hand.finish(), stroke);
         hand = {};
     };
     for (std::size_t i = 1; i < x.size(); ++i) {
@@ -194,81 +145,49 @@ void Chart::line(std::span<const double> x, std::span<const double> y, const Str
             finish();
             continue;
         }
+        shows_something_ = true;
         if (!hand.goes_on_at(from)) finish();
         hand.add(from, to);
     }
     finish();
 }
 
-void Chart::stroke_line(const std::vector<Pixel>& points, const Stroke& stroke) {
-    if (points.size() < 2) return;
-    if (!stroke.dashed) {
-        drawing_.polyline(points, stroke.width, stroke.colour);
-        return;
-    }
-    std::vector<Pixel> piece{points.front()};
-    double left = dash;
-    bool on = true;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        Pixel from = points[i - 1];
-        double length = std::hypot(points[i].x - from.x, points[i].y - from.y);
-        while (length > left) {
-            const double share = left / length;
-            from = {from.x + share * (points[i].x - from.x), from.y + share * (points[i].y - from.y)};
-            length -= left;
-            piece.push_back(from);
-            if (on) drawing_.polyline(piece, stroke.width, stroke.colour);
-            piece = {from};
-            on = !on;
-            left = on ? dash : 0.8 * dash;
-        }
-        left -= length;
-        piece.push_back(points[i]);
-    }
-    if (on && piece.size() > 1) drawing_.polyline(piece, stroke.width, stroke.colour);
-}
-
-void Chart::draw_marker(Pixel at, const Marker& marker) {
-    const double r = marker.size / 2;
-    switch (marker.shape) {
-        case MarkerShape::disc: drawing_.polyline({at, at}, marker.size, marker.colour); break;
-        case MarkerShape::square:
-            drawing_.rectangle({at.x - 0.9 * r, at.y - 0.9 * r}, {at.x + 0.9 * r, at.y + 0.9 * r}, marker.colour);
-            break;
-        case MarkerShape::triangle:
-            drawing_.polygon({{at.x, at.y - 1.2 * r}, {at.x + 1.1 * r, at.y + 0.8 * r}, {at.x - 1.1 * r, at.y + 0.8 * r}},
-                             marker.colour);
-            break;
-        case MarkerShape::cross:
-            drawing_.line({at.x - r, at.y - r}, {at.x + r, at.y + r}, 0.3 * marker.size, marker.colour);
-            drawing_.line({at.x - r, at.y + r}, {at.x + r, at.y - r}, 0.3 * marker.size, marker.colour);
-            break;
-    }
-}
-
 void Chart::points(std::span<const double> x, std::span<const double> y, const Marker& marker) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         const Pixel at = place(x[i], y[i]);
-        const bool inside = at.x >= x_.from - 1 && at.x <= x_.to + 1 && at.y >= y_.to - 1 && at.y <= y_.from + 1;
-        if (inside) draw_marker(at, marker);
+        if (!inside(at)) continue;
+        shows_something_ = true;
+        draw_marker(drawing_, at, marker);
     }
 }
 
-void Chart::error_bar(double x, double low, double high, Colour colour) {
-    constexpr double cap = 9;
-    const double bottom = std::clamp(y_(low), y_.to, y_.from);
-    const double top = std::clamp(y_(high), y_.to, y_.from);
-    drawing_.line({x_(x), bottom}, {x_(x), top}, 2.5, colour);
-    for (const double y : {bottom, top}) drawing_.line({x_(x) - cap, y}, {x_(x) + cap, y}, 2.5, colour);
+void Chart::point_apart(double x, double y, const Marker& marker) {
+    const Pixel own = place(x, y);
+    if (!inside(own)) return;
+    shows_something_ = true;
+    const double distance = 1.3 * marker.size;
+    const auto taken = [&](Pixel at) {
+        return std::any_of(apart_.begin(), apart_.end(),
+                           [&](Pixel other) { return std::hypot(at.x - other.x, at.y - other.y) < distance; });
+    };
+    Pixel at = own;
+    for (int step = 1; taken(at) && step < 40; ++step) {
+        at.x = own.x + (step % 2 == 1 ? -1 : 1) * distance * ((step + 1) / 2);
+        if (!inside(at)) at = own;  // not this side
+    }
+    if (at.x != own.x) drawing_.line(own, at, 1.6, marker.colour);
+    apart_.push_back(at);
+    draw_marker(drawing_, at, marker);
 }
 
 void Chart::band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour) {
-    const auto inside = [&](double value) { return std::clamp(y_(value), y_.to, y_.from); };
+    const auto within = [&](double value) { return std::clamp(y_(value), y_.to, y_.from); };
+    const auto across = [&](double value) { return std::clamp(x_(value), x_.from, x_.to); };
     for (std::size_t i = 1; i < x.size(); ++i) {
-        drawing_.polygon({{x_(x[i - 1]), inside(low[i - 1])},
-                          {x_(x[i]), inside(low[i])},
-                          {x_(x[i]), inside(high[i])},
-                          {x_(x[i - 1]), inside(high[i - 1])}},
+        drawing_.polygon({{across(x[i - 1]), within(low[i - 1])},
+                          {across(x[i]), within(low[i])},
+                          {across(x[i]), within(high[i])},
+                          {across(x[i - 1]), within(high[i - 1])}},
                          colour);
     }
 }
@@ -279,83 +198,112 @@ void Chart::box(double x_low, double x_high, double y_low, double y_high, Colour
     drawing_.rectangle({across(x_low), up(y_high)}, {across(x_high), up(y_low)}, colour);
 }
 
-void Chart::note(double x, double y, const std::string& label, Colour colour, Anchor anchor) {
+bool Chart::note(double x, double y, const std::string& label, Colour colour, Anchor anchor) {
     const Pixel at = place(x, y);
-    const double shift = anchor == Anchor::start ? 12 : anchor == Anchor::end ? -12 : 0;
-    drawing_.text({{at.x + shift, at.y - 8}, label, subtitle_size, colour, anchor});
+    const double shift = anchor == Anchor::start ? 10 : anchor == Anchor::end ? -10 : 0;
+    const Text text{{at.x + shift, at.y - 8}, label, letters::text, colour, anchor};
+    const TextBox box = box_of(text);
+    const bool fits = box.left >= x_.from && box.right <= x_.to && box.top >= y_.to && box.bottom <= y_.from;
+    if (!fits || std::any_of(notes_.begin(), notes_.end(), [&](const TextBox& other) { return box.overlaps(other); }))
+        return false;
+    notes_.push_back(box);
+    drawing_.text(text);
+    return true;
 }
 
-void Chart::legend(const Stroke& stroke, const std::string& label) { legend_.push_back({stroke, std::nullopt, {}, label}); }
-void Chart::legend(const Marker& marker, const std::string& label) { legend_.push_back({std::nullopt, marker, {}, label}); }
-void Chart::legend_area(Colour colour, const std::string& label) {
-    legend_.push_back({std::nullopt, std::nullopt, colour, label});
+double Chart::draw_x_ticks() {
+    const double first = y_.from + tick_length + tick_gap + 0.75 * letters::text;
+    if (named_ticks_.empty()) {
+        const Ticks ticks = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8);
+        for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+            const double x = x_(ticks.values[i]);
+            drawing_.line({x, y_.from}, {x, y_.from + tick_length}, 1.6, palette::ink);
+            drawing_.text({{x, first}, ticks.texts[i], letters::text, palette::ink, Anchor::middle});
+        }
+        return first;
+    }
+    double last = first;
+    const double slot = 0.94 * (x_.to - x_.from) / static_cast<double>(named_ticks_.size());
+    // Where a word is longer than its place, all texts stand upright.
+    const bool upright = std::any_of(named_ticks_.begin(), named_ticks_.end(), [&](const auto& tick) {
+        const auto lines = broken_lines(tick.second, letters::text, slot);
+        return std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.find("…") != std::string::npos; });
+    });
+    for (const auto& [tick, label] : named_ticks_) {
+        drawing_.line({x_(tick), y_.from}, {x_(tick), y_.from + tick_length}, 1.6, palette::ink);
+        const double top = y_.from + tick_length + tick_gap;
+        if (upright) {
+            const Text text{
+                {x_(tick) + digit_rise * letters::text, top}, label, letters::text, palette::ink, Anchor::end, false, true};
+            drawing_.text(text);
+            last = std::max(last, box_of(text).bottom);
+            continue;
+        }
+        double y = first;
+        for (const std::string& line : broken_lines(label, letters::text, slot)) {
+            drawing_.text({{x_(tick), y}, line, letters::text, palette::ink, Anchor::middle});
+            last = std::max(last, y);
+            y += 1.15 * letters::text;
+        }
+    }
+    return last;
 }
 
-void Chart::draw_ticks() {
-    std::vector<std::pair<double, std::string>> ticks;
-    if (named_ticks_) {
-        ticks = *named_ticks_;
-    } else {
-        for (const double tick : ticks_of(x_.axis, 7)) ticks.emplace_back(tick, tick_text(tick));
+void Chart::draw_y_ticks(const Scale& scale, bool right) {
+    const double side = right ? 1 : -1;
+    const double edge = right ? x_.to : x_.from;
+    const Ticks ticks = ticks_of(scale.axis, 6);
+    for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+        const double y = scale(ticks.values[i]);
+        drawing_.line({edge, y}, {edge + side * tick_length, y}, 1.6, palette::ink);
+        drawing_.text({{edge + side * (tick_length + tick_gap), y + digit_rise * letters::text},
+                       ticks.texts[i],
+                       letters::text,
+                       palette::ink,
+                       right ? Anchor::start : Anchor::end});
     }
-    for (const auto& [tick, label] : ticks) {
-        drawing_.line({x_(tick), y_.from}, {x_(tick), y_.from + 8}, 1.6, palette::ink);
-        drawing_.text({{x_(tick), y_.from + 40}, label, named_ticks_ ? name_size : tick_size, palette::ink, Anchor::middle});
-    }
-    for (const double tick : ticks_of(y_.axis, 6)) {
-        drawing_.line({x_.from - 8, y_(tick)}, {x_.from, y_(tick)}, 1.6, palette::ink);
-        drawing_.text({{x_.from - 14, y_(tick) + 9}, tick_text(tick), tick_size, palette::ink, Anchor::end});
-    }
-    if (!right_) return;
-    for (const double tick : ticks_of(right_->axis, 6)) {
-        drawing_.line({x_.to, (*right_)(tick)}, {x_.to + 8, (*right_)(tick)}, 1.6, palette::ink);
-        drawing_.text({{x_.to + 14, (*right_)(tick) + 9}, tick_text(tick), tick_size});
-    }
-}
-
-void Chart::draw_labels() {
-    const double middle = (y_.from + y_.to) / 2;
-    drawing_.text({{(x_.from + x_.to) / 2, y_.from + 86}, x_.axis.label, label_size, palette::ink, Anchor::middle});
-    drawing_.text({{36, middle}, y_.axis.label, label_size, palette::ink, Anchor::middle, false, true});
-    if (right_) {
-        drawing_.text({{x_.to + 118, middle}, right_->axis.label, label_size, palette::ink, Anchor::middle, false, true});
-    }
-}
-
-void Chart::draw_entry(const Entry& entry, const std::vector<std::string>& lines, Pixel at) {
-    const double y = at.y - 9;
-    if (entry.stroke) {
-        stroke_line({{at.x, y}, {at.x + legend_mark, y}}, *entry.stroke);
-    } else if (entry.marker) {
-        draw_marker({at.x + legend_mark / 2, y}, *entry.marker);
-    } else {
-        drawing_.rectangle({at.x, y - 11}, {at.x + legend_mark, y + 11}, entry.area);
-    }
+    const auto lines = upright_lines(ticks.label, y_.from - y_.to);
+    const double first = right
+                             ? drawing_.width() - 0.25 * letters::label - static_cast<double>(lines.size() - 1) * upright_leading
+                             : 0.8 * letters::label;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        drawing_.text({{at.x + legend_mark + 14, at.y + static_cast<double>(i) * legend_line}, lines[i], legend_size});
+        const double x = first + (right ? -0.3 : 0.3) * page_margin + static_cast<double>(i) * upright_leading;
+        drawing_.text({{x, (y_.from + y_.to) / 2}, lines[i], letters::label, palette::ink, Anchor::middle, false, true});
     }
 }
 
-void Chart::draw_legend() {
-    const double left = left_margin - 105;
-    Pixel at{left, y_.from + (x_.axis.label.empty() ? 96 : 140)};
-    for (const Entry& entry : legend_) {
-        const double width = legend_mark + 14 + text_width(entry.label, legend_size) + 34;
-        if (at.x > left && at.x + width > page_width) at = {left, at.y + legend_line};
-        const auto lines = broken_lines(entry.label, legend_size, page_width - left - legend_mark - 14);
-        draw_entry(entry, lines, at);
-        at.x += width;
-        at.y += static_cast<double>(lines.size() - 1) * legend_line;
+void Chart::draw_labels(double below_ticks) {
+    double y = below_ticks;
+    if (!x_.axis.label.empty()) {
+        const std::string label = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).label;
+        for (const std::string& line : broken_lines(label, letters::label, drawing_.width() - x_.from)) {
+            y += 1.45 * letters::label;
+            drawing_.text({{(x_.from + x_.to) / 2, y}, line, letters::label, palette::ink, Anchor::middle});
+        }
     }
-    drawing_.set_height(static_cast<int>(std::ceil(legend_.empty() ? y_.from + 110 : at.y + 24)));
+    const LegendEnd end = draw_legend(drawing_, legend_, {page_margin, drawing_.width() - 0.5 * page_margin}, y + 22);
+    drawing_.set_height(legend_.empty() ? y + 24 : end.bottom + 14);
+}
+
+void Chart::require_contents() const {
+    if (shows_something_ || (!style_.x_limits && !style_.y_limits)) return;
+    std::string text;
+    for (const auto& [limits, axis] : {std::pair(&style_.x_limits, &x_unlimited_), std::pair(&style_.y_limits, &y_unlimited_)}) {
+        if (!*limits) continue;
+        text += (text.empty() ? "" : " and ") + (*limits)->text;
+        text += fmt::format(" (all of it: {:.4g},{:.4g})", axis->low, axis->high);
+    }
+    throw UsageError(text + ": nothing lies there; limits within what the axis shows without them fit");
 }
 
 Drawing Chart::finish() {
+    require_contents();
     drawing_.polyline({{x_.from, y_.from}, {x_.to, y_.from}, {x_.to, y_.to}, {x_.from, y_.to}, {x_.from, y_.from}}, 1.8,
                       palette::ink);
-    draw_ticks();
-    draw_labels();
-    draw_legend();
+    const double below = draw_x_ticks();
+    draw_y_ticks(y_, false);
+    if (right_) draw_y_ticks(*right_, true);
+    draw_labels(below);
     return drawing_;
 }
 

@@ -4,99 +4,83 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/drawing.hpp"
+#include "post/chart/font.hpp"
+#include "post/chart/marks.hpp"
+#include "post/chart/page.hpp"
+#include "post/chart/picture_style.hpp"
 
 namespace graincrack {
 
-/// One axis: its label with the unit, and the values it spans.
-struct Axis {
-    std::string label;
-    double low = 0;
-    double high = 1;
-    bool logarithmic = false;
-};
-
-struct Stroke {
-    Colour colour = palette::ink;
-    double width = 4;
-    bool dashed = false;
-};
-
-enum class MarkerShape { disc, square, triangle, cross };
-struct Marker {
-    Colour colour = palette::ink;
-    MarkerShape shape = MarkerShape::disc;
-    double size = 15;
-};
-/// Another shape for every i, so that series stay apart without colour.
-MarkerShape marker_shape(std::size_t i);
-
-struct ChartText {
-    std::string title;                  ///< bold
-    std::vector<std::string> subtitle;  ///< a line each
+/// What a chart has beside its two axes.
+struct ChartForm {
+    std::optional<Axis> right = {};  ///< a second scale for curves drawn on it
+    bool equal_scales = false;       ///< one unit is as long on both axes
+    double height = 0;               ///< of the frame, pixels; 0: by the width of the page
+    double min_left = 0;             ///< from the edge of the page to the frame, so that charts below one another share it
 };
 
 class Chart {
 public:
-    /// \param right a second scale for curves drawn on it \param equal_scales one unit is as long on both axes
-    Chart(const ChartText& text, const Axis& x, const Axis& y, const std::optional<Axis>& right = std::nullopt,
-          bool equal_scales = false);
+    Chart(const PictureStyle& style, const ChartText& text, const Axis& x, const Axis& y, const ChartForm& form = {});
 
     enum class Side { left, right };
     /// A line through points; what lies outside the frame is cut off, a NaN interrupts it.
     void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side = Side::left);
     void points(std::span<const double> x, std::span<const double> y, const Marker& marker);
-    /// An upright bar from low to high with a short line across each end.
-    void error_bar(double x, double low, double high, Colour colour);
+    /// A point at its height, moved to the left, or right, of others that it would cover; a thin line leads to its place.
+    void point_apart(double x, double y, const Marker& marker);
     /// The area between two curves over x, in the frame; drawn under what follows.
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
-    /// Text beside a point.
-    void note(double x, double y, const std::string& label, Colour colour = palette::ink, Anchor anchor = Anchor::start);
-    /// Ticks along x replaced by texts at points.
+    /// Text beside a point. \return false, without drawing it, where it would cover another or leave the frame
+    bool note(double x, double y, const std::string& label, Colour colour = palette::ink, Anchor anchor = Anchor::start);
+    /// Ticks along x replaced by texts at points, a line each.
     void name_ticks(const std::vector<std::pair<double, std::string>>& ticks) { named_ticks_ = ticks; }
 
-    void legend(const Stroke& stroke, const std::string& label);
-    void legend(const Marker& marker, const std::string& label);
-    void legend_area(Colour colour, const std::string& label);
+    template <class Mark>
+    void legend(const Mark& mark, const std::string& label) {
+        legend_.push_back({mark, label});
+    }
 
-    /// Frame, ticks, labels and legend over what was drawn.
+    /// Frame, ticks, labels and legend over what was drawn. \throws UsageError if limits of the style show nothing
     [[nodiscard]] Drawing finish();
 
 private:
+    /// An axis and where it lies on the page.
     struct Scale {
         Axis axis;
         double from = 0;
         double to = 1;
-        [[nodiscard]] double operator()(double value) const;
-    };
-    struct Entry {
-        std::optional<Stroke> stroke;
-        std::optional<Marker> marker;
-        Colour area;
-        std::string label;
+        [[nodiscard]] double operator()(double value) const { return from + axis.share(value) * (to - from); }
     };
     [[nodiscard]] Pixel place(double x, double y) const { return {x_(x), y_(y)}; }
-    void stroke_line(const std::vector<Pixel>& points, const Stroke& stroke);
-    void draw_marker(Pixel at, const Marker& marker);
+    [[nodiscard]] bool inside(Pixel at) const;
+    void lay_out(double top, const ChartForm& form);
     void draw_grid();
-    void draw_ticks();
-    void draw_labels();
-    void draw_legend();
-    void draw_entry(const Entry& entry, const std::vector<std::string>& lines, Pixel at);
+    /// \return where the labels of the ticks end
+    double draw_x_ticks();
+    void draw_y_ticks(const Scale& scale, bool right);
+    void draw_labels(double below_ticks);
+    void require_contents() const;
 
+    PictureStyle style_;
+    Axis x_unlimited_;  ///< as they would be without limits
+    Axis y_unlimited_;
     Drawing drawing_;
     Scale x_;
     Scale y_;
     std::optional<Scale> right_;
-    std::vector<Entry> legend_;
-    std::optional<std::vector<std::pair<double, std::string>>> named_ticks_;
+    bool shows_something_ = false;
+    std::vector<LegendEntry> legend_;
+    std::vector<TextBox> notes_;
+    std::vector<Pixel> apart_;  ///< places taken by `point_apart`
+    std::vector<std::pair<double, std::string>> named_ticks_;
 };
-
-/// Low and high of values, NaN left out, widened by a share of their distance; {0, 1} without values.
-std::pair<double, double> padded_range(std::span<const double> values, double pad);
 
 }  // namespace graincrack

@@ -15,7 +15,7 @@ Colour palette::series(std::size_t i) {
 }
 
 Colour palette::phase(std::size_t i) {
-    static constexpr std::array<Colour, 5> colours{{grain, {214, 224, 238}, {238, 221, 206}, {205, 224, 210}, {226, 212, 232}}};
+    static constexpr std::array<Colour, 5> colours{{grain, {198, 216, 240}, {222, 186, 152}, {156, 190, 166}, {164, 142, 180}}};
     return colours[i % colours.size()];
 }
 

@@ -4,6 +4,7 @@
 // Origin at the top left, x to the right, y downwards. Later shapes cover earlier ones.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -34,7 +35,7 @@ inline constexpr Colour platen{120, 130, 145};
 inline constexpr Colour pre_existing{0, 114, 178};
 /// Colour of the i-th curve of a plot (Okabe & Ito 2008), repeating.
 Colour series(std::size_t i);
-/// Pale fill of the i-th mineral phase, repeating.
+/// Pale fill of the i-th mineral phase, darker from one to the next, repeating.
 Colour phase(std::size_t i);
 }  // namespace palette
 
@@ -58,11 +59,14 @@ struct Strokes {
     Colour colour;
     [[nodiscard]] std::size_t size() const { return ends.size() / 2; }
 };
+/// How a line is broken up, so that lines stay apart without colour.
+enum class Dash { none, dashed, dotted, dash_dot, long_dashed };
 /// A line through points; ends and corners are round.
 struct Polyline {
     std::vector<Pixel> points;
     double width = 1;
     Colour colour;
+    Dash dash = Dash::none;
 };
 enum class Anchor { start, middle, end };
 /// One line of text; `at` is the end of the baseline the anchor names. `upwards` turns it by 90° counter-clockwise.
@@ -87,14 +91,14 @@ public:
     void polygon(std::initializer_list<Pixel> corners, Colour fill) { polygon(std::span(corners.begin(), corners.size()), fill); }
     void rectangle(Pixel top_left, Pixel bottom_right, Colour fill);
     void line(Pixel from, Pixel to, double width, Colour colour);
-    void polyline(std::vector<Pixel> points, double width, Colour colour) {
-        shapes_.emplace_back(Polyline{std::move(points), width, colour});
+    void polyline(std::vector<Pixel> points, double width, Colour colour, Dash dash = Dash::none) {
+        shapes_.emplace_back(Polyline{std::move(points), width, colour, dash});
     }
     void text(Text text) { shapes_.emplace_back(std::move(text)); }
 
     /// All shapes of another drawing, moved.
     void add(const Drawing& other, Pixel offset);
-    void set_height(int height) { height_ = height; }
+    void set_height(double height) { height_ = static_cast<int>(std::ceil(height)); }
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }

@@ -58,6 +58,15 @@ double width_of(PangoLayout* line) {
 
 double text_width(const std::string& label, double size, bool bold) { return width_of(set_line(label, size, bold).get()); }
 
+TextBox box_of(const Text& text) {
+    const double width = text_width(text.label, text.size, text.bold);
+    const double before = width * (text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? 0.5 : 1);
+    const double rise = 0.75 * text.size;
+    const double fall = 0.2 * text.size;
+    if (text.upwards) return {text.at.x - rise, text.at.y - width + before, text.at.x + fall, text.at.y + before};
+    return {text.at.x - before, text.at.y - rise, text.at.x - before + width, text.at.y + fall};
+}
+
 void show_text(cairo_t* context, const Text& text) {
     const Owned<PangoLayout> line = set_line(text.label, text.size, text.bold);
     const double before = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? 0.5 : 1;

@@ -13,6 +13,18 @@ namespace graincrack {
 /// Width of a text set in a size, in pixels.
 double text_width(const std::string& label, double size, bool bold = false);
 
+/// Where a text stands, in pixels of the drawing: from the tops of capitals and high letters to the feet of low ones.
+struct TextBox {
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+    [[nodiscard]] bool overlaps(const TextBox& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+};
+TextBox box_of(const Text& text);
+
 /// Draws a text, whose unit is the pixel of the drawing.
 void show_text(cairo_t* context, const Text& text);
 

@@ -65,47 +65,21 @@ Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magni
     return places;
 }
 
-struct MapView::Layout {
-    Box box;
-    double scale;
-    Pixel origin;
-    int width;
-    int height;
-
-    Layout(const Specimen& specimen, const Positions& positions, std::size_t title_lines, const MapPage& page)
-        : box(view_box(specimen, positions)) {
-        const double extent_x = box.high[0] - box.low[0];
-        const double extent_y = box.high[1] - box.low[1];
-        scale = std::min((page.width - 2 * page.margin) / extent_x, page.largest_height / extent_y);
-        width = static_cast<int>(page.width);
-        const double title = 1.35 * page.title_size + 1.35 * page.text_size * static_cast<double>(title_lines - 1);
-        const double top = 20 + title + platen_height + 14;
-        height = static_cast<int>(std::ceil(top + scale * extent_y + platen_height + std::max(page.legend_height, 20.0)));
-        origin = {(width - scale * extent_x) / 2, top + scale * extent_y};
-    }
-};
-
-MapView::MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const MapPage& page)
-    : MapView(specimen, std::move(positions), title, page, Layout(specimen, positions, title.size(), page)) {}
-
-MapView::MapView(const Specimen& specimen, Positions&& positions, const std::vector<std::string>& title, const MapPage& page,
-                 const Layout& layout)
-    : specimen_(specimen),
-      positions_(std::move(positions)),
-      page_(page),
-      low_(layout.box.low),
-      high_(layout.box.high),
-      scale_(layout.scale),
-      origin_(layout.origin),
-      drawing_(layout.width, layout.height) {
-    double y = 20;
-    bool first = true;
-    for (const std::string& label : title) {
-        const double size = first ? page.title_size : page.text_size;
-        y += 1.35 * size;
-        drawing_.text({{page.margin, y - 6}, label, size, palette::ink, Anchor::start, first});
-        first = false;
-    }
+MapView::MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page)
+    : specimen_(specimen), positions_(std::move(positions)), page_(page), drawing_(static_cast<int>(page.style.page_width), 0) {
+    const Box box = view_box(specimen_, positions_);
+    low_ = box.low;
+    high_ = box.high;
+    ChartText heading = text;
+    if (!page.style.title.empty()) heading.title = page.style.title;
+    constexpr double above = 14;
+    const double end = draw_heading(drawing_, heading, {page.margin, drawing_.width() - page.margin}, above);
+    const double top = std::max(end, above + page.heading_height) + platen_height + 12;
+    const double width = high_[0] - low_[0];
+    const double height = high_[1] - low_[1];
+    scale_ = std::min((drawing_.width() - 2 * page.margin) / width, page.largest_height / height);
+    origin_ = {(drawing_.width() - scale_ * width) / 2, top + scale_ * height};
+    drawing_.set_height(origin_.y + platen_height + 12);
 }
 
 Pixel MapView::pixel(std::array<double, 2> place) const {
@@ -180,36 +154,30 @@ void MapView::draw_platen(double y, bool above, double half_width) {
     drawing_.rectangle({left.x, std::min(left.y, outside)}, {right.x, std::max(left.y, outside)}, palette::platen);
 }
 
-void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::string& note) {
-    double y = drawing_.height() - page_.legend_height / 2 + 8;
-    const double size = page_.text_size;
-    double x = page_.margin;
-    for (const LegendEntry& entry : entries) {
-        if (entry.width > 14) {
-            drawing_.rectangle({x, y - 8 - entry.width / 2}, {x + 40, y - 8 + entry.width / 2}, entry.colour);
-        } else {
-            drawing_.line({x, y - 8}, {x + 40, y - 8}, entry.width, entry.colour);
-        }
-        drawing_.text({{x + 52, y}, entry.label, size});
-        x += 52 + text_width(entry.label, size) + 26;
+void MapView::draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width) {
+    for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
+        if (!is_boundary(c)) continue;
+        const auto& nodes = specimen_.contact_nodes[c];
+        draw_outline(nodes[0], nodes[1], width, palette::ink);
+        draw_outline(nodes[2], nodes[3], width, palette::ink);
     }
+}
+
+void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::string& note) {
+    const Column column{page_margin, drawing_.width() - page_margin};
+    LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);
     const double length = round_length(0.2 * (high_[0] - low_[0]));
     const std::string label = format_quantity(length, Dimension::length);
-    const double right = drawing_.width() - page_.margin;
-    const double left = right - length * scale_;
-    if (left - 14 - text_width(label, size) < x) {  // no room beside the entries
-        const double line = 1.6 * size;
-        y += line;
-        drawing_.set_height(drawing_.height() + static_cast<int>(line));
-    }
-    drawing_.line({left, y - 8}, {right, y - 8}, 3, palette::ink);
-    for (double end : {left, right}) drawing_.line({end, y - 16}, {end, y}, 3, palette::ink);
-    drawing_.text({{left - 14, y}, label, size, palette::ink, Anchor::end});
-    if (!note.empty()) {
-        const double line = 1.5 * size;
-        drawing_.text({{page_.margin, y + line}, note, size});
-        drawing_.set_height(drawing_.height() + static_cast<int>(line));
-    }
+    const double left = column.right - length * scale_;
+    const double room = text_width(label, letters::text) + 14;
+    const bool beside = !entries.empty() && left - room > end.last.x + 30;
+    const double baseline = beside ? end.last.y : end.bottom + 0.78 * legend_line;
+    if (!beside) end.bottom += legend_line;
+    drawing_.line({left, baseline - 8}, {column.right, baseline - 8}, 3, palette::ink);
+    for (const double x : {left, column.right}) drawing_.line({x, baseline - 16}, {x, baseline}, 3, palette::ink);
+    drawing_.text({{left - 14, baseline}, label, letters::text, palette::ink, Anchor::end});
+    if (!note.empty()) end.bottom = draw_heading(drawing_, {"", {note}}, column, end.bottom);
+    drawing_.set_height(end.bottom + 14);
 }
 
 }  // namespace graincrack

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/page.hpp"
+#include "post/chart/picture_style.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {
@@ -20,29 +22,20 @@ Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magni
 /// The colour of a grain: by phase unless another function is given.
 using GrainColour = std::function<Colour(std::size_t grain)>;
 
-/// One entry of the legend: a stroke and what it means.
-struct LegendEntry {
-    Colour colour;
-    double width = 4;
-    std::string label;
-};
-
-/// How large the page of a map is, in pixels.
+/// What a page with a map has beside it.
 struct MapPage {
-    double width = 1000;
-    double largest_height = 1400;  ///< of the map itself
-    double margin = 40;
-    double title_size = 31;
-    double text_size = 25;
-    double legend_height = 80;  ///< 0 for a page without legend
+    PictureStyle style = {};
+    double largest_height = 1400;  ///< of the map itself, pixels
+    double margin = page_margin;
+    double heading_height = 0;  ///< at least, so that maps side by side stand at one height
 };
 
 class MapView {
 public:
     /// Lays the page out so that the specimen, and what moved out of it by up to a tenth of its size, fits tightly.
     ///
-    /// \param positions place of each node, m \param title first line bold
-    MapView(const Specimen& specimen, Positions positions, const std::vector<std::string>& title, const MapPage& page = {});
+    /// \param positions place of each node, m
+    MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page = {});
 
     /// Fills the grains and draws their outlines, unless they are too small for that, and the rim.
     void draw_grains(const GrainColour& colour = {});
@@ -52,6 +45,8 @@ public:
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// A rigid platen on the specimen's axis: a bar from −half_width to half_width, above or below the height y; m.
     void draw_platen(double y, bool above, double half_width);
+    /// The boundaries between grains of different colours, dark, so that they stay apart in grey.
+    void draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width);
     /// Legend and a scale bar below the map, and below them a line of text, unless it is empty.
     void draw_legend(const std::vector<LegendEntry>& entries, const std::string& note = {});
 
@@ -61,9 +56,6 @@ public:
     [[nodiscard]] Drawing drawing() && { return std::move(drawing_); }
 
 private:
-    struct Layout;
-    MapView(const Specimen& specimen, Positions&& positions, const std::vector<std::string>& title, const MapPage& page,
-            const Layout& layout);
     /// Calls `draw` with the corners of each triangle on the map and its colour.
     template <class Draw>
     void each_grain(const GrainColour& colour, const Draw& draw) const;
@@ -77,8 +69,8 @@ private:
     MapPage page_;
     std::array<double, 2> low_;  ///< corners of the map, m
     std::array<double, 2> high_;
-    double scale_;  ///< pixels per m
-    Pixel origin_;  ///< where the lower left corner of the map is
+    double scale_ = 1;  ///< pixels per m
+    Pixel origin_;      ///< where the lower left corner of the map is
     Drawing drawing_;
 };
 

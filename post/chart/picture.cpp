@@ -36,6 +36,19 @@ void require(cairo_status_t status) {
         throw OutputError(fmt::format("picture: could not be made: {}", cairo_status_to_string(status)));
 }
 
+/// Lengths of strokes and gaps in turn; round ends lengthen a stroke by the width of the line.
+std::vector<double> pattern_of(Dash dash, double width) {
+    const double gap = 8 + 1.4 * width;
+    switch (dash) {
+        case Dash::none: return {};
+        case Dash::dashed: return {14, gap};
+        case Dash::dotted: return {0.1, 0.6 * gap + 2};
+        case Dash::dash_dot: return {18, gap, 0.1, gap};
+        case Dash::long_dashed: return {34, gap};
+    }
+    return {};
+}
+
 /// Draws shapes, whose unit is the pixel of the drawing.
 class Painter {
 public:
@@ -61,7 +74,10 @@ public:
     }
     void operator()(const Polyline& line) {
         add_path(line.points);
+        const std::vector<double> pattern = pattern_of(line.dash, line.width);
+        cairo_set_dash(context_, pattern.data(), static_cast<int>(pattern.size()), 0);
         stroke(line.width, line.colour);
+        cairo_set_dash(context_, nullptr, 0, 0);
     }
     void operator()(const Text& text) { show_text(context_, text); }
 

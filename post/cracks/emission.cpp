@@ -67,6 +67,23 @@ double completeness_of(const std::vector<double>& magnitudes) {
     return static_cast<double>(most->first) * bin - bin / 2;
 }
 
+namespace {
+
+/// Largest distance between two distributions (Kolmogorov–Smirnov): of magnitudes from `low` on, and exponential.
+double distance_to_exponential(std::vector<double> magnitudes, double low, double mean) {
+    std::erase_if(magnitudes, [low](double m) { return m < low; });
+    std::sort(magnitudes.begin(), magnitudes.end());
+    const double n = static_cast<double>(magnitudes.size());
+    double distance = 0;
+    for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+        const double expected = 1 - std::exp(-(magnitudes[i] - low) / mean);
+        distance = std::max({distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
+    }
+    return distance;
+}
+
+}  // namespace
+
 std::optional<GutenbergRichter> fit_gutenberg_richter(const std::vector<double>& magnitudes, double completeness) {
     double sum = 0;
     std::size_t n = 0;
@@ -80,7 +97,13 @@ std::optional<GutenbergRichter> fit_gutenberg_richter(const std::vector<double>&
     const double above = sum / static_cast<double>(n) - completeness;
     if (!(above > 0)) return std::nullopt;
     const double b = std::log10(std::numbers::e) / above;
-    return GutenbergRichter{b, b / std::sqrt(static_cast<double>(n)), completeness, n};
+    return GutenbergRichter{b, b / std::sqrt(static_cast<double>(n)), completeness, n,
+                            distance_to_exponential(magnitudes, completeness, above)};
+}
+
+double GutenbergRichter::distance_by_chance() const {
+    const double n = static_cast<double>(events);
+    return 1.094 / (std::sqrt(n) + 0.26 + 0.5 / std::sqrt(n)) + 0.2 / n;
 }
 
 void write_events(std::ostream& out, const std::vector<EmissionEvent>& events, TableFormat format) {

@@ -45,6 +45,11 @@ struct GutenbergRichter {
     double error = 0;
     double completeness = 0;
     std::size_t events = 0;  ///< at or above the completeness
+    /// Largest distance between the share of events up to a magnitude and that of the exponential distribution with this slope.
+    double distance = 0;
+    /// The distance that one in twenty samples of an exponential distribution exceeds, whose mean is their own (Stephens 1974).
+    [[nodiscard]] double distance_by_chance() const;
+    [[nodiscard]] bool follows_line() const { return distance <= distance_by_chance(); }
 };
 /// The magnitude at which events are most frequent, in bins of 0.1 (maximum curvature). \pre magnitudes is not empty
 double completeness_of(const std::vector<double>& magnitudes);

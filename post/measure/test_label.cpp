@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
 
 namespace graincrack {
 
@@ -20,6 +24,32 @@ std::string series_label(const std::string& test, double confining_pressure) {
     if (test == "brazilian") return "Brazilian";
     if (test == "tension") return "direct tension";
     return test;
+}
+
+std::vector<std::string> names_apart(const std::vector<RunData>& runs) {
+    using Trait = std::function<std::string(const RunData&)>;
+    static const std::vector<Trait> traits{
+        [](const RunData& run) { return fmt::format("edge {:.2g} mm", 1e3 * run.specimen.mean_edge); },
+        [](const RunData& run) { return "law " + run.header.contact_law; },
+        [](const RunData& run) { return "plane " + std::string(name_of(run.header.plane)); },
+        [](const RunData& run) {
+            return run.header.rate == "auto" ? "automatic rate" : fmt::format("{:.3g} mm/s", 1e3 * run.header.platen_speed);
+        },
+        [](const RunData& run) { return fmt::format("seed {}", run.specimen.seed); },
+        [](const RunData& run) { return std::filesystem::path(run.name).filename().string(); }};
+    std::vector<std::string> names;
+    for (const RunData& run : runs) names.push_back(series_label(run.header.test, run.header.confining_pressure));
+    // A trait is added to runs of one name that it tells apart.
+    for (const Trait& trait : traits) {
+        std::map<std::string, std::vector<std::size_t>> same;
+        for (std::size_t i = 0; i < runs.size(); ++i) same[names[i]].push_back(i);
+        for (const auto& [name, members] : same) {
+            const bool differs = std::any_of(members.begin(), members.end(),
+                                             [&](std::size_t i) { return trait(runs[i]) != trait(runs[members.front()]); });
+            for (const std::size_t i : members) names[i] += differs ? ", " + trait(runs[i]) : "";
+        }
+    }
+    return names;
 }
 
 std::string whole_contacts(double contacts) { return fmt::format("{:.0f}", std::ceil(contacts)); }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "post/measure/load_curve.hpp"
 
@@ -16,6 +17,10 @@ std::string series_label(const std::string& test, double confining_pressure);
 
 /// "peak", or for a run without one "largest stress".
 std::string peak_label(const RunData& run);
+
+/// A short name for each run of a set: its test, and what else differs between those of one test (seed, mean edge, law, plane,
+/// platen speed); the name of its file where nothing does.
+std::vector<std::string> names_apart(const std::vector<RunData>& runs);
 
 /// Contacts as a whole number: one of whose two points only one has failed counts as one.
 std::string whole_contacts(double contacts);

@@ -29,6 +29,7 @@ struct Standing {
     [[nodiscard]] bool at_peak() const { return share > 0.9995; }
     [[nodiscard]] std::string share_label() const {
         if (at_peak()) return peak;
+        if (std::abs(share) < 0.0005) return "before loading";
         return fmt::format("{}, {:.0f} %", before ? "before" : "after", 100 * share);
     }
 };
@@ -86,6 +87,7 @@ struct Scene {
     std::vector<Crack> cracks;
     RunData data;
     const CrackMapOptions& options;
+    const PictureStyle& style;
     std::vector<std::string> objections = {};  ///< what speaks against the strength, a line each
 };
 
@@ -131,70 +133,97 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const Specimen& specimen = scene.specimen;
-    std::vector<std::string> title{test_title(header),
-                                   fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed,
-                                               specimen.n_grains(), specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
-                                   fmt::format("law {}, {}", header.contact_law, header.fracture_energy_choice),
-                                   standing_label(now, header.test == "brazilian", scene.options.magnification)};
-    title.insert(title.end(), scene.objections.begin(), scene.objections.end());
-    MapView map(specimen, std::move(shot.places), title);
-    std::vector<LegendEntry> legend{{palette::tensile, 6, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
-                                    {palette::shear, 6, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
-    if (draw_state(map, scene, now, present)) legend.push_back({palette::pre_existing, 6, "pre-existing"});
+    ChartText text{test_title(header),
+                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed, specimen.n_grains(),
+                                specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
+                    fmt::format("law {}, {}", header.contact_law, header.fracture_energy_choice),
+                    standing_label(now, header.test == "brazilian", scene.options.magnification)}};
+    text.subtitle.insert(text.subtitle.end(), scene.objections.begin(), scene.objections.end());
+    MapView map(specimen, std::move(shot.places), text, {scene.style});
+    std::vector<LegendEntry> legend{
+        {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
+        {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
+    if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
     map.draw_legend(legend, definition_of(scene.options.label));
     return std::move(map).drawing();
 }
 
-Drawing panel(const Scene& scene, Snapshot shot, double width, char letter) {
+/// A map among others.
+struct Panel {
+    Snapshot shot;
+    ChartText text;
+};
+
+Panel panel(const Scene& scene, std::size_t frame, char letter) {
+    Snapshot shot = snapshot(scene, frame);
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
-    MapPage page{width, 1000, 14, 27, 23, 0};
-    MapView map(scene.specimen, std::move(shot.places),
-                {fmt::format("({}) {}", letter, now.share_label()),
-                 fmt::format("{:.3f} %, {:.1f} MPa", 100 * now.strain, now.stress * 1e-6),
-                 fmt::format("tensile {}, shear {}", contacts_of(count(present, CrackMode::tensile)),
-                             contacts_of(count(present, CrackMode::shear)))},
-                page);
-    draw_state(map, scene, now, present);
-    return std::move(map).drawing();
+    const auto plus = [](double value) { return std::abs(value) < 0.0005 ? 0.0 : value; };  // no "−0.000"
+    return {std::move(shot),
+            {fmt::format("({}) {}", letter, now.share_label()),
+             {fmt::format("strain {:.3f} %", plus(100 * now.strain)), fmt::format("stress {:.1f} MPa", plus(now.stress * 1e-6)),
+              "tensile: " + contacts_of(count(present, CrackMode::tensile)),
+              "shear: " + contacts_of(count(present, CrackMode::shear))}}};
+}
+
+/// How many maps stand side by side: as many as have room for their captions, in rows that are filled about evenly.
+std::size_t maps_in_a_row(std::size_t maps, double page_width) {
+    constexpr double room = 245;  // for a caption, pixels
+    const std::size_t most = std::max<std::size_t>(1, static_cast<std::size_t>(page_width / room));
+    const std::size_t rows = (maps + most - 1) / most;
+    return (maps + rows - 1) / rows;
+}
+
+/// Maps of one row, their captions of one height.
+Drawing row_of_maps(const Scene& scene, std::vector<Panel>& row, double width) {
+    constexpr double margin = 10;
+    MapPage page{scene.style.of_part(width), scene.style.page_width, margin, 0};
+    for (const Panel& each : row) {
+        page.heading_height = std::max(page.heading_height, heading_height(each.text, {margin, width - margin}));
+    }
+    std::vector<Drawing> maps;
+    for (Panel& each : row) {
+        const double time = each.shot.time;
+        MapView map(scene.specimen, std::move(each.shot.places), each.text, page);
+        draw_state(map, scene, standing(scene.data, load_curve(scene.data), time), cracks_until(scene.cracks, time));
+        maps.push_back(std::move(map).drawing());
+    }
+    return side_by_side(maps);
 }
 
 /// Maps side by side under one title.
 Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
-    constexpr double page_width = 1000;
-    constexpr double line = 34;
-    std::vector<std::string> lines{fmt::format("plane {}", name_of(scene.data.header.plane))};
-    lines.insert(lines.end(), scene.objections.begin(), scene.objections.end());
-    const double head = 60 + line * static_cast<double>(lines.size());
-    constexpr double foot = 50;
-    const double width = page_width / static_cast<double>(frames.size());
+    const double page_width = scene.style.page_width;
+    const std::size_t in_a_row = maps_in_a_row(frames.size(), page_width);
+    const Column column{page_margin, page_width - page_margin};
+    ChartText text{scene.style.title.empty() ? test_title(scene.data.header) : scene.style.title,
+                   {fmt::format("plane {}", name_of(scene.data.header.plane))}};
+    text.subtitle.insert(text.subtitle.end(), scene.objections.begin(), scene.objections.end());
     Drawing page(static_cast<int>(page_width), 0);
-    page.text({{26, 44}, test_title(scene.data.header), 31, palette::ink, Anchor::start, true});
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        page.text({{26, 44 + line * static_cast<double>(i + 1)}, lines[i], 25});
+    page.set_height(draw_heading(page, text, column, 14));
+    for (std::size_t first = 0; first < frames.size(); first += in_a_row) {
+        std::vector<Panel> row;
+        for (std::size_t i = first; i < std::min(first + in_a_row, frames.size()); ++i) {
+            row.push_back(panel(scene, frames[i], static_cast<char>('a' + i)));
+        }
+        const Drawing maps = row_of_maps(scene, row, std::floor(page_width / static_cast<double>(in_a_row)));
+        page.add(maps, {0, static_cast<double>(page.height())});
+        page.set_height(page.height() + maps.height());
     }
-    int height = 0;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const Drawing map = panel(scene, snapshot(scene, frames[i]), width, static_cast<char>('a' + i));
-        page.add(map, {width * static_cast<double>(i), head});
-        height = std::max(height, map.height());
-    }
-    const double y = head + height + 20;
-    page.line({26, y - 8}, {70, y - 8}, 6, palette::tensile);
-    page.text({{84, y}, "tensile cracks", 25});
-    page.line({330, y - 8}, {374, y - 8}, 6, palette::shear);
-    page.text({{388, y}, "shear cracks (counts are contacts)", 25});
-    page.text({{26, y + 34}, definition_of(scene.options.label), 25});
-    page.set_height(static_cast<int>(y + 34 + foot / 2));
+    const LegendEnd end = draw_legend(
+        page,
+        {{Stroke{palette::tensile, 6}, "tensile cracks"}, {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}},
+        column, page.height() + 6);
+    page.set_height(draw_heading(page, {"", {definition_of(scene.options.label)}}, column, end.bottom) + 14);
     return page;
 }
 
 }  // namespace
 
-Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options) {
+Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
     const Specimen specimen = run.specimen();
-    Scene scene{run, specimen, read_labelled_cracks(run, specimen, options.label), run_data(run), options};
+    Scene scene{run, specimen, read_labelled_cracks(run, specimen, options.label), run_data(run), options, style};
     for (const Objection& objection : objections_to(run, scene.data)) scene.objections.push_back(subtitle_line(objection));
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
@@ -221,7 +250,9 @@ Command cracks_plot() {
             add_map_options(app, options);
             add_crack_label(app, options.map.label);
         },
-        [](const MapPlotOptions& options, const Call& call) { return draw_cracks(RunReader(call.file()), options.map); });
+        [](const MapPlotOptions& options, const Call& call) {
+            return draw_cracks(RunReader(call.file()), options.map, options.style);
+        });
 }
 
 }  // namespace graincrack

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/cracks/crack_label.hpp"
 #include "post/plot/make_plot.hpp"
 #include "share/run_file.hpp"
@@ -20,7 +21,7 @@ struct CrackMapOptions {
 };
 
 /// \throws InputError, UsageError as `choose_frames` and `read_labelled_cracks`
-Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options);
+Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
 
 /// Options of a map of one or several frames.
 struct MapPlotOptions : PlotOptions {

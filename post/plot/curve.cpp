@@ -83,32 +83,35 @@ ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
     return text;
 }
 
+/// How far lateral branches are drawn: rims that burst after the peak have large strains, which would compress all else.
+double drawn_lateral(const Extent& extent) { return std::max(extent.lateral, -0.75 * extent.strain); }
+
 /// \param definition of the cracks that are counted; empty if none are
 Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
-           const std::vector<std::string>& objections) {
-    // Rims that burst after the peak have large lateral strains, which would compress the part of the curve before it.
-    const double lateral = std::max(extent.lateral, -0.75 * extent.strain);
+           const std::vector<std::string>& objections, const PictureStyle& style) {
+    const double lateral = drawn_lateral(extent);
     const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
     ChartText text = heading(runs, definition);
     text.subtitle.insert(text.subtitle.end(), objections.begin(), objections.end());
-    return {text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, right};
+    return {style, text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, {right}};
 }
 
 /// Counts of cracks against axial strain, on a scale of their own at the right.
 void draw_counts(Chart& chart, const Run& run) {
     const std::vector<double> strain = times(run.curve.axial_strain, 100);
-    const auto draw = [&](HistoryColumn column, Colour colour, const std::string& name) {
-        chart.line(strain, run.data->history[column], Stroke{colour, 3}, Chart::Side::right);
-        chart.legend(Stroke{colour, 3}, name);
+    const auto draw = [&](HistoryColumn column, const Stroke& stroke, const std::string& name) {
+        chart.line(strain, run.data->history[column], stroke, Chart::Side::right);
+        chart.legend(stroke, name);
     };
-    draw(HistoryColumn::shear_cracks, palette::shear, "shear cracks");
-    draw(HistoryColumn::tensile_cracks, palette::tensile, "tensile cracks");
+    draw(HistoryColumn::shear_cracks, {palette::shear, 4, Dash::dotted}, "shear cracks, right");
+    draw(HistoryColumn::tensile_cracks, {palette::tensile, 3, Dash::dashed}, "tensile cracks, right");
 }
 
 constexpr Marker first_peak_marker{palette::ink, MarkerShape::triangle, 13};
+constexpr Marker leaves_marker{palette::ink, MarkerShape::leaves, 18};
 constexpr Stroke residual_stroke{palette::rim, 5};
 
 /// The first peak as a triangle, the residual strength as a line over the strains that it is a mean of.
@@ -123,27 +126,39 @@ void draw_first_peak(Chart& chart, const Run& run) {
     }
 }
 
-void draw_run(Chart& chart, const Run& run, Colour colour) {
+void draw_run(Chart& chart, const Run& run, std::size_t index) {
+    const Colour colour = palette::series(index);
     const std::vector<double> stress = times(run.curve.stress, 1e-6);
-    chart.line(times(run.lateral, 100), stress, Stroke{colour, 3});
-    chart.line(times(run.curve.axial_strain, 100), stress, Stroke{colour, 4.5});
+    chart.line(times(run.lateral, 100), stress, series_stroke(index, 3));
+    chart.line(times(run.curve.axial_strain, 100), stress, series_stroke(index, 4.5));
     const std::vector<double> at{100 * run.curve.axial_strain[run.curve.peak]};
     chart.points(at, std::vector<double>{1e-6 * run.curve.peak_stress()}, Marker{colour});
     draw_first_peak(chart, run);
 }
 
-void draw_laboratory(Chart& chart, const LaboratoryCurve& curve, Colour colour) {
+void draw_laboratory(Chart& chart, const LaboratoryCurve& curve, std::size_t index) {
     const std::vector<double> stress = times(curve.stress, 1e-6);
-    chart.line(times(curve.axial_strain, 100), stress, Stroke{colour, 4, true});
-    if (!curve.lateral_strain.empty()) chart.line(times(curve.lateral_strain, 100), stress, Stroke{colour, 3, true});
-    chart.legend(Stroke{colour, 4, true}, "laboratory: " + curve.name);
+    const Stroke stroke{palette::ink, 2.5 + 1.5 * static_cast<double>(index), Dash::long_dashed};
+    chart.line(times(curve.axial_strain, 100), stress, stroke);
+    if (!curve.lateral_strain.empty()) chart.line(times(curve.lateral_strain, 100), stress, stroke);
+    chart.legend(stroke, "laboratory: " + curve.name);
 }
 
-std::string legend_label(const Run& run) {
-    const std::string name = std::filesystem::path(run.data->name).filename().string();
-    std::string text = fmt::format("{}: {} {:.4g} MPa", name, peak_label(*run.data), 1e-6 * run.curve.peak_stress());
-    if (run.data->header.test == "triaxial") text += fmt::format(" at {:.4g} MPa", 1e-6 * run.data->header.confining_pressure);
-    return text + fmt::format(", seed {}", run.data->specimen.seed);
+/// Arrows where lateral branches leave the frame, and how far they go on.
+void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent& extent, double left) {
+    if (extent.lateral >= left) return;
+    for (const Run& run : runs) {
+        const std::vector<double> strain = times(run.lateral, 100);
+        const auto out = std::find_if(strain.begin(), strain.end(), [left](double value) { return value < left; });
+        if (out == strain.end() || out == strain.begin()) continue;
+        const auto row = static_cast<std::size_t>(out - strain.begin());
+        chart.points(std::vector<double>{left}, std::vector<double>{1e-6 * run.curve.stress[row]}, leaves_marker);
+    }
+    chart.legend(leaves_marker, fmt::format("lateral strain goes on, to −{:.3g} %", -extent.lateral));
+}
+
+std::string legend_label(const Run& run, const std::string& name) {
+    return fmt::format("{}: {} {:.4g} MPa", name, peak_label(*run.data), 1e-6 * run.curve.peak_stress());
 }
 
 std::vector<double> strains(const TableFile& table, const std::string& name) {
@@ -164,22 +179,26 @@ LaboratoryCurve read_laboratory_curve(const std::string& path) {
 }
 
 Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition, const std::vector<std::string>& objections) {
+                    const std::string& definition, const std::vector<std::string>& objections, const PictureStyle& style) {
     const std::vector<Run> runs = prepare(data);
     Extent extent;
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
-    Chart chart = page(runs, extent, counts ? definition : "", objections);
+    Chart chart = page(runs, extent, counts ? definition : "", objections, style);
+    const std::vector<std::string> names = names_apart(data);
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        draw_run(chart, runs[i], palette::series(i));
-        chart.legend(Stroke{palette::series(i), 4.5}, runs.size() == 1 ? "stress" : legend_label(runs[i]));
+        draw_run(chart, runs[i], i);
+        const std::string given = style.label_of(data[i].name);
+        const std::string own = runs.size() == 1 ? "stress" : legend_label(runs[i], names[i]);
+        chart.legend(series_stroke(i, 4.5), given.empty() ? own : given);
     }
     if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_earlier_peak))) chart.legend(first_peak_marker, "first peak");
     if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual)))
         chart.legend(residual_stroke, "residual strength");
-    for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], palette::series(runs.size() + i));
+    for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], i);
+    if (!style.x_limits) mark_cut_branches(chart, runs, extent, 1.1 * drawn_lateral(extent));
     return chart.finish();
 }
 
@@ -193,7 +212,8 @@ Command curve_plot() {
         {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv --width 84mm -o curve.pdf"},
         several_runs,
         [](CLI::App& app, Options& options) {
-            add_picture(app, options);
+            add_chart(app, options);
+            add_labels(app, options);
             add_names(app, "--laboratory", options.laboratory, "FILE",
                       "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
             add_crack_label(app, options.label);
@@ -211,7 +231,8 @@ Command curve_plot() {
                 doubts.add(runs.back(), objections);
                 for (const Objection& objection : objections) lines.push_back(subtitle_line(objection));
             }
-            return draw_curves(runs, laboratory, definition_of(options.label), runs.size() == 1 ? lines : doubts.lines());
+            return draw_curves(runs, laboratory, definition_of(options.label), runs.size() == 1 ? lines : doubts.lines(),
+                               options.style);
         });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 
@@ -30,7 +31,8 @@ LaboratoryCurve read_laboratory_curve(const std::string& path);
 /// \param definition of the cracks that the histories count, in words \param objections what speaks against the strengths, a
 /// line each
 Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition, const std::vector<std::string>& objections = {});
+                    const std::string& definition, const std::vector<std::string>& objections = {},
+                    const PictureStyle& style = {});
 
 Command curve_plot();
 

@@ -14,7 +14,8 @@
 
 namespace graincrack {
 
-Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run) {
+Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
+                      const PictureStyle& style) {
     std::vector<double> magnitudes;
     for (const EmissionEvent& event : events) {
         if (event.moment > 0) magnitudes.push_back(event.magnitude());
@@ -25,16 +26,21 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
     for (std::size_t i = 0; i < magnitudes.size(); ++i) number.push_back(static_cast<double>(magnitudes.size() - i));
     const auto fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
     std::vector<std::string> subtitle{counted(events.size(), "event")};
-    subtitle[0] += fit ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
-                                     fit->completeness, fit->events)
-                       : ", too few for a slope";
+    const bool is_line = fit && fit->follows_line();
+    subtitle[0] += !fit      ? ", too few for a slope"
+                   : is_line ? fmt::format(", b = {:.2f} ± {:.2f} from magnitude {:.2f} ({} events)", fit->b, fit->error,
+                                           fit->completeness, fit->events)
+                             : fmt::format(
+                                   ", no slope b: from magnitude {:.2f} on they do not lie on a line (farthest {:.2f}, at most "
+                                   "{:.2f} by chance)",
+                                   fit->completeness, fit->distance, fit->distance_by_chance());
     const auto [low, high] = padded_range(magnitudes, 0.08);
-    Chart chart({title, subtitle}, Axis{"magnitude, per metre of thickness", low, high},
+    Chart chart(style, {title, subtitle}, Axis{"magnitude, per metre of thickness", low, high},
                 Axis{"events at or above", 0.8, 1.5 * number.front(), true});
     const Marker marker{palette::series(0), MarkerShape::disc, 9};
     chart.points(magnitudes, number, marker);
     chart.legend(marker, "events");
-    if (fit) {
+    if (is_line) {
         const double at = std::log10(static_cast<double>(fit->events));
         const double end = fit->completeness + at / fit->b;
         const Stroke stroke{palette::ink, 3.5};
@@ -52,14 +58,14 @@ Command emission_plot() {
         "emission", "acoustic emission: number of events by magnitude, b-value",
         {"uniaxial.h5 -o emission.png", "uniaxial.h5 --event-distance 4mm -o emission.svg"}, one_run,
         [](CLI::App& app, Options& options) {
-            add_picture(app, options);
+            add_chart(app, options);
             add_events(app, options.events);
         },
         [](const Options& options, const Call& call) {
             const RunReader run(call.file());
             const Specimen specimen = run.specimen();
             return draw_emission(emission_of(run, specimen, read_cracks(run, specimen), options.events), test_title(run.header()),
-                                 run.name());
+                                 run.name(), options.style);
         });
 }
 

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/cracks/emission.hpp"
 
 namespace graincrack {
 
-/// log10 of the number of events at or above a magnitude, with the slope b from the completeness on.
+/// log10 of the number of events at or above a magnitude, with the slope b from the completeness on, if
+/// the magnitudes lie on one.
 /// \throws InputError without events
-Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run);
+Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
+                      const PictureStyle& style = {});
 
 Command emission_plot();
 

@@ -96,7 +96,7 @@ std::string strength_label(const EnvelopeTests& tests) {
 }
 
 Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
-           const std::vector<LaboratoryStrengths>& laboratory) {
+           const std::vector<LaboratoryStrengths>& laboratory, const PictureStyle& style) {
     double right = 0;
     double radius = 0;
     const auto include = [&](double confining, double strength) {
@@ -114,8 +114,8 @@ Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::stri
     std::vector<std::string> subtitle{line_label(envelope), strength_label(tests)};
     if (tests.at_strain_limit > 0)
         subtitle.push_back(fmt::format("{} of the tests stopped at the strain limit, without a peak", tests.at_strain_limit));
-    return {ChartText{title, subtitle}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
-            Axis{"shear stress, MPa", 0, 1.3 * radius}, std::nullopt, true};
+    return {style, ChartText{title, subtitle}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
+            Axis{"shear stress, MPa", 0, 1.3 * radius}, ChartForm{.equal_scales = true}};
 }
 
 void draw_circles(Chart& chart, const EnvelopeTests& tests) {
@@ -124,26 +124,26 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
     std::size_t next = 0;
     for (auto& [pressure, colour] : colours) {
         colour = next++;
-        chart.legend(Stroke{palette::series(colour), 4}, fmt::format("σ3 = {:.4g} MPa", pressure * mega));
+        chart.legend(series_stroke(colour, 3), fmt::format("σ3 = {:.4g} MPa", pressure * mega));
     }
     for (const auto& test : tests.compression) {
         const Points points = circle(test.confining, test.strength);
-        chart.line(points.x, points.y, Stroke{palette::series(colours.at(test.confining)), 2.5});
+        chart.line(points.x, points.y, series_stroke(colours.at(test.confining), 2.5));
     }
-    const auto tensile = [&](const std::vector<double>& strengths, double high, Colour colour, const std::string& label) {
+    const auto tensile = [&](const std::vector<double>& strengths, double high, const Stroke& stroke, const std::string& label) {
         for (const double strength : strengths) {
             const Points points = circle(-strength, high * strength);
-            chart.line(points.x, points.y, Stroke{colour, 2.5});
+            chart.line(points.x, points.y, stroke);
         }
-        if (!strengths.empty()) chart.legend(Stroke{colour, 4}, label);
+        if (!strengths.empty()) chart.legend(stroke, label);
     };
-    tensile(tests.brazilian, 3, palette::rim, "Brazilian, centre of the disc");
-    tensile(tests.direct_tension, 0, palette::tensile, "direct tension");
+    tensile(tests.brazilian, 3, Stroke{palette::rim, 2.5}, "Brazilian, centre of the disc");
+    tensile(tests.direct_tension, 0, Stroke{palette::tensile, 2.5}, "direct tension");
 }
 
 void draw_laboratory(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
     for (const auto& set : laboratory) {
-        const Stroke stroke{palette::rim, 2.5, true};
+        const Stroke stroke{palette::rim, 3.5, Dash::dotted};
         for (std::size_t i = 0; i < set.strength.size(); ++i) {
             const Points points = circle(set.confining[i], set.strength[i]);
             chart.line(points.x, points.y, stroke);
@@ -160,9 +160,10 @@ LaboratoryStrengths read_laboratory_strengths(const std::string& path) {
             times(table.numbers("strength_MPa"), 1e6)};
 }
 
-Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const std::vector<LaboratoryStrengths>& laboratory) {
+Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const std::vector<LaboratoryStrengths>& laboratory,
+                      const PictureStyle& style) {
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-    Chart chart = page(tests, envelope, title, laboratory);
+    Chart chart = page(tests, envelope, title, laboratory, style);
     draw_circles(chart, tests);
     draw_laboratory(chart, laboratory);
     double right = 0;
@@ -174,8 +175,8 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
     }
     if (envelope.hoek_brown) {
         const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / mega));
-        chart.line(hull.x, hull.y, Stroke{palette::ink, 3, true});
-        chart.legend(Stroke{palette::ink, 3, true},
+        chart.line(hull.x, hull.y, Stroke{palette::ink, 3, Dash::dashed});
+        chart.legend(Stroke{palette::ink, 3, Dash::dashed},
                      fmt::format("Hoek–Brown, σci {:.1f} MPa, mi {:.1f}", envelope.hoek_brown->sigma_ci.value * mega,
                                  envelope.hoek_brown->mi.value));
     }
@@ -192,7 +193,7 @@ Command envelope_plot() {
         {"uniaxial.h5 triaxial.h5 -o envelope.png", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept -o envelope.svg"},
         several_runs,
         [](CLI::App& app, Options& options) {
-            add_picture(app, options);
+            add_chart(app, options);
             add_envelope_options(app, options.envelope);
             add_names(app, "--laboratory", options.laboratory, "FILE",
                       "table of measured strengths: confining_pressure_MPa, strength_MPa");
@@ -203,7 +204,7 @@ Command envelope_plot() {
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
             const EnvelopeTests tests = collect_envelope_tests(runs, options.envelope);
             print_left_out(call.diagnostics(), tests);
-            return draw_envelope(tests, runs.front().header.material, laboratory);
+            return draw_envelope(tests, runs.front().header.material, laboratory, options.style);
         });
 }
 

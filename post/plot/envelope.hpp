@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/fit/envelope.hpp"
 
@@ -23,7 +24,7 @@ LaboratoryStrengths read_laboratory_strengths(const std::string& path);
 /// disc's centre, from −σt to 3σt. Mohr–Coulomb as a line, Hoek–Brown (compression only) as a dashed curve; measured
 /// strengths as dashed circles.
 Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title,
-                      const std::vector<LaboratoryStrengths>& laboratory = {});
+                      const std::vector<LaboratoryStrengths>& laboratory = {}, const PictureStyle& style = {});
 
 Command envelope_plot();
 

@@ -24,27 +24,44 @@ Colour fragment_colour(std::size_t fragment) {
 
 }  // namespace
 
-Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options) {
+Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
     const Specimen specimen = run.specimen();
     Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
     const Fragments fragments = find_fragments(specimen, frame.state);
     const FragmentCount count = count_fragments(fragments, frame.time);
     MapView map(specimen, moved_nodes(specimen, frame, options.magnification),
                 {test_title(run.header()),
-                 counted(count.fragments, "fragment") +
-                     (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
-                 fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
-                             1e3 * fragments.all.front().diameter())});
+                 {counted(count.fragments, "fragment") +
+                      (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
+                  fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
+                              1e3 * fragments.all.front().diameter())}},
+                {style});
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
-    map.draw_legend({{palette::grain, 22, "largest fragment"}, {fragment_colour(1), 22, "others"}});
+    constexpr double line = 5;
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto parts = [&](std::size_t contact) {
+        const auto fragment = [&](std::size_t node) {
+            const auto n = static_cast<std::size_t>(specimen.contact_nodes[contact][node]);
+            return fragments.of_grain[static_cast<std::size_t>(grain[n])];
+        };
+        return fragment(0) != fragment(2);
+    };
+    map.draw_boundaries(parts, line);
+    std::vector<LegendEntry> legend{{palette::grain, "largest fragment"}};
+    if (count.fragments > 1) {
+        legend.push_back({fragment_colour(1), "others, coloured"});
+        legend.push_back({Stroke{palette::ink, line}, "between fragments"});
+    }
+    map.draw_legend(legend);
     return std::move(map).drawing();
 }
 
 Command fragments_plot() {
-    return make_plot<MapPlotOptions>(
-        "fragments", "grains that are still connected, by fragment",
-        {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"}, one_run, add_map_options,
-        [](const MapPlotOptions& options, const Call& call) { return draw_fragments(RunReader(call.file()), options.map); });
+    return make_plot<MapPlotOptions>("fragments", "grains that are still connected, by fragment",
+                                     {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"}, one_run,
+                                     add_map_options, [](const MapPlotOptions& options, const Call& call) {
+                                         return draw_fragments(RunReader(call.file()), options.map, options.style);
+                                     });
 }
 
 }  // namespace graincrack

@@ -7,7 +7,7 @@
 namespace graincrack {
 
 /// The largest fragment pale, the others coloured, where they moved to. \throws InputError, UsageError as `choose_frame`
-Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options);
+Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
 
 Command fragments_plot();
 

@@ -125,7 +125,7 @@ std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths
 }
 
 /// One curve a law; the largest set of indistinguishable ones is a single black curve. Returns whether there is such a set.
-bool draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
+bool draw_paths(Chart& chart, const std::vector<Path>& paths, double thinner = 1) {
     const auto sets = like_curves(paths);
     const auto most =
         std::max_element(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -134,22 +134,30 @@ bool draw_paths(Chart& chart, const std::vector<Path>& paths, bool dashed) {
         for (std::size_t k = 0; k < (joint ? 1 : set->size()); ++k) {
             const Path& path = paths[(*set)[k]];
             const double width = 4 + 3 * static_cast<double>(joint ? 0 : set->size() - 1 - k);  // earlier ones show at the sides
-            chart.line(path.displacement, path.traction,
-                       Stroke{joint ? palette::ink : palette::series((*set)[k]), width, dashed});
+            Stroke stroke = joint ? Stroke{} : series_stroke((*set)[k]);
+            stroke.width = thinner * width;
+            chart.line(path.displacement, path.traction, stroke);
         }
     }
     return most->size() > 1;
 }
 
-Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const ChartText& text, double reach) {
-    Chart chart(text, up_to("opening, µm", reach * micro), up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega));
+/// Height of a frame on a page: three stand below one another in a column, side by side over two.
+double frame_height(const PictureStyle& style) { return style.page_width < 700 ? 340 : 290; }
+
+Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const std::string& caption, double reach,
+                  const PictureStyle& style) {
+    Chart chart(style, {"", {caption}}, up_to("opening, µm", reach * micro),
+                up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega), {.height = frame_height(style)});
     std::vector<Path> paths;
     for (const ContactLaw& law : laws) paths.push_back(open_path(law, contact, reach));
-    draw_paths(chart, paths, false);
+    draw_paths(chart, paths);
     return chart.finish();
 }
 
-Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters& contact, double compression) {
+/// \param joint is set if several laws share a curve
+Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters& contact, double compression,
+                   const PictureStyle& style, bool& joint) {
     const double reach = std::max(3 * contact.critical_sliding, 1.2 * contact.ultimate_opening);
     double highest = 0;
     std::vector<Path> open;
@@ -159,43 +167,49 @@ Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters&
         closed.push_back(shear_path(law, contact, compression, reach));
         highest = std::max({highest, largest(open.back().traction), largest(closed.back().traction)});
     }
-    Chart chart({"",
-                 {fmt::format("sliding: open at δn = 0 (dashed) and under {:.3g} MPa (solid);", compression * mega),
-                  fmt::format("δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}},
-                up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest));
-    const bool all_closed = draw_paths(chart, closed, false);
-    const bool all_open = draw_paths(chart, open, true);
-    for (std::size_t i = 0; i < laws.size(); ++i) {
-        chart.legend(Stroke{palette::series(i), 4}, std::string(name_of(laws[i].variant)));
-    }
-    if (all_closed || all_open) chart.legend(Stroke{palette::ink, 4.5}, "one curve for all laws without a coloured one");
+    Chart chart(style, {"", {fmt::format("sliding under {:.3g} MPa, thin: δn = 0", compression * mega)}},
+                up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest),
+                {.height = frame_height(style)});
+    const bool all_closed = draw_paths(chart, closed);
+    const bool all_open = draw_paths(chart, open, 0.45);
+    joint = all_closed || all_open;
     return chart.finish();
 }
 
 }  // namespace
 
-Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options) {
+Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options,
+                  const PictureStyle& style) {
     const Coupling coupling = options.coupling == "none" ? Coupling::none : Coupling::full;
     std::vector<ContactLaw> laws;
     for (const LawDescription& d : chosen(options.laws)) laws.push_back(make_contact_law(contact, d.variant, coupling));
-    const ChartText whole{title,
-                          {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
-                                       contact.ultimate_opening * micro, contact.fracture_energy)}};
-    Drawing page = draw_open(laws, contact, whole, 1.05 * contact.ultimate_opening);
-    const auto below = [&](const Drawing& part) {
-        const int height = page.height();
-        page.add(part, {0, static_cast<double>(height)});
-        page.set_height(height + part.height());
-    };
-    below(draw_open(laws, contact, {"", {"the same near the peak"}}, 4 * contact.critical_opening));
-    below(draw_shear(laws, contact, options.normal_stress));
+    const bool wide = style.page_width >= 1400;
+    const PictureStyle part = style.of_part(wide ? std::floor(style.page_width / 3) : style.page_width);
+    const ChartText heading{
+        style.title.empty() ? title : style.title,
+        {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²; sliding: δcs {:.3g} µm, cc {:.4g} MPa",
+                     contact.critical_opening * micro, contact.ultimate_opening * micro, contact.fracture_energy,
+                     contact.critical_sliding * micro, contact.cohesion * mega)}};
+    Drawing page(static_cast<int>(style.page_width), 0);
+    const Column column{page_margin, page.width() - page_margin};
+    page.set_height(draw_heading(page, heading, column, 14));
+    bool joint = false;
+    const std::vector<Drawing> charts{
+        draw_open(laws, contact, "opening, unloaded half-way", 1.05 * contact.ultimate_opening, part),
+        draw_open(laws, contact, "the same near the peak", 4 * contact.critical_opening, part),
+        draw_shear(laws, contact, options.normal_stress, part, joint)};
+    page = stacked({page, wide ? side_by_side(charts) : stacked(charts)});
+    std::vector<LegendEntry> legend;
+    for (std::size_t i = 0; i < laws.size(); ++i) legend.push_back({series_stroke(i), std::string(name_of(laws[i].variant))});
+    if (joint) legend.push_back({Stroke{}, "one curve for all laws without one of their own"});
+    page.set_height(draw_legend(page, legend, column, page.height()).bottom + 14);
     return page;
 }
 
-Drawing draw_lennard_jones() {
+Drawing draw_lennard_jones(const PictureStyle& style) {
     // The corners and the middle of Table 9.
     static constexpr std::array<std::array<int, 2>, 5> pairs{{{8, 13}, {8, 18}, {10, 15}, {12, 13}, {12, 18}}};
-    Chart chart({"Lennard-Jones potential", {"P(z)/X = a [(ζ/z)ⁿ − (ζ/z)ᵐ], Eqs 20–22; b gives w = Gf/(b σt)"}},
+    Chart chart(style, {"Lennard-Jones potential", {"P(z)/X = a [(ζ/z)ⁿ − (ζ/z)ᵐ], Eqs 20–22; b gives w = Gf/(b σt)"}},
                 Axis{"z/ζ", 0.9, 1.6}, Axis{"P/X", -1.1, 1});
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto [m, n] = pairs[i];
@@ -204,7 +218,7 @@ Drawing draw_lennard_jones() {
             path.displacement.push_back(z);
             path.traction.push_back(fpz::lennard_jones_potential(z, m, n));
         }
-        const Stroke stroke{palette::series(i), 3.5, i % 2 == 1};
+        const Stroke stroke = series_stroke(i, 3.5);
         chart.line(path.displacement, path.traction, stroke);
         chart.legend(stroke, fmt::format("m {}, n {}: b = {:.3f}", m, n, fpz::lennard_jones_b(m, n)));
     }
@@ -236,13 +250,14 @@ Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
     LawPlotOptions law = options.law;
     if (law.laws.empty()) law.laws = {run.header().contact_law};
     law.coupling = run.header().coupling;
-    return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law);
+    return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law,
+                     options.style);
 }
 
 Drawing draw_laws_of_material(const LawOptions& options) {
     const Material material = read_material(options.material);
     const ContactParameters contact = contact_parameters(material, options.plane, options.fracture_energy);
-    return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), options.law);
+    return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), options.law, options.style);
 }
 
 }  // namespace
@@ -259,8 +274,9 @@ Command law_plot() {
 }
 
 Command lennard_jones_plot() {
-    return make_plot("lennard-jones", "the potential of Eqs 20-22 (Fig 11)", {"-o potential.png", "-o potential.svg"},
-                     std::nullopt, [](const Call&) { return draw_lennard_jones(); });
+    return make_plot<PlotOptions>("lennard-jones", "the potential of Eqs 20-22 (Fig 11)",
+                                  {"-o potential.png", "-o potential.svg"}, std::nullopt, add_chart,
+                                  [](const PlotOptions& options, const Call&) { return draw_lennard_jones(options.style); });
 }
 
 }  // namespace graincrack

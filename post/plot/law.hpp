@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "share/material.hpp"
 
@@ -17,12 +18,14 @@ struct LawPlotOptions {
     double normal_stress = 20e6;  ///< compression under which a contact is sheared, Pa
 };
 
-/// Above: traction against opening, with an unloading half-way down, and the same near the peak. Below: shear traction against
+/// Below one another, on a wide page side by side: traction against opening, with an unloading half-way down; the same near the
+/// peak; shear traction against
 /// sliding of an open contact (δn = 0) and of one under compression, solid and dashed. \throws UsageError for an unknown law
-Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options);
+Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options,
+                  const PictureStyle& style = {});
 
 /// P(z)/X = a [(ζ/z)^n − (ζ/z)^m] (Eqs 20–22) and its slope for the pairs (m, n) of Table 9's corners and middle, with b.
-Drawing draw_lennard_jones();
+Drawing draw_lennard_jones(const PictureStyle& style = {});
 
 Command law_plot();
 Command lennard_jones_plot();

@@ -9,6 +9,7 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/option_parts.hpp"
 
@@ -18,11 +19,22 @@ namespace graincrack {
 struct PlotOptions {
     std::string picture;  ///< .png, .svg or .pdf
     PictureSize size;
+    PictureStyle style;
+    std::vector<std::string> labels;  ///< "RUN=TEXT", of --label
 };
-/// -o, --width, --dpi
+/// -o, --width, --dpi, --title
 void add_picture(CLI::App& app, PlotOptions& options);
+/// The same for a picture with axes, with --x-limits and --y-limits.
+void add_chart(CLI::App& app, PlotOptions& options);
+/// --y-limits alone, for a picture whose other axis has no numbers.
+void add_y_limits(CLI::App& app, PlotOptions& options);
+/// --label RUN=TEXT, for a picture with runs in its legend.
+void add_labels(CLI::App& app, PlotOptions& options);
 
-/// A picture with options; `add` declares them, the file of the picture by `add_picture` among them.
+/// The style on a page that fits the size of the picture, with the labels of its files. \throws UsageError for another label
+PictureStyle style_of(const PlotOptions& options, const std::vector<std::string>& files);
+
+/// A picture with options; `add` declares them, those of every picture by `add_picture` or `add_chart` among them.
 template <class Options>
 Command make_plot(std::string name, std::string help, std::vector<std::string> examples, std::optional<FileArguments> files,
                   const std::function<void(CLI::App&, Options&)>& add,
@@ -30,15 +42,10 @@ Command make_plot(std::string name, std::string help, std::vector<std::string> e
     return make_command<Options>(std::move(name), std::move(help), std::move(examples), files, add,
                                  [draw](const Options& options, const Call& call) {
                                      require_picture(options.picture, options.size);
-                                     write_picture(draw(options, call), options.picture, options.size);
+                                     Options sized = options;
+                                     sized.style = style_of(options, call.files);
+                                     write_picture(draw(sized, call), options.picture, options.size);
                                  });
-}
-
-/// A picture without options of its own.
-inline Command make_plot(std::string name, std::string help, std::vector<std::string> examples,
-                         std::optional<FileArguments> files, const std::function<Drawing(const Call&)>& draw) {
-    return make_plot<PlotOptions>(std::move(name), std::move(help), std::move(examples), files, add_picture,
-                                  [draw](const PlotOptions&, const Call& call) { return draw(call); });
 }
 
 }  // namespace graincrack

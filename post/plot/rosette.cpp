@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "post/chart/font.hpp"
+#include "post/chart/page.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
@@ -19,9 +20,6 @@ namespace {
 
 using Bins = std::array<double, Rosette::n_bins>;
 
-constexpr double radius = 200;
-constexpr double text_size = 25;
-
 Bins shares(const Bins& lengths) {
     const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
     Bins out{};
@@ -32,10 +30,11 @@ Bins shares(const Bins& lengths) {
 /// One rose around a centre, with petals of full length at `scale`.
 class Rose {
 public:
-    Rose(Drawing& drawing, Pixel centre, double scale) : drawing_(drawing), centre_(centre), scale_(scale) {}
+    Rose(Drawing& drawing, Pixel centre, double radius, double scale)
+        : drawing_(drawing), centre_(centre), radius_(radius), scale_(scale) {}
 
     void rings() {
-        for (const double ring : round_ticks(0, scale_, 3)) {
+        for (const double ring : round_ticks(0, scale_, 2)) {
             if (ring == 0) continue;
             std::vector<Pixel> circle;
             for (int i = 0; i <= 72; ++i) circle.push_back(at(std::numbers::pi * i / 36, ring));
@@ -45,8 +44,8 @@ public:
     }
     /// The labels of the rings, drawn last: perpendicular to the load, where the fewest cracks are.
     void scale_labels() {
-        constexpr double size = 21;
-        for (const double ring : round_ticks(0, scale_, 3)) {
+        constexpr double size = letters::text;
+        for (const double ring : round_ticks(0, scale_, 2)) {
             if (ring == 0) continue;
             const std::string percent = fmt::format("{:.0f} %", 100 * ring);
             const Pixel label = at(0, ring);
@@ -71,17 +70,18 @@ public:
         drawing_.polyline(line, 2.5, palette::pre_existing);
     }
     void caption(const std::string& text) {
-        drawing_.text({{centre_.x, centre_.y + radius + 50}, text, text_size, palette::ink, Anchor::middle});
+        drawing_.text({{centre_.x, centre_.y + radius_ + 44}, text, letters::text, palette::ink, Anchor::middle});
     }
 
 private:
     [[nodiscard]] static double angle(double bin) { return std::numbers::pi * bin / Rosette::n_bins; }
     [[nodiscard]] Pixel at(double turn, double share) const {
-        const double r = radius * share / scale_;
+        const double r = radius_ * share / scale_;
         return {centre_.x + r * std::cos(turn), centre_.y - r * std::sin(turn)};
     }
     Drawing& drawing_;
     Pixel centre_;
+    double radius_;
     double scale_;
 };
 
@@ -89,7 +89,8 @@ double total(const Bins& lengths) { return std::accumulate(lengths.begin(), leng
 
 }  // namespace
 
-Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition) {
+Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition,
+                     const PictureStyle& style) {
     if (total(rosette.tensile) + total(rosette.shear) == 0) {
         throw InputError(run + ": no micro-cracks; a rosette needs a run with some");
     }
@@ -98,23 +99,25 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
     for (const Bins& lengths : {shares(rosette.tensile), shares(rosette.shear)}) {
         scale = std::max(scale, *std::max_element(lengths.begin(), lengths.end()));
     }
-    Drawing drawing(1000, 700);
-    drawing.text({{40, 50}, title, 31, palette::ink, Anchor::start, true});
-    drawing.text({{40, 88}, "share of crack length by direction; load is vertical", text_size});
-    double x = 260;
+    Drawing drawing(static_cast<int>(style.page_width), 0);
+    const Column column{page_margin, drawing.width() - page_margin};
+    const ChartText text{style.title.empty() ? title : style.title, {"share of crack length by direction; load is vertical"}};
+    const double top = draw_heading(drawing, text, column, 14) + 20;
+    const double radius = std::min(0.225 * drawing.width(), 300.0);
+    double x = 0.26 * drawing.width();
     for (const bool tensile : {true, false}) {
         const Bins& lengths = tensile ? rosette.tensile : rosette.shear;
-        Rose rose(drawing, {x, 330}, 1.02 * scale);
+        Rose rose(drawing, {x, top + radius}, radius, 1.02 * scale);
         rose.rings();
         rose.petals(shares(lengths), tensile ? palette::tensile : palette::shear);
         rose.outline(facet);
         rose.scale_labels();
         rose.caption(fmt::format("{}: {:.4g} mm", tensile ? "tensile" : "shear", 1e3 * total(lengths)));
-        x += 480;
+        x += 0.48 * drawing.width();
     }
-    drawing.line({40, 631}, {92, 631}, 2.5, palette::pre_existing);
-    drawing.text({{106, 640}, "the specimen's own facets", text_size});
-    drawing.text({{40, 678}, definition, text_size});
+    const LegendEnd end =
+        draw_legend(drawing, {{Stroke{palette::pre_existing, 2.5}, "the specimen's own facets"}}, column, top + 2 * radius + 64);
+    drawing.set_height(draw_heading(drawing, {"", {definition}}, column, end.bottom) + 14);
     return drawing;
 }
 
@@ -133,7 +136,7 @@ Command rosette_plot() {
             const RunReader run(call.file());
             const Specimen specimen = run.specimen();
             return draw_rosette(crack_rosette(read_labelled_cracks(run, specimen, options.label), specimen),
-                                test_title(run.header()), run.name(), definition_of(options.label));
+                                test_title(run.header()), run.name(), definition_of(options.label), options.style);
         });
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/cracks/rosette.hpp"
 
@@ -13,7 +14,8 @@ namespace graincrack {
 /// shares of the specimen's own facets. Petals are as long as the share; an orientation has no sense, so both halves are equal.
 /// \throws InputError without cracks
 /// \param definition of its cracks in words
-Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition);
+Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition,
+                     const PictureStyle& style = {});
 
 Command rosette_plot();
 

@@ -36,10 +36,11 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const auto range = padded_range(edge, 0);
     const double low = range.first / 1.1;
     const double high = range.second * 1.1;
-    draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, Stroke{colour, 4});
+    const Stroke stroke = series_stroke(index);
+    draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, stroke);
     std::string label = fmt::format("n = {:.2f}", law->exponent.value);
     if (law->exponent.low) label += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
-    chart.legend(Stroke{colour, 4}, label);
+    chart.legend(stroke, name + ": " + label);
     if (s.test != "brazilian" && s.test != "tension") return;
     // The slopes of theory and, for its rock, of the paper through the middle of the points.
     double x = 0;
@@ -48,19 +49,19 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
         x += std::log(edge[i]) / static_cast<double>(edge.size());
         y += std::log(s.strength[i] * 1e-6) / static_cast<double>(edge.size());
     }
-    const auto compare = [&](const std::string& who, double exponent, const Stroke& stroke) {
-        draw_law(chart, low, high, std::exp(y - exponent * x), exponent, stroke);
-        chart.legend(stroke, fmt::format("{}, n = {}", who, exponent));
+    const auto compare = [&](const std::string& who, double exponent, const Stroke& thin) {
+        draw_law(chart, low, high, std::exp(y - exponent * x), exponent, thin);
+        chart.legend(thin, fmt::format("{}, n = {}", who, exponent));
     };
-    compare("theory", theory_exponent, Stroke{colour, 2.5, true});
+    compare("theory", theory_exponent, Stroke{colour, 4, Dash::dotted});
     if (const auto exponent = s.exponent_of_paper()) {
-        compare("Kazerani & Zhao (2014)", *exponent, Stroke{palette::rim, 2.5, true});
+        compare("Kazerani & Zhao (2014)", *exponent, Stroke{palette::rim, 2.5, Dash::long_dashed});
     }
 }
 
 }  // namespace
 
-Drawing draw_size_effect(const std::vector<SizeSeries>& series) {
+Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureStyle& style) {
     std::vector<double> edges;
     std::vector<double> strengths;
     std::size_t at_strain_limit = 0;
@@ -72,7 +73,7 @@ Drawing draw_size_effect(const std::vector<SizeSeries>& series) {
     std::vector<std::string> subtitle{"strength ∝ (mean edge)ⁿ by logarithms, 95 % interval of n"};
     if (at_strain_limit > 0)
         subtitle.push_back(fmt::format("{} of the runs stopped at the strain limit, without a peak", at_strain_limit));
-    Chart chart({"Size effect", subtitle}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
+    Chart chart(style, {"Size effect", subtitle}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
     for (std::size_t i = 0; i < series.size(); ++i) draw_series(chart, series[i], i);
     return chart.finish();
 }
@@ -86,11 +87,11 @@ Command size_effect_plot() {
         {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --capped accept -o size.svg"},
         several_runs,
         [](CLI::App& app, Options& options) {
-            add_picture(app, options);
+            add_chart(app, options);
             add_strain_limit_runs(app, options.strain_limit_runs);
         },
         [](const Options& options, const Call& call) {
-            return draw_size_effect(collect_sizes(read_runs(call.files), options.strain_limit_runs));
+            return draw_size_effect(collect_sizes(read_runs(call.files), options.strain_limit_runs), options.style);
         });
 }
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/fit/size_effect.hpp"
 
 namespace graincrack {
 
 /// Every run as a point, each series with its power law (log–log) and, for tensile strengths, the slope of the theory.
-Drawing draw_size_effect(const std::vector<SizeSeries>& series);
+Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureStyle& style = {});
 
 Command size_effect_plot();
 

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "share/specimen.hpp"
 
 namespace graincrack {
 
-Drawing draw_specimen(const Specimen& specimen);
+Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style = {});
 
 Command specimen_plot();
 

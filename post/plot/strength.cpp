@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/measure/grain_size.hpp"
 #include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
@@ -17,9 +18,12 @@ namespace graincrack {
 namespace {
 
 constexpr double mega = 1e-6;
+constexpr Colour interval{205, 214, 224};
 const Marker peak{palette::series(0), MarkerShape::disc, 15};
 const Marker no_peak{palette::series(1), MarkerShape::cross, 17};
-const Marker measured{palette::ink, MarkerShape::square, 17};
+const Stroke mean_stroke{palette::ink, 4};
+const Stroke laboratory_stroke{palette::tensile, 3.5, Dash::dashed};
+constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distances between tests
 
 std::optional<double> laboratory_of(const StrengthGroup& group, const std::optional<Material>& material) {
     const char* key = group.test == "brazilian" ? "tensile_strength" : group.test == "uniaxial" ? "compressive_strength" : "";
@@ -27,35 +31,35 @@ std::optional<double> laboratory_of(const StrengthGroup& group, const std::optio
     return material->laboratory.at(key) * mega;
 }
 
-bool belongs(const RunData& run, const StrengthGroup& group) {
-    return run.header.test == group.test && run.header.confining_pressure == group.confining_pressure;
-}
-
-std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<StrengthGroup>& groups,
+std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<SizedStrengths>& rows,
                                const std::optional<Material>& material) {
     std::vector<double> values;
     for (const RunData& run : runs) values.push_back(measure_strength(run).value() * mega);
-    for (const StrengthGroup& group : groups) {
-        if (const auto value = laboratory_of(group, material)) values.push_back(*value);
+    for (const SizedStrengths& row : rows) {
+        if (const auto value = laboratory_of(row.group, material)) values.push_back(*value);
     }
     return values;
 }
 
-void draw_group(Chart& chart, const std::vector<RunData>& runs, const StrengthGroup& group, double x,
-                const std::optional<Material>& material) {
-    const auto dot = [&](double at, double value, const Marker& marker) {
-        chart.points(std::vector<double>{at}, std::vector<double>{value}, marker);
+/// Mean, interval, runs and laboratory of a test about its tick. \param lowest what the axis shows, MPa
+void draw_row(Chart& chart, const std::vector<RunData>& runs, const SizedStrengths& row, double x,
+              const std::optional<Material>& material, double lowest) {
+    const Estimate& mean = row.group.strength.mean;
+    const auto level = [&](double value, double half, const Stroke& stroke) {
+        chart.line(std::vector<double>{x - half, x + half}, std::vector<double>(2, value), stroke);
     };
-    const Estimate& mean = group.strength.mean;
     // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
-    if (mean.low) chart.error_bar(x + 0.12, std::max(*mean.low, 0.01 * mean.value) * mega, *mean.high * mega, palette::rim);
-    chart.line(std::vector<double>{x - 0.1, x + 0.2}, std::vector<double>(2, mean.value * mega), Stroke{palette::rim, 4});
-    for (const RunData& run : runs) {
-        if (!belongs(run, group)) continue;
-        const Strength strength = measure_strength(run);
-        dot(x - 0.05, strength.value() * mega, strength.peak_kind == "drop" ? peak : no_peak);
+    if (mean.low) chart.box(x - half_width, x + half_width, std::max(*mean.low * mega, lowest), *mean.high * mega, interval);
+    if (row.runs.size() > 1) level(mean.value * mega, half_width, mean_stroke);
+    if (const auto value = laboratory_of(row.group, material)) level(*value, 1.3 * half_width, laboratory_stroke);
+    // Runs side by side in their order, symmetric about the tick.
+    const double n = static_cast<double>(row.runs.size());
+    for (std::size_t i = 0; i < row.runs.size(); ++i) {
+        const Strength strength = measure_strength(runs[row.runs[i]]);
+        const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
+        chart.points(std::vector<double>{at}, std::vector<double>{strength.value() * mega},
+                     strength.peak_kind == "drop" ? peak : no_peak);
     }
-    if (const auto value = laboratory_of(group, material)) dot(x - 0.25, *value, measured);
 }
 
 /// "plane stress: Brazilian", a line for each plane condition.
@@ -75,31 +79,34 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
 }  // namespace
 
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
-                       const std::vector<std::string>& objections) {
-    const std::vector<StrengthGroup> groups = group_strengths(runs);
-    std::vector<std::string> subtitle = plane_lines(groups);
-    for (const std::string& objection : objections) {  // a long one in two lines
-        const std::size_t part = objection.find("; ");
-        subtitle.push_back(objection.substr(0, part == std::string::npos ? part : part + 1));
-        if (part != std::string::npos) subtitle.push_back(objection.substr(part + 2));
-    }
-    const auto [low, high] = padded_range(all_values(runs, groups, material), 0);
-    const double n = static_cast<double>(groups.size());
-    Chart chart({runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, subtitle},
-                Axis{"", 0.5, n + 0.5}, Axis{"strength, MPa", low / 1.6, high * 1.6, true});
+                       const std::vector<std::string>& objections, const PictureStyle& style) {
+    const std::vector<SizedStrengths> rows = group_strengths_by_size(runs);
+    std::vector<std::string> subtitle = plane_lines(group_strengths(runs));
+    subtitle.insert(subtitle.end(), objections.begin(), objections.end());
+    const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
+    const Axis strength{"strength, MPa", low / 1.6, high * 1.6, true};
+    Chart chart(style, {runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, subtitle},
+                Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
+    bool mean = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const StrengthGroup& group = rows[i].group;
         const double x = static_cast<double>(i) + 1;
-        names.emplace_back(x, series_label(groups[i].test, groups[i].confining_pressure));
-        draw_group(chart, runs, groups[i], x, material);
-        without_peak += groups[i].without_peak;
+        names.emplace_back(
+            x, series_label(group.test, group.confining_pressure) + (rows[i].size.empty() ? "" : ", " + rows[i].size));
+        draw_row(chart, runs, rows[i], x, material, strength.low);
+        without_peak += group.without_peak;
+        mean = mean || rows[i].runs.size() > 1;
     }
     chart.name_ticks(names);
-    chart.legend(peak, "peak of a run");
+    if (without_peak < runs.size()) chart.legend(peak, "peak of a run");
     if (without_peak > 0) chart.legend(no_peak, "largest stress, no peak");
-    chart.legend(Stroke{palette::rim, 4}, "mean, 95 % interval");
-    if (material) chart.legend(measured, "laboratory");
+    if (mean) {
+        chart.legend(mean_stroke, "mean");
+        chart.legend(interval, "95 % interval");
+    }
+    if (material) chart.legend(laboratory_stroke, "laboratory");
     return chart.finish();
 }
 
@@ -113,6 +120,7 @@ Command strength_plot() {
         several_runs,
         [](CLI::App& app, Options& options) {
             add_picture(app, options);
+            add_y_limits(app, options);
             add_laboratory_material(app, options.material);
         },
         [](const Options& options, const Call& call) {
@@ -120,7 +128,7 @@ Command strength_plot() {
             if (!options.material.empty()) material = read_material(options.material);
             ObjectionCount doubts;
             const std::vector<RunData> runs = read_doubted_runs(call.files, doubts);
-            return draw_strengths(runs, material, doubts.lines());
+            return draw_strengths(runs, material, doubts.lines(), options.style);
         });
 }
 

@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 #include "share/material.hpp"
 
 namespace graincrack {
 
-/// Every run as a point (a cross if it reached no peak), the mean of each test and confining pressure with its 95 %
-/// interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the axis.
-/// \throws InputError if the runs are not of one material
-/// \param objections what speaks against the strengths, a line each
+/// Every run as a point (a cross if it reached no peak), the mean of each test, confining pressure and grain size with its
+/// 95 % interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the
+/// axis. \throws InputError if the runs are not of one material \param objections what speaks against the strengths, a line each
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
-                       const std::vector<std::string>& objections = {});
+                       const std::vector<std::string>& objections = {}, const PictureStyle& style = {});
 
 Command strength_plot();
 

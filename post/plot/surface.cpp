@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "post/chart/chart.hpp"
 #include "post/chart/contour.hpp"
@@ -82,60 +83,65 @@ void draw_region(Chart& chart, const Plane& plane, const ccd::Problem& problem) 
         }
     }
     draw_contour(chart, grid, 1, Stroke{palette::rim, 1.6});
-    chart.legend_area(region_fill, "joint 95 % region of the factors");
+    chart.legend(region_fill, "joint 95 % region of the factors");
 }
 
-/// The end of a contour that lies farthest to one side: where its label stands.
-std::optional<std::array<double, 2>> far_end(const GridValues& grid, double level, bool right) {
-    std::optional<std::array<double, 2>> end;
-    for (const auto& segment : contour_segments(grid, level)) {
-        for (const auto& point : segment) {
-            if (!end || (right ? point[0] > (*end)[0] : point[0] < (*end)[0])) end = point;
-        }
+/// Writes the level beside a contour: at the end that lies farthest to one side, or where else there is room.
+void label_contour(Chart& chart, const GridValues& grid, double level, bool right, Colour colour) {
+    std::vector<std::array<double, 2>> places;
+    for (const auto& segment : contour_segments(grid, level)) places.push_back(segment[0]);
+    std::sort(places.begin(), places.end(), [right](const auto& a, const auto& b) { return right ? a[0] > b[0] : a[0] < b[0]; });
+    const std::string text = format_number(level, 6);
+    constexpr std::size_t tries = 12;
+    const std::size_t step = std::max<std::size_t>(1, places.size() / tries);
+    for (std::size_t i = 0; i < places.size(); i += step) {
+        if (chart.note(places[i][0], places[i][1], text, colour, right ? Anchor::start : Anchor::end)) return;
     }
-    return end;
 }
 
 /// Round levels of a response, thin and labelled where they leave the design, and the target, thick.
 void draw_response(Chart& chart, const Plane& plane, const ccd::Model& model, const ccd::Goal& goal, std::size_t index) {
     const Colour colour = palette::series(index);
     const bool right = index % 2 == 0;
+    const double width = right ? 1.4 : 2.8;  // apart without colour
     const GridValues grid = plane.on_grid([&](const std::vector<double>& place) { return model.predict(place); });
     const auto [low, high] = padded_range(grid.value, 0);
     for (const double level : round_ticks(low, high, 6)) {
-        draw_contour(chart, grid, level, Stroke{colour, 1.6});
-        const auto end = far_end(grid, level, right);
-        if (end) chart.note((*end)[0], (*end)[1], format_number(level, 6), colour, right ? Anchor::start : Anchor::end);
+        draw_contour(chart, grid, level, Stroke{colour, width});
+        label_contour(chart, grid, level, right, colour);
     }
-    chart.legend(Stroke{colour, 1.6}, column_label(goal.response));
+    chart.legend(Stroke{colour, width}, column_label(goal.response));
     if (goal.kind != ccd::Goal::Kind::target) return;
-    draw_contour(chart, grid, goal.target, Stroke{colour, 5});
-    chart.legend(Stroke{colour, 5}, "wanted: " + format_number(goal.target, 6));
+    const double thick = right ? 4.5 : 7;
+    draw_contour(chart, grid, goal.target, Stroke{colour, thick});
+    chart.legend(Stroke{colour, thick}, "wanted: " + format_number(goal.target, 6));
 }
 
 std::string optimum_label(const ccd::Problem& problem) {
-    std::string label = "Optimum";
+    std::string label = "optimum";
     for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) {
         const ccd::Factor& factor = problem.runs.factors[k];
-        label +=
-            fmt::format("{} {} {:.4g}", k == 0 ? ":" : ";", column_label(factor.name), factor.value(problem.optima[0].coded[k]));
+        const Axis axis{column_label(factor.name)};
+        label += fmt::format("{} {} {:.4g}{}{}", k == 0 ? ":" : ";", axis.label.substr(0, axis.label.find(", ")),
+                             factor.value(problem.optima[0].coded[k]), axis.unit() == "°" ? "" : " ", axis.unit());
     }
     return label;
 }
 
 }  // namespace
 
-Drawing draw_surface(const ccd::Problem& problem) {
+Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style) {
     if (problem.runs.factors.size() < 2) throw InputError("plot surface: one factor; contours need two");
     const Plane plane(problem);
-    std::vector<std::string> subtitle{fmt::format("desirability {:.4g} by the quadratic models of {} runs",
+    std::vector<std::string> subtitle{optimum_label(problem),
+                                      fmt::format("desirability {:.4g} by the quadratic models of {} runs",
                                                   problem.optima[0].desirability, problem.runs.coded.size())};
     if (problem.optima[0].free_factors > 0) {
         subtitle.push_back(
             fmt::format("the goals leave {} of the factors free: nearest to the centre", problem.optima[0].free_factors));
     }
     if (problem.runs.factors.size() > 2) subtitle.emplace_back("further factors are held at the optimum");
-    Chart chart({optimum_label(problem), subtitle}, plane.axis(0), plane.axis(1));
+    Chart chart(style, {"Response surfaces", subtitle}, plane.axis(0), plane.axis(1));
     draw_region(chart, plane, problem);
     for (std::size_t i = 0; i < problem.models.size(); ++i) {
         draw_response(chart, plane, problem.models[i], problem.goals[i], i);
@@ -165,9 +171,11 @@ Command surface_plot() {
         [](CLI::App& app, Options& options) {
             add_model(app, options.problem.model);
             add_goals(app, options.problem.goals);
-            add_picture(app, options);
+            add_chart(app, options);
         },
-        [](const Options& options, const Call& call) { return draw_surface(ccd::solve_problem(call.file(), options.problem)); });
+        [](const Options& options, const Call& call) {
+            return draw_surface(ccd::solve_problem(call.file(), options.problem), options.style);
+        });
 }
 
 }  // namespace graincrack

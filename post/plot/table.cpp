@@ -1,6 +1,7 @@
 #include "post/plot/table.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
@@ -18,17 +19,37 @@ struct Curve {
     std::vector<double> y;
 };
 
-std::vector<Curve> curves_of(const std::vector<std::string>& files, const TablePlotOptions& options) {
+std::vector<Curve> curves_of(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style) {
     std::vector<Curve> curves;
     for (const std::string& file : files) {
         const TableFile table(file);
-        const std::string name = std::filesystem::path(table.name()).filename().string();
+        std::string name = style.label_of(file);
+        if (name.empty()) name = std::filesystem::path(table.name()).filename().string();
         for (const std::string& y : options.y) {
-            const std::string label = files.size() == 1 ? column_label(y) : name + ": " + column_label(y);
+            std::string label = files.size() > 1 || !style.labels.empty() ? name : "";
+            if (label.empty() || options.y.size() > 1) label += (label.empty() ? "" : ": ") + column_label(y);
             curves.push_back({label, table.numbers_or_nan(options.x), table.numbers_or_nan(y)});
         }
     }
     return curves;
+}
+
+/// Label of an axis that several columns share: their names, or, where these are long, their unit.
+std::string common_label(const std::vector<std::string>& columns) {
+    if (columns.size() == 1) return column_label(columns[0]);
+    std::string names;
+    std::optional<std::string> unit;
+    bool same = true;
+    for (const std::string& column : columns) {
+        const Axis axis{column_label(column)};
+        same = same && (!unit || *unit == axis.unit());
+        unit = axis.unit();
+        names += (names.empty() ? "" : "; ") + axis.label.substr(0, axis.label.find(", "));
+    }
+    if (!same) return "";  // the legend says the unit of each
+    constexpr std::size_t long_label = 50;
+    if (names.size() > long_label) names = unit->empty() ? "" : "value";
+    return names + (unit->empty() || names.empty() ? "" : ", " + *unit);
 }
 
 Axis axis_over(const std::vector<Curve>& curves, const std::string& label, std::vector<double> Curve::*column) {
@@ -40,13 +61,13 @@ Axis axis_over(const std::vector<Curve>& curves, const std::string& label, std::
 
 }  // namespace
 
-Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options) {
-    const std::vector<Curve> curves = curves_of(files, options);
-    const std::string y_label = options.y.size() == 1 ? column_label(options.y[0]) : "";
-    Chart chart({}, axis_over(curves, column_label(options.x), &Curve::x), axis_over(curves, y_label, &Curve::y));
+Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style) {
+    const std::vector<Curve> curves = curves_of(files, options, style);
+    const std::string y_label = common_label(options.y);
+    Chart chart(style, {}, axis_over(curves, column_label(options.x), &Curve::x), axis_over(curves, y_label, &Curve::y));
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Marker marker{palette::series(i), marker_shape(i)};
-        const Stroke stroke{palette::series(i), 4};
+        const Stroke stroke = series_stroke(i);
         if (options.points) {
             chart.points(curves[i].x, curves[i].y, marker);
             chart.legend(marker, curves[i].label);
@@ -72,9 +93,10 @@ Command table_plot() {
             add_names(app, "--y", options.columns.y, "NAME", "column along y; may be given again");
             app.get_option("--y")->required();
             app.add_flag("--points", options.columns.points, "points instead of lines");
-            add_picture(app, options);
+            add_chart(app, options);
+            add_labels(app, options);
         },
-        [](const Options& options, const Call& call) { return draw_tables(call.files, options.columns); });
+        [](const Options& options, const Call& call) { return draw_tables(call.files, options.columns, options.style); });
 }
 
 }  // namespace graincrack

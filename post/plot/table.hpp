@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 
 namespace graincrack {
@@ -16,7 +17,7 @@ struct TablePlotOptions {
 };
 
 /// One curve for each column y of each table. \throws InputError for a missing column or one without numbers
-Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options);
+Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style = {});
 
 Command table_plot();
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
@@ -55,52 +56,67 @@ std::vector<Mark> marks_of(const RunData& run, const LoadCurve& curve) {
     const Colour two = palette::series(1);
     const Colour three = palette::series(2);
     return {{"initiation, crack count", initiation_by_count(run, curve), {palette::tensile, MarkerShape::triangle, 20}},
-            {"initiation, crack strain 2D", plane.initiation_by_crack_strain, {two, MarkerShape::triangle, 20}},
-            {"initiation, crack strain pseudo-3D", pseudo.initiation_by_crack_strain, {three, MarkerShape::triangle, 20}},
+            {"initiation, crack strain 2D", plane.initiation_by_crack_strain, {two, MarkerShape::disc, 20}},
+            {"initiation, crack strain pseudo-3D", pseudo.initiation_by_crack_strain, {three, MarkerShape::diamond, 20}},
             {"initiation, lateral response pseudo-3D", pseudo.initiation_by_lateral_response, {three, MarkerShape::cross, 20}},
             {"damage 2D", plane.damage, {two, MarkerShape::square, 20}},
-            {"damage pseudo-3D", pseudo.damage, {three, MarkerShape::square, 20}}};
+            {"damage pseudo-3D", pseudo.damage, {three, MarkerShape::leaves, 20}}};
 }
 
-}  // namespace
+/// The frames of both charts begin at one place.
+constexpr double left_edge = 140;
 
-Drawing draw_thresholds(const RunData& run) {
-    if (!is_compression(run.header)) {
-        throw InputError(run.name + ": a " + run.header.test + " test; thresholds are read from uniaxial and triaxial ones");
-    }
-    const LoadCurve curve = load_curve(run);
-    const Strains s = strains_of(curve);
-    std::vector<double> volumes = s.plane;
-    volumes.insert(volumes.end(), s.pseudo_3d.begin(), s.pseudo_3d.end());
-    const auto [low, high] = padded_range(volumes, 0.05);
-    const double floor = std::max(low, -0.4 * high);  // bursting after the peak would compress the part of interest
-    const double top = 1.1 * largest(s.stress);
-    Chart chart({test_title(run.header),
+Drawing stress_chart(const RunData& run, const LoadCurve& curve, const Strains& s, const Axis& x, const PictureStyle& style) {
+    Chart chart(style,
+                {test_title(run.header),
                  {"plane " + std::string(name_of(run.header.plane)) + ": 2D values do not compare with laboratory ones"}},
-                Axis{"axial strain (gauge), %", 0, largest(s.axial)}, Axis{"stress, MPa", floor / high * top, top},
-                Axis{"volumetric strain, %", floor, high});
+                x, Axis{"stress, MPa", 0, 1.1 * largest(s.stress)}, {.min_left = left_edge});
     const Stroke load{palette::series(0), 4.5};
-    const Stroke plane{palette::series(1), 3.5};
-    const Stroke pseudo{palette::series(2), 3.5, true};
-    chart.line(s.axial, s.plane, plane, Chart::Side::right);
-    chart.line(s.axial, s.pseudo_3d, pseudo, Chart::Side::right);
     chart.line(s.axial, s.stress, load);
-    chart.legend(load, "stress");
-    chart.legend(plane, "ε1 + ε3 (2D)");
-    chart.legend(pseudo, "ε1 + 2ε3 (pseudo-3D)");
     for (const Mark& mark : marks_of(run, curve)) {
         if (!mark.stress) continue;
         const double stress = *mark.stress * 1e-6;
-        chart.points(std::vector<double>{strain_at(s, stress)}, std::vector<double>{stress}, mark.marker);
+        chart.point_apart(strain_at(s, stress), stress, mark.marker);
         chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.label, stress));
     }
     return chart.finish();
 }
 
+Drawing volume_chart(const Strains& s, const Axis& x, PictureStyle style) {
+    style = style.of_part(style.page_width);
+    style.y_limits.reset();
+    std::vector<double> volumes = s.plane;
+    volumes.insert(volumes.end(), s.pseudo_3d.begin(), s.pseudo_3d.end());
+    const auto [low, high] = padded_range(volumes, 0.05);
+    const double floor = std::max(low, -0.4 * high);  // bursting after the peak would compress the part of interest
+    Chart chart(style, {}, x, Axis{"volumetric strain, %", floor, high},
+                {.height = 11 * std::sqrt(style.page_width), .min_left = left_edge});
+    const Stroke plane{palette::series(1), 3.5};
+    const Stroke pseudo{palette::series(2), 3.5, Dash::dashed};
+    chart.line(s.axial, s.plane, plane);
+    chart.line(s.axial, s.pseudo_3d, pseudo);
+    chart.legend(plane, "ε1 + ε3 (2D)");
+    chart.legend(pseudo, "ε1 + 2ε3 (pseudo-3D)");
+    return chart.finish();
+}
+
+}  // namespace
+
+Drawing draw_thresholds(const RunData& run, const PictureStyle& style) {
+    if (!is_compression(run.header)) {
+        throw InputError(run.name + ": a " + run.header.test + " test; thresholds are read from uniaxial and triaxial ones");
+    }
+    const LoadCurve curve = load_curve(run);
+    const Strains s = strains_of(curve);
+    const Axis x{"axial strain (gauge), %", 0, largest(s.axial)};
+    return stacked({stress_chart(run, curve, s, x, style), volume_chart(s, x, style)});
+}
+
 Command thresholds_plot() {
-    return make_plot("thresholds", "crack initiation and damage on stress and volumetric strain",
-                     {"uniaxial.h5 -o thresholds.png", "triaxial.h5 -o thresholds.svg"}, one_run,
-                     [](const Call& call) { return draw_thresholds(read_run_data(call.file())); });
+    return make_plot<PlotOptions>(
+        "thresholds", "crack initiation and damage on stress and volumetric strain",
+        {"uniaxial.h5 -o thresholds.png", "triaxial.h5 -o thresholds.svg"}, one_run, add_chart,
+        [](const PlotOptions& options, const Call& call) { return draw_thresholds(read_run_data(call.file()), options.style); });
 }
 
 }  // namespace graincrack

@@ -2,14 +2,15 @@
 #pragma once
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
 
 namespace graincrack {
 
-/// Stress and volumetric strain, 2D and pseudo-3D, against gauge strain up to just past the peak, with the thresholds by
-/// name. \throws InputError for a test that is no compression test
-Drawing draw_thresholds(const RunData& run);
+/// Above, the stress against gauge strain up to just past the peak, with the thresholds by name; below, the volumetric strain, 2D
+/// and pseudo-3D. \throws InputError for a test that is no compression test
+Drawing draw_thresholds(const RunData& run, const PictureStyle& style = {});
 
 Command thresholds_plot();
 

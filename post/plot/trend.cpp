@@ -33,7 +33,7 @@ std::string interval_label(const std::string& name, const Estimate& e) {
 }
 
 /// The line and the bounds of its mean, over the range of the group.
-void draw_fit(Chart& chart, const TrendRows& rows, const Trend& trend, Colour colour) {
+void draw_fit(Chart& chart, const TrendRows& rows, const Trend& trend, const Stroke& stroke) {
     constexpr int steps = 60;
     const auto [low, high] = std::minmax_element(rows.x.begin(), rows.x.end());
     std::vector<double> x;
@@ -46,15 +46,15 @@ void draw_fit(Chart& chart, const TrendRows& rows, const Trend& trend, Colour co
         y[1].push_back(e.low.value_or(std::nan("")));
         y[2].push_back(e.high.value_or(std::nan("")));
     }
-    chart.line(x, y[0], Stroke{colour, 4});
-    for (const auto& bound : {y[1], y[2]}) chart.line(x, bound, Stroke{colour, 2, true});
+    chart.line(x, y[0], stroke);
+    for (const auto& bound : {y[1], y[2]}) chart.line(x, bound, Stroke{stroke.colour, 1.6, stroke.dash});
 }
 
 }  // namespace
 
-Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options) {
+Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options, const PictureStyle& style) {
     const std::string what = options.power ? "y = a xᵇ through logarithms" : "y = a + b x by least squares";
-    Chart chart({"", {what + "; dashed: 95 % interval of the mean"}},
+    Chart chart(style, {"", {what + "; thin: 95 % interval of the mean"}},
                 axis_over(all_of(groups, &TrendRows::x), column_label(options.x), options.power),
                 axis_over(all_of(groups, &TrendRows::y), column_label(options.y), options.power));
     std::size_t drawn = 0;
@@ -62,9 +62,10 @@ Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& opt
         if (rows.x.empty()) continue;
         const Colour colour = palette::series(drawn);
         const Marker marker{colour, marker_shape(drawn)};
+        const Stroke stroke = series_stroke(drawn);
         ++drawn;
         const auto trend = fit_trend(rows.x, rows.y, options.power);
-        if (trend) draw_fit(chart, rows, *trend, colour);
+        if (trend) draw_fit(chart, rows, *trend, stroke);
         chart.points(rows.x, rows.y, marker);
         std::string label = rows.group.empty() ? "" : rows.group + ": ";
         label += trend ? interval_label("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)
@@ -85,10 +86,10 @@ Command trend_plot() {
         trend_tables,
         [](CLI::App& app, Options& options) {
             add_trend(app, options.trend);
-            add_picture(app, options);
+            add_chart(app, options);
         },
         [](const Options& options, const Call& call) {
-            return draw_trend(collect_trends(call.files, options.trend, call.diagnostics()), options.trend);
+            return draw_trend(collect_trends(call.files, options.trend, call.diagnostics()), options.trend, options.style);
         });
 }
 

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/fit/trend.hpp"
 
 namespace graincrack {
 
 /// Points, line and 95 % interval of the mean for each group; both scales logarithmic for a power law.
-Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options);
+Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options, const PictureStyle& style = {});
 
 Command trend_plot();
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "post/measure/grain_size.hpp"
 #include "post/report/html.hpp"
 
 namespace graincrack {
@@ -18,13 +19,26 @@ using Value = std::function<std::optional<double>(const TestReport&)>;
 constexpr double mega = 1e-6;
 constexpr double degrees = 180 / std::numbers::pi;
 
-std::vector<double> collect(const std::vector<TestReport>& tests, const Value& value) {
-    std::vector<double> values;
-    for (const TestReport& t : tests) {
-        if (const auto v = value(t)) values.push_back(*v);
+/// The runs of one grain size.
+struct SizedTests {
+    std::string size;  ///< "edge 5 mm"; empty if all are of one size
+    std::vector<const TestReport*> tests;
+};
+
+std::vector<SizedTests> by_size(const std::vector<TestReport>& tests) {
+    std::vector<double> edges;
+    for (const TestReport& t : tests) edges.push_back(t.data.specimen.mean_edge);
+    const std::vector<GrainSize> sizes = grain_sizes(edges);
+    std::vector<SizedTests> sets;
+    for (const GrainSize& size : sizes) {
+        SizedTests set{sizes.size() > 1 ? size.label : "", {}};
+        for (const std::size_t i : size.runs) set.tests.push_back(&tests[i]);
+        sets.push_back(std::move(set));
     }
-    return values;
+    return sets;
 }
+
+std::string with_size(const std::string& label, const std::string& size) { return size.empty() ? label : label + ", " + size; }
 
 /// Rows of one of the tables.
 class Column {
@@ -33,13 +47,21 @@ public:
         : material_(material),
           table_({"quantity", "model\u00a0(s.d.;\u00a0n)\n95\u00a0%\u00a0interval", "laboratory", "difference"}) {}
 
-    /// A sample over runs. \param key of [laboratory], "" for none \param factor from SI to the unit of the row
-    void add(const std::string& label, const std::vector<double>& values, const std::string& key, double factor) {
-        if (values.empty()) return;
-        const Sample s = sample(values);
-        std::string mean = number(s.mean.value * factor);
-        mean += s.deviation ? fmt::format(" ({}; {})", number(*s.deviation * factor, 2), s.n) : " (1 run)";
-        row(label, mean, s.mean, key, factor);
+    /// Samples over runs, a row for each grain size. \param key of [laboratory], "" for none \param factor from SI to the unit
+    /// of the row
+    void add(const std::string& label, const std::vector<SizedTests>& sets, const Value& value, const std::string& key,
+             double factor) {
+        for (const SizedTests& set : sets) {
+            std::vector<double> values;
+            for (const TestReport* t : set.tests) {
+                if (const auto v = value(*t)) values.push_back(*v);
+            }
+            if (values.empty()) continue;
+            const Sample s = sample(values);
+            std::string mean = number(s.mean.value * factor);
+            mean += s.deviation ? fmt::format(" ({}; {})", number(*s.deviation * factor, 2), s.n) : " (1 run)";
+            row(with_size(label, set.size), mean, s.mean, key, factor);
+        }
     }
     /// A fit over the set.
     void add(const std::string& label, const Estimate& value, const std::string& key, double factor) {
@@ -88,45 +110,47 @@ std::vector<double> pressures(const std::vector<TestReport>& tests) {
 /// Where a row belongs: the column of its property.
 using ColumnOf = std::function<Column&(const std::string& property)>;
 
-void add_strengths(const ColumnOf& column, const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope) {
-    column("tensile_strength").add("σt, Brazilian, MPa", collect(tests, strength_of("brazilian", 0)), "tensile_strength", mega);
-    column("compressive_strength").add("UCS, MPa", collect(tests, strength_of("uniaxial", 0)), "compressive_strength", mega);
+void add_strengths(const ColumnOf& column, const std::vector<TestReport>& tests, const std::vector<SizedTests>& sets,
+                   const std::vector<SizedEnvelope>& envelopes) {
+    column("tensile_strength").add("σt, Brazilian, MPa", sets, strength_of("brazilian", 0), "tensile_strength", mega);
+    column("compressive_strength").add("UCS, MPa", sets, strength_of("uniaxial", 0), "compressive_strength", mega);
     for (const double p : pressures(tests)) {
         column(fmt::format("confined_strength_{:g}MPa", p * mega))
-            .add(fmt::format("σ1 at {} MPa, MPa", number(p * mega)), collect(tests, strength_of("triaxial", p)), "", mega);
+            .add(fmt::format("σ1 at {} MPa, MPa", number(p * mega)), sets, strength_of("triaxial", p), "", mega);
     }
-    if (envelope) {  // follows from UCS and strengths under pressure
-        column("envelope").add("C, MPa", envelope->cohesion, "cohesion", mega);
-        column("envelope").add("φ, °", envelope->friction_angle, "friction_angle", degrees);
+    for (const SizedEnvelope& each : envelopes) {  // follows from UCS and strengths under pressure
+        column("envelope").add(with_size("C, MPa", each.size), each.envelope.cohesion, "cohesion", mega);
+        column("envelope").add(with_size("φ, °", each.size), each.envelope.friction_angle, "friction_angle", degrees);
     }
-    column("direct_tensile_strength").add("direct tensile strength, MPa", collect(tests, strength_of("tension", 0)), "", mega);
+    column("direct_tensile_strength").add("direct tensile strength, MPa", sets, strength_of("tension", 0), "", mega);
 }
 
-void add_moduli(const ColumnOf& column, const std::vector<TestReport>& tests) {
-    const auto uniaxial = [&](const Value& value) {
-        return collect(tests, [&](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; });
+void add_moduli(const ColumnOf& column, const std::vector<SizedTests>& sets) {
+    const auto uniaxial = [](const Value& value) {
+        return [value](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; };
     };
     const auto modulus = [](double ElasticPair::*member) {
         return [member](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.*member) : std::nullopt; };
     };
-    column("young_modulus").add("E, chord to ½ peak, GPa", uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
-    column("poisson_ratio").add("ν, chord to ½ peak", uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
+    column("young_modulus")
+        .add("E, chord to ½ peak, GPa", sets, uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
+    column("poisson_ratio").add("ν, chord to ½ peak", sets, uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
     column("crack_initiation")
-        .add("crack initiation (1 % of cracks), MPa", uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
+        .add("crack initiation (1 % of cracks), MPa", sets, uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
     for (std::size_t level = 0; level < std::tuple_size_v<InitiationByDamage>; ++level) {
         constexpr const char* percents[] = {"10", "50", "90"};
         column("crack_initiation")
-            .add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]),
+            .add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]), sets,
                  uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", mega);
     }
     column("crack_damage")
-        .add("crack damage (2D volume), MPa",
+        .add("crack damage (2D volume), MPa", sets,
              uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "", mega);
 }
 
 }  // namespace
 
-std::string comparison_columns(const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope,
+std::string comparison_columns(const std::vector<TestReport>& tests, const std::vector<SizedEnvelope>& envelopes,
                                const std::optional<Material>& material) {
     Column fitted(material);
     Column others(material);
@@ -136,8 +160,9 @@ std::string comparison_columns(const std::vector<TestReport>& tests, const std::
     const ColumnOf column_of = [&](const std::string& property) -> Column& {
         return known.count(property) > 0 || (property == "envelope" && line_is_fitted) ? fitted : others;
     };
-    add_strengths(column_of, tests, envelope);
-    add_moduli(column_of, tests);
+    const std::vector<SizedTests> sets = by_size(tests);
+    add_strengths(column_of, tests, sets, envelopes);
+    add_moduli(column_of, sets);
     if (known.empty()) {
         return "<div class=\"columns\">\n" +
                others.str("Results",

@@ -10,10 +10,17 @@
 
 namespace graincrack {
 
+/// The envelope of the compression tests of one grain size.
+struct SizedEnvelope {
+    std::string size;  ///< "edge 5 mm"; empty if all runs are of one size
+    EnvelopeTests tests;
+    Envelope envelope;
+};
+
 /// Fitted: what [fitted] of the material names. Predicted: everything else. One column if the material has no [fitted].
 /// Each with mean, standard deviation, 95 % interval and, if a material is given, the laboratory's value.
-/// \param envelope of the set, if it has one
-std::string comparison_columns(const std::vector<TestReport>& tests, const std::optional<Envelope>& envelope,
+/// Each grain size has rows of its own. \param envelopes of the grain sizes that have one
+std::string comparison_columns(const std::vector<TestReport>& tests, const std::vector<SizedEnvelope>& envelopes,
                                const std::optional<Material>& material);
 
 }  // namespace graincrack

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "post/chart/page.hpp"
 #include "post/chart/picture.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
@@ -16,32 +17,31 @@ namespace {
 
 const char* const style = R"css(
 :root { color-scheme: light; }
-body { font: 16px/1.5 "Liberation Sans", Arial, Helvetica, sans-serif; color: #1e1e1e; background: #fff; margin: 0 auto;
-       max-width: 1080px; padding: 24px; }
+body { font: 15px/1.45 "Liberation Sans", Arial, Helvetica, sans-serif; color: #1e1e1e; background: #fff; margin: 0 auto;
+       max-width: 1160px; padding: 24px; }
 h1 { font-size: 26px; margin: 0 0 4px; }
-h2 { font-size: 20px; margin: 36px 0 8px; padding-top: 12px; border-top: 2px solid #1e1e1e; }
-p { max-width: 72ch; margin: 6px 0; }
+h2 { font-size: 20px; margin: 32px 0 8px; padding-top: 10px; border-top: 2px solid #1e1e1e; }
+h3 { font-size: 16px; margin: 14px 0 4px; }
+p { margin: 6px 0; }
 p.lead { color: #555; }
-nav a { margin-right: 14px; color: #0072b2; }
-table { border-collapse: collapse; margin: 10px 0 18px; font-size: 14px; font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; margin: 8px 0 16px; font-size: 14px; font-variant-numeric: tabular-nums; }
 th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; }
-td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; white-space: nowrap; }
-.long td:last-child { white-space: normal; overflow-wrap: anywhere; }
-.checks td, .columns td, .columns th { white-space: pre-line; }
-.columns > div { flex: 1 1 0; min-width: 430px; }
+td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; }
+th, td:not(:first-child) { white-space: pre-line; }
+.long td:last-child { overflow-wrap: anywhere; }
 .wide { overflow-x: auto; }
 .checks { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
-.figures { display: flex; flex-wrap: wrap; gap: 20px; align-items: flex-start; }
-img { max-width: 100%; }
-figure { margin: 10px 0; width: 500px; max-width: 100%; }
-figure.wide { width: 760px; }
+.columns { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 32px; align-items: start; }
+.figures { column-count: 2; column-gap: 32px; }
+.figures .across { column-span: all; }
+.columns > div:only-child { grid-column: 1 / -1; }
+figure { margin: 6px 0 14px; min-width: 0; max-width: 564px; break-inside: avoid; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
-.study table { display: block; overflow-x: auto; }
-.study td { white-space: normal; min-width: 5ch; }
-.columns { display: flex; flex-wrap: wrap; gap: 0 40px; }
-.columns th, .columns td, .checks th, .checks td { padding-right: 10px; }
-@media print { h2 { break-after: avoid; } figure, table { break-inside: avoid; } body { max-width: none; } nav { display: none; } }
+@media (max-width: 860px) { .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
+@media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
+       .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3 { break-after: avoid; }
+       figure, tr, .kind { break-inside: avoid; } }
 )css";
 
 using Bytes = std::vector<unsigned char>;
@@ -79,15 +79,32 @@ std::string Table::str() const {
     out += "</tr>\n";
     for (const auto& row : rows_) {
         out += "<tr>";
-        for (const std::string& cell : row) out += "<td>" + (cell.empty() ? "–" : escaped(cell)) + "</td>";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const bool last_of_few = i + 1 == row.size() && row.size() < columns_.size();
+            out += last_of_few ? fmt::format("<td colspan=\"{}\">", columns_.size() - i) : "<td>";
+            out += (row[i].empty() ? "–" : escaped(row[i])) + "</td>";
+        }
         out += "</tr>\n";
     }
     return out + "</table></div>\n";
 }
 
+PictureStyle figure_style(bool wide) {
+    constexpr double pixels_of_letters = 13.5;  // as in tables
+    PictureStyle style;
+    style.page_width = std::round((wide ? 1110 : 540) * letters::text / pixels_of_letters);
+    return style;
+}
+
 std::string figure(const Drawing& drawing, const std::string& caption, bool wide) {
-    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", wide ? " class=\"wide\"" : "",
+    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", wide ? " class=\"across\"" : "",
                        image(drawing, caption), escaped(caption));
+}
+
+std::string figures(const std::string& content) { return "<div class=\"figures\">\n" + content + "</div>\n"; }
+
+std::string figures_of(const std::string& heading, const std::string& content) {
+    return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + figures(content) + "</div>\n";
 }
 
 std::string section(const std::string& id, const std::string& heading, const std::string& content) {

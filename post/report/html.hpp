@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
 
 namespace graincrack::html {
 
@@ -16,6 +17,8 @@ public:
     /// \param wraps long cells are broken into lines
     explicit Table(std::vector<std::string> columns, bool wraps = false) : columns_(std::move(columns)), wraps_(wraps) {}
     void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+    /// A row whose second cell holds for all other columns.
+    void row_for_all(const std::string& first, const std::string& second) { rows_.push_back({first, second}); }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] std::string str() const;
 
@@ -25,8 +28,14 @@ private:
     bool wraps_;
 };
 
+/// The page of a picture in one column of the report, or across both: its letters are as large as those of tables.
+PictureStyle figure_style(bool wide = false);
 /// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG.
 std::string figure(const Drawing& drawing, const std::string& caption, bool wide = false);
+/// Figures in two columns, in one where the window is narrow.
+std::string figures(const std::string& content);
+/// The same under a heading of their own, on one page of a print.
+std::string figures_of(const std::string& heading, const std::string& content);
 
 /// A section with a heading; `id` is its place for links.
 std::string section(const std::string& id, const std::string& heading, const std::string& content);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 
+#include "post/measure/grain_size.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/report/html.hpp"
 #include "solver/law/table.hpp"
@@ -19,9 +19,6 @@ namespace {
 using html::number;
 
 std::string percent(double share) { return number(100 * share, 3) + "\u00a0%"; }
-
-/// Names of the tests for the heads of columns: the names of files of a set show in what they differ.
-std::string short_name(const TestReport& t) { return std::filesystem::path(t.data.name).stem().string(); }
 
 std::string law_label(const RunHeader& header) {
     const auto& laws = all_contact_laws();
@@ -56,25 +53,17 @@ std::string sliding_label(const CrackBalance& b) {
                : "no tensile cracks";
 }
 
-std::string pair_label(double one, double other) { return whole_contacts(one) + " : " + whole_contacts(other); }
-
-std::string mode_label(const std::optional<ModeCounts>& counts) {
-    return counts ? pair_label(counts->tensile, counts->shear) : "not recorded";
+std::vector<double> modes(const std::optional<ModeCounts>& counts) {
+    if (!counts) return {};
+    return {counts->tensile, counts->shear};
 }
 
 std::string rate_label(const RunHeader& h) {
-    const std::string speed = number(h.platen_speed * 1e3) + " mm/s";
-    if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance) + ", mean " + speed;
-    return h.rate == "blocks" ? "blocks, " + speed + " within" : speed;
+    if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance);
+    return h.rate == "blocks" ? "blocks" : "constant";
 }
 
 std::string damping_label(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
-
-std::string scaling_label(const RunHeader& header) {
-    if (header.mass_scaling == "none") return "none";
-    return header.mass_scaling + ", " + number(header.mass_scaling_factor) + "; mass added " + number(100 * header.added_mass) +
-           " %";
-}
 
 /// The settings that change the peak most, if the run was made with --sensitivity.
 std::string sensitivity_label(const TestReport& t) {
@@ -88,12 +77,17 @@ std::string sensitivity_label(const TestReport& t) {
     return label.empty() ? "not asked for (--sensitivity)" : label;
 }
 
-/// A row of the checks: a text, or a number with its unit, of each run. NaN: does not apply.
+using Runs = std::vector<const TestReport*>;
+
+/// A row of the checks: of each run a text, a number with its unit (NaN: does not apply), or numbers of contacts (none: not
+/// recorded); or a text for runs of one kind.
 struct Check {
     const char* name;
-    std::function<std::string(const TestReport&)> label;
+    std::function<std::string(const TestReport&)> label = nullptr;
     std::function<double(const TestReport&)> value = nullptr;
     const char* unit = "";
+    std::function<std::vector<double>(const TestReport&)> contacts = nullptr;
+    std::function<std::string(const Runs&)> of_all = nullptr;
 };
 
 std::string range_label(double low, double high, const std::string& unit) {
@@ -103,8 +97,49 @@ std::string range_label(double low, double high, const std::string& unit) {
     return (least == most ? most : least + " to " + most) + unit;
 }
 
-/// The result of a check over some runs: the range of a number, or the different texts, a line each.
-std::string cell_of(const Check& check, const std::vector<const TestReport*>& runs) {
+/// "2 to 5 : 10 to 12": ranges of numbers of contacts over runs.
+std::string contacts_label(const Check& check, const Runs& runs) {
+    std::vector<double> low;
+    std::vector<double> high;
+    for (const TestReport* run : runs) {
+        const std::vector<double> own = check.contacts(*run);
+        if (own.empty()) return "not recorded";
+        if (low.empty()) low = high = own;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            low[i] = std::min(low[i], own[i]);
+            high[i] = std::max(high[i], own[i]);
+        }
+    }
+    std::string label;
+    for (std::size_t i = 0; i < low.size(); ++i) {
+        const std::string least = whole_contacts(low[i]);
+        const std::string most = whole_contacts(high[i]);
+        label += (i == 0 ? "" : " : ") + (least == most ? most : least + " to " + most);
+    }
+    return label;
+}
+
+/// What speaks against the strengths of runs of one kind, and of how many.
+std::string objections_label(const Runs& runs) {
+    std::vector<std::pair<std::string, std::size_t>> kinds;
+    for (const TestReport* run : runs) {
+        for (const Objection& objection : run->objections) {
+            auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == objection.kind; });
+            if (kind == kinds.end()) kind = kinds.insert(kind, {objection.kind, 0});
+            ++kind->second;
+        }
+    }
+    std::string label;
+    for (const auto& [kind, n] : kinds) {
+        label += (label.empty() ? "" : "\n") + fmt::format("{} ({} of {})", kind, n, counted(runs.size(), "run"));
+    }
+    return label;
+}
+
+/// The result of a check over some runs: the range of numbers, or the different texts, a line each.
+std::string cell_of(const Check& check, const Runs& runs) {
+    if (check.of_all) return check.of_all(runs);
+    if (check.contacts) return contacts_label(check, runs);
     if (check.value) {
         double low = std::nan("");
         double high = std::nan("");
@@ -127,7 +162,6 @@ const std::vector<Check>& checks() {
         return [share](const TestReport& t) { return 100 * t.data.header.*share; };
     };
     static const std::vector<Check> all{
-        {"test", [](const TestReport& t) { return series_label(t.data.header.test, t.data.header.confining_pressure); }},
         {"the curve ended by", ending_label},
         {"contact law", [](const TestReport& t) { return law_label(t.data.header); }},
         {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
@@ -139,48 +173,56 @@ const std::vector<Check>& checks() {
         {"confinement achieved, mean ± s.d.", confinement_label},
         {"contact zone over mean edge", nullptr,
          [](const TestReport& t) { return t.contact_zone_length / t.data.specimen.mean_edge; }},
-        {"tensile : shear cracks at the peak",
-         [](const TestReport& t) { return pair_label(t.at_peak.tensile, t.at_peak.shear); }},
+        {.name = "tensile : shear cracks at the peak",
+         .contacts = [](const TestReport& t) -> std::vector<double> {
+             return {t.at_peak.tensile, t.at_peak.shear};
+         }},
         {"tensile cracks with more sliding than opening, at the peak",
          [](const TestReport& t) { return sliding_label(t.at_peak); }},
-        {"failed open : closed, by the end", [](const TestReport& t) { return pair_label(t.branches.open, t.branches.closed); }},
-        {"opened more than slid : not, when they failed, by the end",
-         [](const TestReport& t) { return mode_label(t.failed_by_displacement); }},
-        {"broken open : closed, by the end", [](const TestReport& t) { return mode_label(t.broken); }},
-        {"opened more than slid : not, when they broke, by the end",
-         [](const TestReport& t) { return mode_label(t.broken_by_displacement); }},
-        {"by traction angle < 45° : 45–90° : compressed",
-         [](const TestReport& t) {
-             return pair_label(t.branches.by_tension, t.branches.by_shear) + " : " + whole_contacts(t.branches.compressed);
+        {.name = "failed open : closed, by the end",
+         .contacts = [](const TestReport& t) -> std::vector<double> {
+             return {t.branches.open, t.branches.closed};
+         }},
+        {.name = "opened more than slid : not, when they failed, by the end",
+         .contacts = [](const TestReport& t) { return modes(t.failed_by_displacement); }},
+        {.name = "broken open : closed, by the end", .contacts = [](const TestReport& t) { return modes(t.broken); }},
+        {.name = "opened more than slid : not, when they broke, by the end",
+         .contacts = [](const TestReport& t) { return modes(t.broken_by_displacement); }},
+        {.name = "by traction angle < 45° : 45–90° : compressed",
+         .contacts = [](const TestReport& t) -> std::vector<double> {
+             return {t.branches.by_tension, t.branches.by_shear, t.branches.compressed};
          }},
         {"separated by the end", nullptr, [](const TestReport& t) { return std::ceil(t.branches.separated); }},
-        {"platen speed", [](const TestReport& t) { return rate_label(t.data.header); }},
+        {"rate of loading", [](const TestReport& t) { return rate_label(t.data.header); }},
+        {"platen speed, mean", nullptr, [](const TestReport& t) { return 1e3 * t.data.header.platen_speed; }, "\u00a0mm/s"},
         {"damping", [](const TestReport& t) { return damping_label(t.data.header); }},
-        {"mass scaling", [](const TestReport& t) { return scaling_label(t.data.header); }},
+        {"mass scaling", [](const TestReport& t) { return t.data.header.mass_scaling; }},
+        {"factor of mass scaling", nullptr,
+         [](const TestReport& t) {
+             return t.data.header.mass_scaling == "none" ? std::nan("") : t.data.header.mass_scaling_factor;
+         }},
+        {"mass added", nullptr, percent_of(&RunHeader::added_mass), "\u00a0%"},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
-        {"speaks against the strength", [](const TestReport& t) {
-             std::string lines;
-             for (const Objection& objection : t.objections) {
-                 lines += (lines.empty() ? "" : "\n") + short_name(t) + ": " + objection.text;
-             }
-             return lines;
-         }}};
+        {.name = "speaks against the strength", .of_all = objections_label}};
     return all;
 }
 
-/// Columns of the checks: runs, or, where these are many, runs of one test and confining pressure.
-std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns_of(const std::vector<TestReport>& tests) {
-    constexpr std::size_t max_runs = 4;  // beside the names of the checks within the width of the page
-    std::vector<std::pair<std::string, std::vector<const TestReport*>>> columns;
-    for (const TestReport& t : tests) {
-        const RunHeader& h = t.data.header;
-        const std::string head = tests.size() <= max_runs ? short_name(t) : series_label(h.test, h.confining_pressure);
-        auto column = columns.end();
-        if (tests.size() > max_runs) {
-            column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == head; });
+/// Columns of the checks: runs of one test, confining pressure and, where there are several, grain size.
+std::vector<std::pair<std::string, Runs>> columns_of(const std::vector<TestReport>& tests) {
+    std::vector<double> edges;
+    for (const TestReport& t : tests) edges.push_back(t.data.specimen.mean_edge);
+    const std::vector<GrainSize> sizes = grain_sizes(edges);
+    std::vector<std::pair<std::string, Runs>> columns;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const RunHeader& h = tests[i].data.header;
+        std::string head = series_label(h.test, h.confining_pressure);
+        for (const GrainSize& size : sizes) {
+            const bool holds = std::find(size.runs.begin(), size.runs.end(), i) != size.runs.end();
+            if (sizes.size() > 1 && holds) head += ", " + size.label;
         }
+        auto column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == head; });
         if (column == columns.end()) column = columns.insert(column, {head, {}});
-        column->second.push_back(&t);
+        column->second.push_back(&tests[i]);
     }
     for (auto& [head, runs] : columns) {
         if (runs.size() > 1) head += fmt::format(" ({} runs)", runs.size());
@@ -211,10 +253,16 @@ std::string quality_checks(const std::vector<TestReport>& tests) {
     for (const auto& [name, runs] : columns) head.push_back(name);
     html::Table table(head);
     for (const Check& check : checks()) {
-        std::vector<std::string> row{check.name};
-        for (const auto& [name, runs] : columns) row.push_back(cell_of(check, runs));
-        const bool any = std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) { return !cell.empty(); });
-        if (any) table.row(std::move(row));
+        std::vector<std::string> cells;
+        for (const auto& [name, runs] : columns) cells.push_back(cell_of(check, runs));
+        const bool same = std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) { return cell == cells.front(); });
+        if (same && cells.front().empty()) continue;
+        if (same) {
+            table.row_for_all(check.name, cells.front());
+        } else {
+            cells.insert(cells.begin(), check.name);
+            table.row(std::move(cells));
+        }
     }
     return "<div class=\"checks\">\n" + common_paragraphs(tests) + table.str() + "</div>\n";
 }

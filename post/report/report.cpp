@@ -6,12 +6,13 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <numbers>
+#include <set>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/comparable.hpp"
+#include "post/measure/grain_size.hpp"
 #include "post/measure/objections.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
@@ -42,68 +43,32 @@ struct Content {
     std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
     std::string mesh;             ///< figures of specimens
     std::string maps;             ///< figures of the first run of each series
-    std::optional<Envelope> envelope;
-    std::optional<EnvelopeTests> envelope_tests;
+    std::vector<SizedEnvelope> envelopes;
     std::string envelope_note;
 };
 
-std::string map_figures(const RunReader& run, const TestReport& t, const Specimen& specimen, const CrackLabel& label) {
-    const std::string name = series_label(t.data.header.test, t.data.header.confining_pressure);
+/// A test, its confining pressure and, where there are several, its grain size.
+std::string name_of_row(const SizedStrengths& row) {
+    return series_label(row.group.test, row.group.confining_pressure) + (row.size.empty() ? "" : ", " + row.size);
+}
+
+/// Pictures of one run of a kind, two by two.
+std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabel& label) {
+    const Specimen specimen = run.specimen();
     std::string figures;
     if (run.n_frames() > 0) {
-        figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}),
-                                name + ": cracks before, at and after the peak (" + t.data.name + ")", true);
+        figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}, html::figure_style()),
+                                "cracks before, at and after the peak");
     }
     const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, label);
     if (!cracks.empty()) {
-        figures += html::figure(
-            draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name, definition_of(label)),
-            name + ": directions of the cracks by the end");
+        figures += html::figure(draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name,
+                                             definition_of(label), html::figure_style()),
+                                "directions of the cracks by the end");
     }
-    figures += html::figure(draw_energy(t.data), name + ": energy balance");
-    if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data), name + ": thresholds");
-    return figures;
-}
-
-/// The envelope of the compression tests, if they are there and have peaks; else why not.
-void add_envelope(Content& content, StrainLimitRuns strain_limit_runs) {
-    std::vector<RunData> runs;
-    for (const TestReport& t : content.tests) runs.push_back(t.data);
-    try {
-        EnvelopeTests tests = collect_envelope_tests(runs, {.strain_limit_runs = strain_limit_runs});
-        content.envelope = fit_envelope(tests.confining(), tests.strength());
-        content.envelope_tests = std::move(tests);
-    } catch (const InputError& error) {
-        content.envelope_note = std::string("No envelope: ") + error.what() + ".";
-    }
-}
-
-Content read_content(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
-    Content content;
-    std::map<std::string, bool> seen;
-    Progress progress("report", verbosity);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        throw_if_interrupted();
-        const RunReader run(runs[i]);
-        content.tests.push_back(read_test_report(run));
-        content.curves.push_back(read_labelled_run(run, options.label));
-        const TestReport& t = content.tests.back();
-        require_same_material(t.data, content.tests.front().data, "a report");
-        const Specimen specimen = run.specimen();
-        if (!seen[specimen.shape]) {
-            seen[specimen.shape] = true;
-            content.mesh += html::figure(draw_specimen(specimen), specimen.shape + " of " + t.data.name);
-        }
-        const std::string series = series_label(t.data.header.test, t.data.header.confining_pressure);
-        if (!seen[series]) {
-            seen[series] = true;
-            content.maps += map_figures(run, t, specimen, options.label);
-        }
-        progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
-    }
-    progress.finish();
-    add_envelope(content, options.strain_limit_runs);
-    return content;
+    figures += html::figure(draw_energy(t.data, html::figure_style()), "energy balance");
+    if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data, html::figure_style()), "thresholds");
+    return html::figures_of(name + " (" + t.data.name + ")", figures);
 }
 
 std::vector<RunData> data_of(const Content& content) {
@@ -112,12 +77,66 @@ std::vector<RunData> data_of(const Content& content) {
     return runs;
 }
 
+/// The envelopes of the compression tests of each grain size, if they are there and have peaks; else why not.
+void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
+    const std::vector<RunData> runs = data_of(content);
+    const std::vector<GrainSize> sizes = grain_sizes(runs);
+    for (const GrainSize& size : sizes) {
+        const std::string name = sizes.size() > 1 ? size.label : "";
+        std::vector<RunData> own;
+        for (const std::size_t i : size.runs) own.push_back(runs[i]);
+        try {
+            EnvelopeTests tests = collect_envelope_tests(own, {.strain_limit_runs = strain_limit_runs});
+            const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
+            content.envelopes.push_back({name, std::move(tests), envelope});
+        } catch (const InputError& error) {
+            content.envelope_note +=
+                html::paragraph(fmt::format("No envelope{}: {}.", name.empty() ? "" : " of " + name, error.what()));
+        }
+    }
+}
+
+/// Pictures of the first run of each kind, and of the first specimen of each shape and grain size: no map stands there twice.
+void add_maps(Content& content, const std::vector<std::string>& runs, const CrackLabel& label) {
+    std::set<std::string> seen;
+    for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
+        const std::size_t first = row.runs.front();
+        const RunReader run(runs[first]);
+        const TestReport& t = content.tests[first];
+        const Specimen specimen = run.specimen();
+        const std::string kind = specimen.shape + (row.size.empty() ? "" : ", " + row.size);
+        if (seen.insert(kind).second) {
+            content.mesh += html::figure(draw_specimen(specimen, html::figure_style()), kind + ", of " + t.data.name);
+        }
+        content.maps += map_figures(run, t, name_of_row(row), label);
+    }
+}
+
+Content read_content(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
+    Content content;
+    Progress progress("report", verbosity);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        throw_if_interrupted();
+        const RunReader run(runs[i]);
+        content.tests.push_back(read_test_report(run));
+        content.curves.push_back(read_labelled_run(run, options.label));
+        const TestReport& t = content.tests.back();
+        require_same_material(t.data, content.tests.front().data, "a report");
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
+    }
+    progress.finish();
+    add_maps(content, runs, options.label);
+    add_envelopes(content, options.strain_limit_runs);
+    return content;
+}
+
 std::string key_figures(const Content& content) {
     html::Table table(
         {"test", "plane", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
-    for (const StrengthGroup& g : group_strengths(data_of(content))) {
+    for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
+        const StrengthGroup& g = row.group;
         const Estimate& mean = g.strength.mean;
-        table.row({series_label(g.test, g.confining_pressure), std::string(name_of(g.plane)), std::to_string(g.strength.n),
+        table.row({name_of_row(row), std::string(name_of(g.plane)), std::to_string(g.strength.n),
                    number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
                    mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.without_peak),
                    g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});
@@ -174,15 +193,19 @@ std::string curve_figures(const Content& content, const CrackLabel& label) {
     std::string figures;
     for (const auto& [kind, runs] : kinds) {
         const auto lines = objection_lines(content, [&, of = kind](const RunHeader& h) { return kind_of(h) == of; });
-        figures += html::figure(draw_curves(runs, {}, definition_of(label), lines), "stress and strain: " + kind);
+        figures +=
+            html::figure(draw_curves(runs, {}, definition_of(label), lines, html::figure_style()), "stress and strain: " + kind);
     }
     return figures;
 }
 
 std::string envelope_section(const Content& content) {
-    if (!content.envelope) return html::paragraph(content.envelope_note);
-    return html::figure(draw_envelope(*content.envelope_tests, content.tests.front().data.header.material),
-                        "Mohr circles and envelopes", true);
+    std::string figures;
+    for (const SizedEnvelope& each : content.envelopes) {
+        const std::string title = content.tests.front().data.header.material + (each.size.empty() ? "" : ", " + each.size);
+        figures += html::figure(draw_envelope(each.tests, title, {}, html::figure_style()), "Mohr circles and envelopes");
+    }
+    return (figures.empty() ? "" : html::figures(figures)) + content.envelope_note;
 }
 
 std::string parameter_table(const RunHeader& h) {
@@ -233,8 +256,6 @@ std::string provenance(const Content& content) {
     return table.str();
 }
 
-std::string figures(const std::string& content) { return "<div class=\"figures\">\n" + content + "</div>\n"; }
-
 }  // namespace
 
 std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
@@ -249,16 +270,16 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        "contact law " +
                        html::escaped(header.contact_law) + ". Strengths positive; counts of micro-cracks are contacts.</p>\n";
     body += html::section(
-        "figures", "Key figures",
-        key_figures(content) + objection_paragraphs(content) +
-            html::figure(draw_strengths(data_of(content), material, objection_lines(content)), "strengths by test") +
-            run_table(content));
-    body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelope, material));
+        "figures", "Key figures and curves",
+        key_figures(content) + objection_paragraphs(content) + run_table(content) +
+            html::figures(html::figure(draw_strengths(data_of(content), material, objection_lines(content), html::figure_style()),
+                                       "strengths by test") +
+                          curve_figures(content, options.label)));
+    body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelopes, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
-    body += html::section("curves", "Curves", figures(curve_figures(content, options.label)));
     body += html::section("envelope", "Envelope", envelope_section(content));
-    body += html::section("maps", "Cracks, directions, energy, thresholds", figures(content.maps));
-    body += html::section("mesh", "Specimens", figures(content.mesh));
+    body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);
+    body += html::section("mesh", "Specimens", html::figures(content.mesh));
     body += html::section("inputs", "Parameters", parameters(content));
     body += html::section("provenance", "Provenance", provenance(content));
     return html::page(title, body);

@@ -11,6 +11,8 @@ TEST(Configuration, PrintedOneLoadsAgain) {
              "graincrack-solve triaxial disc.h5 --material augig-granite --confining-pressure 4MPa --damping none -o run.h5",
              "graincrack-post strength --format jsonl",
              "graincrack-post plot cracks --frame 3 --magnify 50 -o cracks.png",
+             "graincrack-post plot curve --x-limits 0,0.3 --label run.h5=dry -o curve.png",
+             "graincrack-post plot curve --title words -o curve.png",
          }) {
         const std::string subcommand = command.substr(0, command.find(" -"));
         const std::string words = subcommand.substr(0, subcommand.find(" disc.h5"));

@@ -23,7 +23,7 @@ std::vector<Polyline> lines_of(const Drawing& drawing, Colour colour) {
 constexpr Colour pen{1, 2, 3};
 
 Chart unit_chart(const std::optional<Axis>& right = std::nullopt) {
-    return {ChartText{"title", {}}, Axis{"x", 0, 1}, Axis{"y", 0, 1}, right};
+    return {PictureStyle{}, ChartText{"title", {}}, Axis{"x", 0, 1}, Axis{"y", 0, 1}, {right}};
 }
 
 TEST(Chart, WhatLeavesTheFrameIsCutAtIt) {
@@ -61,20 +61,62 @@ TEST(Chart, SmallStepsAddUpToTheCurveTheyAre) {
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_GT(lines[0].points.size(), 1000U);
     EXPECT_LT(lines[0].points.size(), 6000U);
-    EXPECT_NEAR(lines[0].points.back().x - lines[0].points.front().x, 815, 1e-6);
+    const double width = lines[0].points.back().x - lines[0].points.front().x;
+    Chart straight = unit_chart();
+    straight.line(std::vector<double>{0, 1}, std::vector<double>{0, 1}, Stroke{pen, 2});
+    const auto whole = lines_of(straight.finish(), pen);
+    EXPECT_NEAR(width, whole[0].points[1].x - whole[0].points[0].x, 1e-6);
 }
 
-TEST(Chart, DashesCoverHalfTheLineAboutAndKeepItsDirection) {
-    Chart chart = unit_chart();
-    chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2, true});
-    double length = 0;
-    const auto lines = lines_of(chart.finish(), pen);
-    EXPECT_GT(lines.size(), 5U);
-    for (const Polyline& line : lines) {
-        length += line.points.back().x - line.points.front().x;
-        EXPECT_NEAR(line.points.back().y, line.points.front().y, 1e-9);
+TEST(Chart, CurvesOfASeriesStayApartInGrey) {
+    for (std::size_t i = 0; i < 5; ++i) {
+        for (std::size_t k = 0; k < i; ++k) EXPECT_NE(series_stroke(i).dash, series_stroke(k).dash) << i << " and " << k;
     }
-    EXPECT_NEAR(length / 815, 1 / 1.8, 0.03);  // dashes of 1 and gaps of 0.8 over the width of the frame, 815 pixels
+    Chart chart = unit_chart();
+    chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2, Dash::dashed});
+    EXPECT_EQ(lines_of(chart.finish(), pen).at(0).dash, Dash::dashed);
+}
+
+TEST(Chart, TicksKeepTheirExponent) {
+    const Ticks small = ticks_of({"opening, m", 0, 8e-14}, 5);
+    EXPECT_EQ(small.label, "opening, 10⁻¹⁵ m");
+    EXPECT_EQ(small.texts, (std::vector<std::string>{"0", "20", "40", "60", "80"}));
+    EXPECT_EQ(ticks_of({"stress", 0, 4e7}, 4).label, "stress, 10⁶");
+    const Ticks plain = ticks_of({"stress, MPa", -50, 150}, 4);
+    EXPECT_EQ(plain.label, "stress, MPa");
+    EXPECT_EQ(plain.texts, (std::vector<std::string>{"−50", "0", "50", "100", "150"}));
+    EXPECT_EQ(ticks_of({"dose", 1e-7, 1e-4, true}, 4).texts, (std::vector<std::string>{"10⁻⁷", "10⁻⁶", "10⁻⁵", "10⁻⁴"}));
+}
+
+TEST(Chart, TextsOfTicksDoNotTouch) {
+    const Axis axis{"x", 0.00010, 0.00018};
+    const double length = 300;
+    const Ticks ticks = ticks_along(axis, length, 26, 12);
+    ASSERT_GT(ticks.values.size(), 1U);
+    for (std::size_t i = 1; i < ticks.values.size(); ++i) {
+        const double apart = length * (axis.share(ticks.values[i]) - axis.share(ticks.values[i - 1]));
+        EXPECT_GT(apart, (text_width(ticks.texts[i], 26) + text_width(ticks.texts[i - 1], 26)) / 2);
+    }
+}
+
+TEST(Chart, MarkersAtOnePlaceStandApart) {
+    Chart chart = unit_chart();
+    const Marker marker{pen, MarkerShape::disc, 20};
+    for (int i = 0; i < 5; ++i) chart.point_apart(0.9, 0.5, marker);
+    const auto discs = lines_of(chart.finish(), pen);
+    ASSERT_EQ(discs.size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(discs[i].points[0].y, discs[0].points[0].y);  // the value can be read at the axis
+        for (std::size_t k = 0; k < i; ++k) EXPECT_GE(std::abs(discs[i].points[0].x - discs[k].points[0].x), 20);
+    }
+}
+
+TEST(Chart, ANoteCoversNoOther) {
+    Chart chart = unit_chart();
+    EXPECT_TRUE(chart.note(0.5, 0.5, "one"));
+    EXPECT_FALSE(chart.note(0.5, 0.51, "two"));
+    EXPECT_FALSE(chart.note(0.99, 0.2, "beyond the frame"));
+    EXPECT_TRUE(chart.note(0.5, 0.7, "three"));
 }
 
 TEST(Chart, TheRightScaleIsItsOwn) {
@@ -87,7 +129,7 @@ TEST(Chart, TheRightScaleIsItsOwn) {
 }
 
 TEST(Chart, LogarithmicScaleSpacesDecadesEvenly) {
-    Chart chart{ChartText{}, Axis{"x", 0.1, 10, true}, Axis{"y", 0, 1}};
+    Chart chart{PictureStyle{}, ChartText{}, Axis{"x", 0.1, 10, true}, Axis{"y", 0, 1}};
     chart.line(std::vector<double>{0.1, 1, 10}, std::vector<double>{0, 0.5, 1}, Stroke{pen, 2});
     const auto lines = lines_of(chart.finish(), pen);
     ASSERT_EQ(lines.size(), 1U);

@@ -153,6 +153,21 @@ TEST(Emission, GutenbergRichterByHand) {
     EXPECT_FALSE(fit_gutenberg_richter({1, 2, 3}, 0).has_value());
 }
 
+TEST(Emission, ALineThatMissesItsDataIsKnown) {
+    const auto fit_of = [](const auto& magnitude_of) {
+        std::vector<double> magnitudes;
+        for (int i = 0; i < 100; ++i) magnitudes.push_back(magnitude_of((i + 0.5) / 100));
+        return fit_gutenberg_richter(magnitudes, -5).value();
+    };
+    // Magnitudes of the exponential distribution at their own shares; and half of them at one place, half far away.
+    const auto line = fit_of([](double share) { return -5 - 0.5 * std::log(1 - share); });
+    EXPECT_LT(line.distance, 0.02);
+    EXPECT_TRUE(line.follows_line());
+    const auto two = fit_of([](double share) { return share < 0.5 ? -4.95 : -3.5; });
+    EXPECT_FALSE(two.follows_line());
+    EXPECT_NEAR(two.distance_by_chance(), 1.094 / (10 + 0.26 + 0.05) + 0.002, 1e-12);  // Stephens (1974), 100 events
+}
+
 TEST(Emission, CompletenessIsTheMostFrequentMagnitude) { EXPECT_NEAR(completeness_of({-6, -5, -5.01, -5.02, -4}), -5.05, 1e-12); }
 
 TEST(CrackBalance, SeparatesModesAndTellsSlidingFromOpening) {

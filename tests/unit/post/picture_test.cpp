@@ -147,6 +147,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
     expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 66.2 MPa"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
+    EXPECT_LT(draw_laws(data.header.contact, "granite", {}).height(), 1900);
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
     expect(draw_specimen(recipe_.specimen), {"256 grains"});
     expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is", "plane strain"});
@@ -214,7 +215,7 @@ TEST_F(Picture, TablesAreDrawnByTheirColumns) {
 TEST_F(Picture, CurveAndSpecimenAreDrawn) {
     write_picture(draw_curves({read_run_data(path("run.h5"))}, {}, ""), path("curve.png"));
     EXPECT_GT(pixels_of(path("curve.png"), palette::series(0)), 2000);
-    EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 500);  // counts of cracks
+    EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 300);  // counts of cracks
     write_picture(draw_specimen(recipe_.specimen), path("specimen.png"));
     EXPECT_GT(pixels_of(path("specimen.png"), palette::grain), 200000);
 }

@@ -1,5 +1,6 @@
 #include "post/report/report.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "post/chart/picture.hpp"
@@ -46,8 +47,7 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
                                   {"augig-granite", StrainLimitRuns::refuse});
-    for (const char* id :
-         {"figures", "columns", "quality-checks", "curves", "envelope", "maps", "mesh", "inputs", "provenance"}) {
+    for (const char* id : {"figures", "columns", "quality-checks", "envelope", "maps", "mesh", "inputs", "provenance"}) {
         expect_texts(html, {"<h2 id=\"" + std::string(id) + "\">"});
     }
     // Namespaces of SVG are names, not addresses that are fetched.
@@ -89,12 +89,30 @@ TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
     test::write_run(runs.back(), recipe("brazilian", 13e6), few);
     const std::string html = page(runs);
     // The energy balance residual is the same in all, separated contacts are half of the cracks; a warning names its run.
-    expect_texts(html,
-                 {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ", "b4: tensile cracks never span",
-                  "Against these strengths: Brazilian: tensile cracks never span 0.8 D (5 of 5 runs)."});
+    expect_texts(html, {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ",
+                        "tensile cracks never span 0.8 D (5 of 5 runs)",
+                        "Against these strengths: Brazilian: tensile cracks never span 0.8 D (5 of 5 runs)."});
     EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
     runs.resize(2);
-    expect_texts(page(runs), {"<th>b0</th><th>b1</th>"});
+    expect_texts(page(runs), {"<th>Brazilian (2 runs)</th>"});
+}
+
+TEST_F(Report, GrainSizesHaveRowsAndColumnsOfTheirOwnAndWhatIsTheSameStandsOnce) {
+    test::Recipe coarse = recipe("uniaxial", 150e6);
+    coarse.specimen.statistics.mean_edge *= 2;
+    const std::string html = page(
+        {run("fine.h5", recipe("uniaxial", 120e6)), run("coarse.h5", coarse), run("fine4.h5", recipe("triaxial", 160e6, 4e6))});
+    const auto edge = [](double length) { return fmt::format("uniaxial, edge {:.2g} mm", 1e3 * length); };
+    const std::string fine = edge(recipe("uniaxial", 1e6).specimen.statistics.mean_edge);
+    const std::string twice = edge(coarse.specimen.statistics.mean_edge);
+    expect_texts(html, {"<td>" + fine + "</td>", "<td>" + twice + "</td>", "<th>" + fine + "</th><th>" + twice + "</th>",
+                        "UCS, MPa, edge ", "<td>contact law</td><td colspan=\"3\">"});
+    std::size_t maps = 0;
+    for (std::size_t i = html.find("cracks before, at and after"); i != std::string::npos;
+         i = html.find("cracks before, at and after", i + 1)) {
+        ++maps;
+    }
+    EXPECT_EQ(maps, 2 * 3U);  // the caption and the words of a picture for each kind
 }
 
 TEST_F(Report, OneTestHasNoEnvelopeAndSaysWhy) {

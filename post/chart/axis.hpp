@@ -1,0 +1,43 @@
+// An axis: its label, the values it spans, its ticks.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "post/chart/picture_style.hpp"
+
+namespace graincrack {
+
+/// One axis: its label with the unit, and the values it spans.
+struct Axis {
+    std::string label;  ///< "axial strain, %"
+    double low = 0;
+    double high = 1;
+    bool logarithmic = false;
+
+    /// Where a value lies: 0 at `low`, 1 at `high`.
+    [[nodiscard]] double share(double value) const;
+    /// What stands behind the comma of the label: "%"; "" for a number without unit.
+    [[nodiscard]] std::string unit() const;
+    /// \throws UsageError for another unit, and for a logarithmic axis from 0 or below
+    [[nodiscard]] Axis limited(const AxisLimits& limits) const;
+};
+
+/// The ticks of an axis with their texts. Very large and very small values have a power of ten in common, which stands in the
+/// label: "opening, 10⁻⁶ m".
+struct Ticks {
+    std::vector<double> values;
+    std::vector<std::string> texts;
+    std::string label;  ///< of the axis
+};
+/// \param wanted about how many
+Ticks ticks_of(const Axis& axis, int wanted);
+/// As many ticks as have room for their texts side by side, at most `wanted`. \param length of the axis, pixels
+Ticks ticks_along(const Axis& axis, double length, double text_size, int wanted);
+
+/// Low and high of values, NaN left out, widened by a share of their distance; {0, 1} without values.
+std::pair<double, double> padded_range(std::span<const double> values, double pad);
+
+}  // namespace graincrack

@@ -1,0 +1,136 @@
+#include "post/chart/page.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "post/chart/font.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr double leading = 1.32;  ///< of lines, to the height of letters
+constexpr double mark_width = 52;
+constexpr double mark_gap = 14;
+constexpr double entry_gap = 34;
+
+/// A word with its middle left out if it is wider than `room`: names of files differ at either end.
+std::string shortened(const std::string& word, double size, double room, bool bold) {
+    if (text_width(word, size, bold) <= room) return word;
+    std::size_t keep = word.size();
+    std::string shorter;
+    do {
+        --keep;
+        std::size_t front = (keep + 1) / 2;
+        std::size_t back = word.size() - keep / 2;
+        const auto inside = [&word](std::size_t at) {
+            return at < word.size() && (static_cast<unsigned char>(word[at]) & 0xc0U) == 0x80U;
+        };
+        while (front > 0 && inside(front)) --front;  // not within a character
+        while (inside(back)) ++back;
+        shorter = word.substr(0, front) + "…" + word.substr(back);
+    } while (keep > 1 && text_width(shorter, size, bold) > room);
+    return shorter;
+}
+
+/// Calls `draw` with each line of a heading: its text, its size, whether it is the title, and its baseline.
+template <class Draw>
+double each_line(const ChartText& text, const Column& column, double top, const Draw& draw) {
+    double y = top;
+    const auto lines = [&](const std::string& label, double size, bool bold) {
+        for (const std::string& line : broken_lines(label, size, column.right - column.left, bold)) {
+            y += leading * size;
+            draw(line, size, bold, y - 0.3 * size);
+        }
+    };
+    if (!text.title.empty()) lines(text.title, letters::title, true);
+    for (const std::string& label : text.subtitle) lines(label, letters::text, false);
+    return y;
+}
+
+void draw_mark(Drawing& drawing, const std::variant<Stroke, Marker, Colour>& mark, Pixel at) {
+    if (const auto* stroke = std::get_if<Stroke>(&mark)) {
+        draw_stroke(drawing, {at, {at.x + mark_width, at.y}}, *stroke);
+    } else if (const auto* marker = std::get_if<Marker>(&mark)) {
+        draw_marker(drawing, {at.x + mark_width / 2, at.y}, *marker);
+    } else {
+        drawing.rectangle({at.x, at.y - 11}, {at.x + mark_width, at.y + 11}, std::get<Colour>(mark));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold) {
+    std::vector<std::string> lines(1);
+    std::istringstream in(text);
+    for (std::string next; in >> next;) {
+        const std::string word = shortened(next, size, room, bold);
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (!lines.back().empty() && text_width(longer, size, bold) > room) {
+            lines.push_back(word);
+        } else {
+            lines.back() = longer;
+        }
+    }
+    return lines;
+}
+
+double draw_heading(Drawing& drawing, const ChartText& text, const Column& column, double top) {
+    return each_line(text, column, top, [&](const std::string& line, double size, bool bold, double baseline) {
+        drawing.text({{column.left, baseline}, line, size, palette::ink, Anchor::start, bold});
+    });
+}
+
+double heading_height(const ChartText& text, const Column& column) {
+    return each_line(text, column, 0, [](const std::string& /*line*/, double /*size*/, bool /*bold*/, double /*baseline*/) {});
+}
+
+LegendEnd draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, const Column& column, double top) {
+    Pixel at{column.left, top};
+    double bottom = top;
+    double end = column.left;
+    for (const LegendEntry& entry : entries) {
+        const double room = column.right - column.left - mark_width - mark_gap;
+        const auto lines = broken_lines(entry.label, letters::text, room);
+        double width = 0;
+        for (const std::string& line : lines) width = std::max(width, text_width(line, letters::text));
+        width += mark_width + mark_gap;
+        if (at.x > column.left && at.x + width > column.right) at = {column.left, bottom};
+        draw_mark(drawing, entry.mark, {at.x, at.y + 0.55 * legend_line});
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const double baseline = at.y + legend_line * (static_cast<double>(i) + 0.78);
+            drawing.text({{at.x + mark_width + mark_gap, baseline}, lines[i], letters::text});
+        }
+        end = at.x + width;
+        at.x = end + entry_gap;
+        bottom = std::max(bottom, at.y + legend_line * static_cast<double>(lines.size()));
+    }
+    return {{end, bottom - 0.22 * legend_line}, bottom};
+}
+
+Drawing stacked(const std::vector<Drawing>& parts) {
+    Drawing page(parts.front().width(), 0);
+    for (const Drawing& part : parts) {
+        page.add(part, {0, static_cast<double>(page.height())});
+        page.set_height(page.height() + part.height());
+    }
+    return page;
+}
+
+Drawing side_by_side(const std::vector<Drawing>& parts) {
+    int width = 0;
+    int height = 0;
+    for (const Drawing& part : parts) {
+        width += part.width();
+        height = std::max(height, part.height());
+    }
+    Drawing page(width, height);
+    double x = 0;
+    for (const Drawing& part : parts) {
+        page.add(part, {x, 0});
+        x += part.width();
+    }
+    return page;
+}
+
+}  // namespace graincrack

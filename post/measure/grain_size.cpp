@@ -1,0 +1,67 @@
+#include "post/measure/grain_size.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace graincrack {
+
+namespace {
+
+bool belongs(const RunHeader& header, const StrengthGroup& group) {
+    return header.test == group.test && header.confining_pressure == group.confining_pressure;
+}
+
+std::vector<RunData> chosen(const std::vector<RunData>& runs, const std::vector<std::size_t>& indices) {
+    std::vector<RunData> some;
+    for (const std::size_t i : indices) some.push_back(runs[i]);
+    return some;
+}
+
+}  // namespace
+
+std::vector<GrainSize> grain_sizes(const std::vector<double>& edges) {
+    constexpr double near = 1.05;
+    std::vector<std::size_t> order(edges.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return edges[a] < edges[b]; });
+    std::vector<GrainSize> sizes;
+    for (const std::size_t i : order) {
+        if (sizes.empty() || !(edges[i] < near * edges[sizes.back().runs.back()])) sizes.emplace_back();
+        sizes.back().runs.push_back(i);
+    }
+    for (GrainSize& size : sizes) {
+        double sum = 0;
+        for (const std::size_t i : size.runs) sum += edges[i];
+        size.label = fmt::format("edge {:.2g} mm", 1e3 * sum / static_cast<double>(size.runs.size()));
+        std::sort(size.runs.begin(), size.runs.end());
+    }
+    return sizes;
+}
+
+std::vector<GrainSize> grain_sizes(const std::vector<RunData>& runs) {
+    std::vector<double> edges;
+    for (const RunData& run : runs) edges.push_back(run.specimen.mean_edge);
+    return grain_sizes(edges);
+}
+
+std::vector<SizedStrengths> group_strengths_by_size(const std::vector<RunData>& runs) {
+    const std::vector<GrainSize> sizes = grain_sizes(runs);
+    std::vector<SizedStrengths> rows;
+    for (const StrengthGroup& test : group_strengths(runs)) {
+        for (const GrainSize& size : sizes) {
+            for (const StrengthGroup& group : group_strengths(chosen(runs, size.runs))) {
+                if (group.test != test.test || group.confining_pressure != test.confining_pressure) continue;
+                SizedStrengths row{group, sizes.size() > 1 ? size.label : "", {}};
+                for (const std::size_t i : size.runs) {
+                    if (belongs(runs[i].header, group)) row.runs.push_back(i);
+                }
+                rows.push_back(std::move(row));
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace graincrack
