@@ -27,7 +27,7 @@ constexpr const char* option_list =
     "--plane --platen-friction --points --pole --power --print-program --probe --program --quiet --rate "
     "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set --sort "
     "--spread --stages --star --strength --study --summary --table --target --threads --time "
-    "--time-step-fraction --unit --vector --verbose --walltime --where --width --x --y";
+    "--time-step-fraction --title --unit --vector --verbose --walltime --where --width --x --x-limits --y --y-limits";
 
 std::string option_of(std::string_view variable) {
     std::string option(variable.substr(prefix.size()));

@@ -38,6 +38,9 @@ th, td:not(:first-child) { white-space: pre-line; }
 figure { margin: 6px 0 14px; min-width: 0; max-width: 564px; break-inside: avoid; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
+img { max-width: 100%; }
+.study table { display: block; overflow-x: auto; }
+.study td { white-space: normal; min-width: 5ch; }
 @media (max-width: 860px) { .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
        .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3 { break-after: avoid; }
