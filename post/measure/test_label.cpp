@@ -44,8 +44,9 @@ std::vector<std::string> names_apart(const std::vector<RunData>& runs) {
         std::map<std::string, std::vector<std::size_t>> same;
         for (std::size_t i = 0; i < runs.size(); ++i) same[names[i]].push_back(i);
         for (const auto& [name, members] : same) {
-            const bool differs = std::any_of(members.begin(), members.end(),
-                                             [&](std::size_t i) { return trait(runs[i]) != trait(runs[members.front()]); });
+            const std::string first = trait(runs[members.front()]);
+            const bool differs =
+                std::any_of(members.begin(), members.end(), [&](std::size_t i) { return trait(runs[i]) != first; });
             for (const std::size_t i : members) names[i] += differs ? ", " + trait(runs[i]) : "";
         }
     }

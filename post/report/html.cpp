@@ -15,7 +15,7 @@ namespace graincrack::html {
 
 namespace {
 
-const char* const style = R"css(
+const char* const style_sheet = R"css(
 :root { color-scheme: light; }
 body { font: 15px/1.45 "Liberation Sans", Arial, Helvetica, sans-serif; color: #1e1e1e; background: #fff; margin: 0 auto;
        max-width: 1160px; padding: 24px; }
@@ -121,7 +121,7 @@ std::string page(const std::string& title, const std::string& body) {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, "
         "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-        escaped(title), style, body);
+        escaped(title), style_sheet, body);
 }
 
 std::string number(double value, int digits) {
