@@ -1,4 +1,4 @@
-// The command line of graincrack-solve: a line of the input is an argument. A configuration file is the material's scratch file.
+// The command line of graincrack-solve: a line of the input is an argument.
 #include <vector>
 
 #include "solver/solve_options.hpp"

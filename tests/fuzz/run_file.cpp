@@ -18,7 +18,7 @@ namespace {
 
 using namespace graincrack;
 
-/// A run that ends soon behind its peak, and what a restart asks.
+/// A run to 0.6 % strain, and what a restart asks.
 struct Base {
     Base() : specimen(test::jittered_grid(3, 5, 0.02, 0.04, 0.2)) {
         request.material = test::augig_granite();
