@@ -48,6 +48,28 @@ bool leaves_compression(const Point& before, const Point& after) {
     return true;
 }
 
+/// Whether every mean is within its bound, though not every interval: another fit would not move a mean closer.
+bool lacks_specimens_only(const Decision& decision) {
+    return std::none_of(decision.outcomes.begin(), decision.outcomes.end(), [](const Outcome& o) {
+        return !o.ours || std::abs(o.ours->value - o.target.value) > o.target.tolerance();
+    });
+}
+
+/// "σt is outside, +12 % off; UCS is undecided, +3 % ± 7 % off"
+std::string label_of_missed(const std::vector<Outcome>& outcomes) {
+    std::string missed;
+    for (const Outcome& o : outcomes) {
+        if (o.target.role == Role::predicted || o.verdict == "within" || !o.ours) continue;
+        const double unit = o.target.absolute ? 1 : o.target.value / 100;
+        const char* symbol = o.target.absolute ? "" : " %";
+        const double half = o.ours->high ? *o.ours->high - o.ours->value : 0;
+        missed += fmt::format("{}{} is {}, {:+.3g}{} ± {:.2g}{} off with {} specimens, for a bound of {:.2g}{}",
+                              missed.empty() ? "" : "; ", o.target.symbol, o.verdict, (o.ours->value - o.target.value) / unit,
+                              symbol, half / unit, symbol, o.specimens, o.target.tolerance() / unit, symbol);
+    }
+    return missed;
+}
+
 /// Time of runs, by the mean of finished ones of the same test; of a test without any, none is counted.
 double time_of(const std::vector<WantedRun>& wanted, const std::vector<FinishedRun>& finished) {
     std::map<std::string, std::pair<double, double>> times;  // sum and number
@@ -82,15 +104,10 @@ void calibrate_rock(Progress& progress) {
         }
         ending = confirm(progress, round);
         if (ending == Ending::calibrated) predict(progress, round);
+        if (ending == Ending::undecided && lacks_specimens_only(progress.decision)) break;
     }
-    std::string off;
-    for (const Outcome& o : progress.decision.outcomes) {
-        if (o.target.role == Role::predicted || o.verdict == "within" || !o.ours) continue;
-        off += fmt::format("{}{} is {}, {:+.3g}{} off", off.empty() ? "" : "; ", o.target.symbol, o.verdict,
-                           o.target.absolute ? o.ours->value - o.target.value : 100 * (o.ours->value / o.target.value - 1),
-                           o.target.absolute ? "" : " %");
-    }
-    throw Ended{ending, ending == Ending::calibrated ? "new specimens are within the bounds of every target" : off};
+    throw Ended{ending, ending == Ending::calibrated ? "new specimens are within the bounds of every target"
+                                                     : label_of_missed(progress.decision.outcomes)};
 }
 
 }  // namespace

@@ -125,6 +125,20 @@ TEST(Decide, NoisyTargetsAreUndecided) {
     EXPECT_TRUE(names(done.decision.reason, "σt is undecided")) << done.decision.reason;
 }
 
+TEST(Decide, AnIntervalThatIsTooWideIsNotFittedAgain) {
+    SyntheticRock synthetic;
+    synthetic.confined_scatter = 0.3;  // ± 10 % with 40 specimens, for a bound of 5 %
+    synthetic.variety = 4;             // whose means are within their bounds
+    const Calibration done = calibrate_synthetic(augig(), synthetic, {});
+    EXPECT_EQ(done.decision.ending, Ending::undecided) << done.decision.reason;
+    EXPECT_TRUE(names(done.decision.reason, "σ1 at 8 MPa is undecided")) << done.decision.reason;
+    EXPECT_TRUE(names(done.decision.reason, "off with 40 specimens, for a bound of")) << done.decision.reason;
+    const auto confirmations = std::count_if(done.decision.steps.begin(), done.decision.steps.end(),
+                                             [](const Step& step) { return step.stage == "confirmation"; });
+    EXPECT_EQ(confirmations, static_cast<std::ptrdiff_t>(done.decision.outcomes.size()));  // one round
+    for (const Outcome& o : done.decision.outcomes) EXPECT_LE(std::abs(o.ours->value - o.target.value), o.target.tolerance());
+}
+
 TEST(Decide, StiffnessOutOfReachIsNotReached) {
     Material rock = augig();
     rock.laboratory["poisson_ratio"] = 0.012;  // grains with a negative ν
