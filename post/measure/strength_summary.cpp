@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "post/measure/comparable.hpp"
+#include "post/measure/grain_size.hpp"
 #include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/tables_for_people.hpp"
@@ -65,15 +66,20 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
                                                   "strength_low_MPa",
                                                   "strength_high_MPa",
                                                   "ratio_to_brazilian",
-                                                  "plane"};
+                                                  "plane",
+                                                  "mean_edge_mm"};
     ObjectionCount doubts;
     std::vector<std::vector<Cell>> rows;
     const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
-    for (const StrengthGroup& g : group_strengths(read_doubted_runs(paths, doubts))) {
+    const std::vector<RunData> runs = read_doubted_runs(paths, doubts);
+    for (const SizedStrengths& row : group_strengths_by_size(runs)) {
+        const StrengthGroup& g = row.group;
+        double edges = 0;
+        for (const std::size_t i : row.runs) edges += runs[i].specimen.mean_edge;
         rows.push_back({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
                         static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
                         megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian),
-                        std::string(name_of(g.plane))});
+                        std::string(name_of(g.plane)), 1e3 * edges / static_cast<double>(row.runs.size())});
     }
     if (format) {
         TableWriter table(out, columns, *format);

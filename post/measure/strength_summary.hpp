@@ -1,4 +1,4 @@
-// Strengths of a set of runs by test and confining pressure: means over seeds and their ratios.
+// Strengths of a set of runs by test, confining pressure and grain size: means over seeds and their ratios.
 #pragma once
 
 #include <iosfwd>
@@ -27,7 +27,7 @@ struct StrengthGroup {
 /// \throws InputError if the runs are not of one material
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
 
-/// Table `strength --summary`. \param format for scripts; empty: the table for people \param diagnostics gets, after the table,
+/// Table `strength --summary`, a row for each test, pressure and grain size. \param format for scripts; empty: the table for people \param diagnostics gets, after the table,
 /// what speaks against the strengths, with numbers of runs
 void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
                             std::ostream& diagnostics);

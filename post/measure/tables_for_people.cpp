@@ -85,6 +85,7 @@ void write_strengths_for_people(std::ostream& out, const ScriptTable& table) {
 void write_summary_for_people(std::ostream& out, const ScriptTable& table) {
     PeopleTable people({{"test", ""},
                         {"plane", ""},
+                        {"edge", "mm"},
                         {"runs", ""},
                         {"without peak", ""},
                         {"strength", "MPa"},
@@ -94,9 +95,9 @@ void write_summary_for_people(std::ostream& out, const ScriptTable& table) {
     for (const std::vector<Cell>& cells : table.rows) {
         const NamedRow row(table.columns, cells);
         const std::string low = row.shown("strength_low_MPa");
-        people.row({test_of(row), row.text("plane"), row.text("runs"), row.text("runs_without_peak"), row.shown("strength_MPa"),
-                    row.shown("strength_deviation_MPa"), low.empty() ? "" : low + " to " + row.shown("strength_high_MPa"),
-                    row.shown("ratio_to_brazilian")});
+        people.row({test_of(row), row.text("plane"), row.shown("mean_edge_mm"), row.text("runs"), row.text("runs_without_peak"),
+                    row.shown("strength_MPa"), row.shown("strength_deviation_MPa"),
+                    low.empty() ? "" : low + " to " + row.shown("strength_high_MPa"), row.shown("ratio_to_brazilian")});
     }
     people.write(out);
 }

@@ -153,5 +153,33 @@ TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
     EXPECT_EQ(field(table, "confining_pressure_MPa", 4), "8");
 }
 
+TEST(StrengthSummary, GrainSizesAreNotPooled) {
+    test::TemporaryFolder folder;
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& test, double peak, double edge) {
+        Recipe recipe;
+        recipe.test = test;
+        recipe.peak = peak;
+        recipe.specimen.statistics.mean_edge = edge;
+        files.push_back(folder.file(std::to_string(files.size())));
+        test::write_run(files.back(), recipe);
+    };
+    add("uniaxial", 120e6, 4e-3);
+    add("uniaxial", 140e6, 7e-3);
+    add("uniaxial", 130e6, 4.1e-3);
+    add("tension", 6e6, 7e-3);
+    std::ostringstream out;
+    std::ostringstream notes;
+    write_strength_summary(out, files, TableFormat::tsv, notes);
+    const std::string table = out.str();
+    ASSERT_EQ(test::parse_tsv(table).size(), 4U);
+    EXPECT_EQ(field(table, "test", 0), "tension");
+    EXPECT_EQ(field(table, "strength_MPa", 1), "125");
+    EXPECT_EQ(field(table, "runs", 1), "2");
+    EXPECT_EQ(field(table, "mean_edge_mm", 1), "4.05");
+    EXPECT_EQ(field(table, "strength_MPa", 2), "140");
+    EXPECT_EQ(field(table, "mean_edge_mm", 2), "7");
+}
+
 }  // namespace
 }  // namespace graincrack
