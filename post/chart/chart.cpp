@@ -198,6 +198,11 @@ void Chart::box(double x_low, double x_high, double y_low, double y_high, Colour
     drawing_.rectangle({across(x_low), up(y_high)}, {across(x_high), up(y_low)}, colour);
 }
 
+void Chart::keep_clear(double x, double y, double reach) {
+    const Pixel at = place(x, y);
+    notes_.push_back({at.x - reach, at.y - reach, at.x + reach, at.y + reach});
+}
+
 bool Chart::note(double x, double y, const std::string& label, Colour colour, Anchor anchor) {
     const Pixel at = place(x, y);
     const double shift = anchor == Anchor::start ? 10 : anchor == Anchor::end ? -10 : 0;

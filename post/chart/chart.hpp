@@ -38,6 +38,8 @@ public:
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
+    /// No note comes within `reach` of a point, in pixels of the drawing: that of a marker that is drawn later.
+    void keep_clear(double x, double y, double reach);
     /// Text beside a point. \return false, without drawing it, where it would cover another or leave the frame
     bool note(double x, double y, const std::string& label, Colour colour = palette::ink, Anchor anchor = Anchor::start);
     /// Ticks along x replaced by texts at points, a line each.

@@ -142,17 +142,19 @@ Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style) {
     }
     if (problem.runs.factors.size() > 2) subtitle.emplace_back("further factors are held at the optimum");
     Chart chart(style, {"Response surfaces", subtitle}, plane.axis(0), plane.axis(1));
+    const auto value = [&](const std::vector<double>& coded, std::size_t k) { return problem.runs.factors[k].value(coded[k]); };
+    const Marker run{palette::rim, MarkerShape::square, 12};
+    const Marker best{palette::ink, MarkerShape::disc, 24};
+    for (const auto& coded : problem.runs.coded) chart.keep_clear(value(coded, 0), value(coded, 1), run.size / 2);
+    for (const auto& optimum : problem.optima) chart.keep_clear(value(optimum.coded, 0), value(optimum.coded, 1), best.size / 2);
     draw_region(chart, plane, problem);
     for (std::size_t i = 0; i < problem.models.size(); ++i) {
         draw_response(chart, plane, problem.models[i], problem.goals[i], i);
     }
     const auto mark = [&](const std::vector<double>& coded, const Marker& marker) {
-        const auto value = [&](std::size_t k) { return std::vector<double>{problem.runs.factors[k].value(coded[k])}; };
-        chart.points(value(0), value(1), marker);
+        chart.points(std::vector<double>{value(coded, 0)}, std::vector<double>{value(coded, 1)}, marker);
     };
-    const Marker run{palette::rim, MarkerShape::square, 12};
     for (const auto& coded : problem.runs.coded) mark(coded, run);
-    const Marker best{palette::ink, MarkerShape::disc, 24};
     for (const auto& optimum : problem.optima) mark(optimum.coded, best);
     chart.legend(run, "runs");
     chart.legend(best, "optimum");

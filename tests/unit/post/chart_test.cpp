@@ -117,6 +117,9 @@ TEST(Chart, ANoteCoversNoOther) {
     EXPECT_FALSE(chart.note(0.5, 0.51, "two"));
     EXPECT_FALSE(chart.note(0.99, 0.2, "beyond the frame"));
     EXPECT_TRUE(chart.note(0.5, 0.7, "three"));
+    chart.keep_clear(0.2, 0.2, 6);
+    EXPECT_FALSE(chart.note(0.19, 0.2, "on a marker"));
+    EXPECT_TRUE(chart.note(0.21, 0.25, "above it"));
 }
 
 TEST(Chart, TheRightScaleIsItsOwn) {
