@@ -22,8 +22,8 @@ IncompleteMaterial read_incomplete_material(const std::string& name_or_file);
 /// Every key of a material file, "rock.young_modulus", in the order of the template.
 std::vector<std::string> material_keys();
 
-/// What a key of a material file holds, "rock.young_modulus"; empty if there is no such key.
-std::optional<Quantity> material_quantity(const std::string& key);
+/// What a key of a material file holds, "rock.young_modulus". \throws UsageError with the nearest and all keys if there is none
+Quantity material_quantity(const std::string& key);
 
 /// The rock for the fracture process zone from what a file has: [rock], else the same values of [laboratory], else, of a
 /// toughness that nobody measured, K_IC = σt/6.88 MPa√m (Zhang 2002) and K_IIC = 2 K_IC, as of Augig granite. \param notes gets a

@@ -258,14 +258,17 @@ std::vector<std::string> material_keys() {
     return names;
 }
 
-std::optional<Quantity> material_quantity(const std::string& key) {
+Quantity material_quantity(const std::string& key) {
     Material material;
     for (const auto& [table, keys] : tables_of(material)) {
         for (const Key& each : keys) {
             if (table + "." + each.name == key) return each.quantity;
         }
     }
-    return std::nullopt;
+    const std::string nearest = nearest_word(key, material_keys());
+    throw UsageError(fmt::format("{}: unknown key{}; known are {}", key,
+                                 nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
+                                 fmt::join(material_keys(), ", ")));
 }
 
 FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where) {

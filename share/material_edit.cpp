@@ -1,7 +1,6 @@
 #include "share/material_edit.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -37,14 +36,7 @@ void check(const MaterialSetting& setting) {
             throw UsageError(fmt::format("name={}: a name without quotes is wanted", value));
         return;
     }
-    const auto quantity = material_quantity(key);
-    if (!quantity) {
-        const std::string nearest = nearest_word(key, material_keys());
-        throw UsageError(fmt::format("{}: unknown key{}; known are name, {}", key,
-                                     nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
-                                     fmt::join(material_keys(), ", ")));
-    }
-    static_cast<void>(parse_quantity(value, *quantity, key));
+    static_cast<void>(parse_quantity(value, material_quantity(key), key));
 }
 
 /// A line of a TOML file, with a comment.

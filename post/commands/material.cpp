@@ -12,7 +12,6 @@
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
 #include "share/material_edit.hpp"
-#include "share/toml_file.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -58,28 +57,22 @@ std::string_view table_unit(Dimension dimension) {
 
 /// \param unit "": that of tables
 void write_value(std::ostream& out, const std::string& key, const std::string& name_or_file, const std::string& unit) {
-    const auto quantity = material_quantity(key);
-    if (!quantity) {
-        const std::string nearest = nearest_word(key, material_keys());
-        throw UsageError(fmt::format("key: {}: unknown{}; known are {}", key,
-                                     nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
-                                     fmt::join(material_keys(), ", ")));
-    }
+    const Quantity quantity = material_quantity(key);
     const IncompleteMaterial read = read_incomplete_material(name_or_file);
     const auto value = read.values.find(key);
     if (value == read.values.end()) {
-        throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity->meaning));
+        throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity.meaning));
     }
-    const std::vector<Unit>& units = units_of(quantity->dimension);
+    const std::vector<Unit>& units = units_of(quantity.dimension);
     const auto fits = [&](const Unit& each) { return each.symbol == unit; };
     if (!unit.empty() && std::none_of(units.begin(), units.end(), fits)) {
         std::vector<std::string_view> symbols;
         for (const Unit& each : units) symbols.push_back(each.symbol);
-        throw UsageError(fmt::format("--unit {}: {} is a {}; one of {} fits", unit, key, name_of(quantity->dimension),
+        throw UsageError(fmt::format("--unit {}: {} is a {}; one of {} fits", unit, key, name_of(quantity.dimension),
                                      fmt::join(symbols, ", ")));
     }
-    const std::string_view shown = unit.empty() ? table_unit(quantity->dimension) : std::string_view(unit);
-    fmt::print(out, "{}\n", format_number(in_unit(value->second, quantity->dimension, shown), 6));
+    const std::string_view shown = unit.empty() ? table_unit(quantity.dimension) : std::string_view(unit);
+    fmt::print(out, "{}\n", format_number(in_unit(value->second, quantity.dimension, shown), 6));
 }
 
 Command value_command() {

@@ -26,7 +26,7 @@ TEST(Tables, WhatAMaterialDoesNotHaveIsSaid) {
         EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
         EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
     };
-    refused("value contact.cohesoin augig-granite", 2, "contact.cohesoin: unknown (did you mean contact.cohesion?)");
+    refused("value contact.cohesoin augig-granite", 2, "contact.cohesoin: unknown key (did you mean contact.cohesion?)");
     refused("value contact.residual_cohesion augig-granite", 3, "augig-granite.toml: has no contact.residual_cohesion");
     refused("value contact.cohesion augig-granite --unit mm", 2, "--unit mm: contact.cohesion is a stress; one of Pa");
     refused("with augig-granite --set contact.cohesion", 2, "--set contact.cohesion: KEY=VALUE is needed");

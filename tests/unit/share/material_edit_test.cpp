@@ -58,10 +58,11 @@ TEST_F(MaterialWith, SaysWhatItCannotSet) {
 }
 
 TEST(MaterialKeys, HoldQuantities) {
-    EXPECT_EQ(material_quantity("rock.young_modulus")->dimension, Dimension::stress);
-    EXPECT_EQ(material_quantity("laboratory.grain_size")->dimension, Dimension::length);
-    EXPECT_FALSE(material_quantity("rock.cohesion").has_value());
-    EXPECT_FALSE(material_quantity("name").has_value());
+    EXPECT_EQ(material_quantity("rock.young_modulus").dimension, Dimension::stress);
+    EXPECT_EQ(material_quantity("laboratory.grain_size").dimension, Dimension::length);
+    expect_one_line<UsageError>([] { (void)material_quantity("rock.cohesion"); },
+                                {"rock.cohesion: unknown key", "contact.cohesion"});
+    expect_one_line<UsageError>([] { (void)material_quantity("name"); }, {"name: unknown key"});
 }
 
 }  // namespace
