@@ -29,7 +29,7 @@ const char* const keys = R"toml(
 [contact]                                 # between grains; the first three are needed, `make -C share/studies calibrate` finds them
 # tensile_strength = "24.15 MPa"          # tc. First guess: 2 K_IC/sqrt(pi dp), dp the mean edge (`graincrack-post fpz`)
 # cohesion = "74.57 MPa"                  # cc. First guess: half the UCS
-# friction_angle = "48.76 deg"            # phi_c. First guess: that of the rock
+# friction_angle = "48.76 deg"            # phi_c. First guess: 0.7 times that of the rock, with which grains would lock
 # normal_stiffness = "6.87e5 MPa/mm"      # default: E / w_I (Eqs 3-5)
 # shear_stiffness = "6.98e4 MPa/mm"       # default: G / w_II (Eqs 3-5)
 # fracture_energy = "82.6 J/m2"           # default: K_IC^2/E~; see --fracture-energy

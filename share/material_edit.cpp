@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
@@ -15,8 +16,7 @@ namespace graincrack {
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
+std::vector<std::string> lines_of(std::istream& stream) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     return lines;
@@ -39,10 +39,17 @@ void check(const MaterialSetting& setting) {
     static_cast<void>(parse_quantity(value, material_quantity(key), key));
 }
 
-/// A line of a TOML file, with a comment.
+/// A line of a TOML file, with a comment if it has one.
 std::string line_of(const std::string& key, const std::string& value, const std::string& comment) {
     const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos;
-    return fmt::format("{:<39} # {}", bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value), comment);
+    const std::string line = bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value);
+    return comment.empty() ? line : fmt::format("{:<39} # {}", line, comment);
+}
+
+/// What a template says behind the example of a key: `E` of `# young_modulus = "25.8 GPa"    # E`.
+std::string comment_of_example(const std::string& line) {
+    const std::size_t at = line.find("  # ");
+    return at == std::string::npos ? "" : line.substr(at + 4);
 }
 
 bool is_in(const TomlEntry& entry, const std::string& table) {
@@ -58,7 +65,13 @@ public:
         const auto [table, key] = parts_of(setting.first);
         const auto same = [&, t = table, k = key](const TomlEntry& entry) { return is_in(entry, t) && entry.key == k; };
         const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), same);
-        if (found == toml_.entries.end()) return add(table, line_of(key, setting.second, "added"));
+        if (found == toml_.entries.end()) {
+            if (const auto example = example_of(table, key); example != lines_.end()) {
+                *example = line_of(key, setting.second, comment_of_example(*example));
+                return;
+            }
+            return add(table, line_of(key, setting.second, "added"));
+        }
         const auto on_line = [&](const TomlEntry& entry) { return entry.line == found->line; };
         if (std::count_if(toml_.entries.begin(), toml_.entries.end(), on_line) > 1 || found->values.empty()) {
             throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own",
@@ -81,6 +94,18 @@ public:
     }
 
 private:
+    /// The line of a template that has the key of a table with an example as a comment; the end if there is none.
+    std::vector<std::string>::iterator example_of(const std::string& table, const std::string& key) {
+        auto from = lines_.end();
+        auto to = lines_.end();
+        for (const TomlSection& section : toml_.sections) {
+            const auto header = lines_.begin() + section.line - 1;
+            if (from != lines_.end() && header > from) to = std::min(to, header);
+            if (section.name == std::vector<std::string>{table}) from = header;
+        }
+        const auto found = std::find_if(from, to, [&](const std::string& line) { return line.starts_with("# " + key + " = "); });
+        return found == to ? lines_.end() : found;
+    }
     void add(const std::string& table, const std::string& line) {
         int last = 0;
         for (const TomlSection& section : toml_.sections) {
@@ -104,14 +129,28 @@ private:
 
 }  // namespace
 
-std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
-    const std::string file = read_incomplete_material(name_or_file).material.file.string();
-    Edit edit(read_toml(file), lines_of(file));
+namespace {
+
+std::string with_settings(Edit edit, const std::vector<MaterialSetting>& settings) {
     for (const MaterialSetting& setting : settings) {
         check(setting);
         edit.set(setting);
     }
     return edit.text();
+}
+
+}  // namespace
+
+std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
+    const std::string file = read_incomplete_material(name_or_file).material.file.string();
+    std::ifstream stream(file, std::ios::binary);
+    return with_settings(Edit(read_toml(file), lines_of(stream)), settings);
+}
+
+std::string material_template(const std::string& name, const std::vector<MaterialSetting>& settings) {
+    const std::string text = material_template(name);
+    std::istringstream stream(text);
+    return with_settings(Edit(parse_toml(text, name), lines_of(stream)), settings);
 }
 
 }  // namespace graincrack

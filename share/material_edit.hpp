@@ -11,9 +11,14 @@ namespace graincrack {
 using MaterialSetting = std::pair<std::string, std::string>;
 
 /// The text of a material file with other values. A comment on each changed line has the former value; a key that the file does
-/// not have comes at the end of its table. \param name_or_file as of `read_material`; the file may be incomplete \throws
-/// UsageError for an unknown key or a value that does not fit it, InputError if the file cannot be read, or a key shares
+/// not have comes in place of its example, a line `# key = …` of its table as templates have it, else at the end of its table.
+/// \param name_or_file as of `read_material`; the file may be incomplete \throws UsageError for an unknown key or a value that
+/// does not fit it, InputError if the file cannot be read, or a key shares
 ///         its line with others
 std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings);
+
+/// The template of a material file in which values have been entered. \throws UsageError for an unknown key or a value that does
+/// not fit it
+std::string material_template(const std::string& name, const std::vector<MaterialSetting>& settings);
 
 }  // namespace graincrack

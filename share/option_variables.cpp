@@ -23,7 +23,7 @@ constexpr const char* option_list =
     "--diameters --digest --dpi --dry-run --edge --elements-per-edge --event-distance --event-time --factor "
     "--follow --format --fracture-energy --frame --frames --grains --group --height --join --label --laboratory --look-up "
     "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
-    "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --peak-drop "
+    "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --paraview --peak-drop "
     "--plane --platen-friction --points --pole --power --print-program --probe --program --quiet --rate "
     "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set --sort "
     "--spread --stages --star --strength --study --summary --table --target --threads --time "

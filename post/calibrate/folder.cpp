@@ -282,9 +282,10 @@ std::string wanted_table(const Study& study, const std::vector<WantedRun>& wante
     return text;
 }
 
-std::string material_text(const Material& rock, const Point& point, const Decision* fitted) {
+/// \param what what the material is, behind the name of the rock \param fitted for [fitted], if it has one
+std::string material_text(const Material& rock, const Point& point, const char* what, const Decision* fitted) {
     const Material at = material_at(rock, point);
-    std::string text = fmt::format("name = \"{}, {}\"\n\n[rock]\n", rock.name, fitted ? "calibrated" : "grains");
+    std::string text = fmt::format("name = \"{}, {}\"\n\n[rock]\n", rock.name, what);
     text += fmt::format(
         "young_modulus = {}\npoisson_ratio = {:.7g}\ndensity = {}\nmode_i_toughness = {}\nmode_ii_toughness = {}\n"
         "tensile_strength = {}\n",
@@ -305,6 +306,11 @@ std::string material_text(const Material& rock, const Point& point, const Decisi
                             t.unit, with_interval(*o.ours, t.si), o.specimens);
     }
     return text;
+}
+
+/// Whether a point has what a material needs: a calibration may end before it comes to its contacts.
+bool has_strengths(const Point& point) {
+    return point[Parameter::tensile_strength] && point[Parameter::cohesion] && point[Parameter::friction_angle];
 }
 
 std::string report_text(const Material& rock, const Study& study, const Decision& decision, std::size_t n_runs) {
@@ -335,19 +341,23 @@ Decision calibrate_folder(const std::string& folder, const std::string& material
     std::vector<FinishedRun> finished;
     if (fs::exists(place / "strength.tsv")) finished = read_finished(folder);
     Decision decision = decide(rock, study, finished);
-    for (const char* name : {"wanted.tsv", "calibrated.toml", "report.md"}) remove_file(place / name);
+    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md"}) remove_file(place / name);
     if (decision.ending == Ending::wanted) {
         std::set<std::string> written;
         for (const WantedRun& run : decision.wanted) {
             const std::string name = grains_file(run.point);
-            if (written.insert(name).second) write_whole_file((place / name).string(), material_text(rock, run.point, nullptr));
+            if (written.insert(name).second)
+                write_whole_file((place / name).string(), material_text(rock, run.point, "grains", nullptr));
         }
         write_whole_file((place / "wanted.tsv").string(), wanted_table(study, decision.wanted));
         return decision;
     }
     write_whole_file((place / "report.md").string(), report_text(rock, study, decision, finished.size()));
-    if (decision.ending == Ending::calibrated)
-        write_whole_file((place / "calibrated.toml").string(), material_text(rock, decision.point, &decision));
+    const bool calibrated = decision.ending == Ending::calibrated;
+    if (calibrated || has_strengths(decision.point)) {
+        write_whole_file((place / (calibrated ? "calibrated.toml" : "nearest.toml")).string(),
+                         material_text(rock, decision.point, calibrated ? "calibrated" : "nearest point", &decision));
+    }
     return decision;
 }
 

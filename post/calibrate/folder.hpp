@@ -7,6 +7,7 @@
 //     wanted.tsv       the next runs with their reasons                                 written while runs are missing
 //     grains-….toml    materials of these runs, in the column `material`
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
+//     nearest.toml     the same for the nearest point                                 written if it ends otherwise
 //     report.md        targets, results, values with intervals, every step              written in the end
 #pragma once
 

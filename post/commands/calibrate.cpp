@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <filesystem>
+
 #include "post/calibrate/folder.hpp"
 #include "post/option_parts.hpp"
 #include "share/command_line.hpp"
@@ -33,8 +35,10 @@ void write(const Options& options, const Call& call) {
         fmt::print(call.out, "{}/calibrated.toml\n", call.file());
         return;
     }
-    throw NumericalError(fmt::format("calibrate: {}: {}: {}; {}/report.md has every step", call.file(),
-                                     calibrate::label_of(decision.ending), decision.reason, call.file()));
+    throw NumericalError(
+        fmt::format("calibrate: {}: {}: {}; {}/report.md has every step{}", call.file(), calibrate::label_of(decision.ending),
+                    decision.reason, call.file(),
+                    std::filesystem::exists(call.file() + "/nearest.toml") ? ", nearest.toml the nearest point" : ""));
 }
 
 }  // namespace

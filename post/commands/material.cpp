@@ -18,29 +18,42 @@ namespace graincrack {
 
 namespace {
 
-void write_template(const std::string& name) {
+std::vector<MaterialSetting> settings_of(const std::vector<std::string>& texts) {
+    std::vector<MaterialSetting> settings;
+    for (const std::string& text : texts) {
+        const std::size_t at = text.find('=');
+        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", text));
+        settings.emplace_back(text.substr(0, at), text.substr(at + 1));
+    }
+    return settings;
+}
+
+void write_template(const std::string& name, const std::vector<MaterialSetting>& settings) {
     if (name.find_first_of("/\"\\\n") != std::string::npos || name == "-") {
         throw UsageError("name: " + name + ": a plain name is wanted, without slashes or quotes");
     }
     const std::string file = name + ".toml";
     if (std::filesystem::exists(file)) throw OutputError(file + ": exists; remove it first, or give another name");
-    write_whole_file(file, material_template(name));
+    write_whole_file(file, material_template(name, settings));
 }
 
 Command init_command() {
     struct Options {
         std::string name;
+        std::vector<std::string> settings;
     };
     return make_command<Options>(
-        "init", "a commented template of a material file: every key with its unit and default", {"my-rock", "carrara-marble"},
-        std::nullopt,
+        "init", "a commented template of a material file: every key with its unit and default",
+        {"my-rock", "carrara-marble --set 'laboratory.young_modulus=49 GPa' --set laboratory.poisson_ratio=0.19"}, std::nullopt,
         [](CLI::App& app, Options& options) {
             app.add_option("name", options.name, "name of the material; NAME.toml is written, in this folder")->required();
+            add_names(app, "--set", options.settings, "KEY=VALUE",
+                      "a value to enter, its key with its table, as laboratory.cohesion; may be given again");
         },
         [](const Options& options, const Call& call) {
-            write_template(options.name);
-            fmt::print(call.diagnostics(), "{}.toml: enter your values, then use it as --material {}.toml\n", options.name,
-                       options.name);
+            write_template(options.name, settings_of(options.settings));
+            fmt::print(call.diagnostics(), "{}.toml: enter your {}values, then use it as --material {}.toml\n", options.name,
+                       options.settings.empty() ? "" : "other ", options.name);
         });
 }
 
@@ -110,13 +123,7 @@ Command with_command() {
             app.get_option("--set")->required();
         },
         [](const Options& options, const Call& call) {
-            std::vector<MaterialSetting> settings;
-            for (const std::string& text : options.settings) {
-                const std::size_t at = text.find('=');
-                if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", text));
-                settings.emplace_back(text.substr(0, at), text.substr(at + 1));
-            }
-            call.out << material_with(options.material, settings);
+            call.out << material_with(options.material, settings_of(options.settings));
         });
 }
 

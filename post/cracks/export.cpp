@@ -12,6 +12,7 @@
 #include "post/cracks/crack_map.hpp"
 #include "post/cracks/crack_summary.hpp"
 #include "post/cracks/emission.hpp"
+#include "post/cracks/paraview_state.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/table/output_file.hpp"
@@ -216,6 +217,9 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     }
     std::vector<Part> blocks{{"grains", "vtu"}};
     if (series.has_platens()) blocks.push_back({"platens", "vtp"});
+    if (options.paraview) {
+        write_whole_file(folder + "/open_in_paraview.py", paraview_state(data.header.contact.tensile_strength));
+    }
     write_whole_file(folder + "/grains.pvd", pvd(blocks, times));
     write_whole_file(folder + "/cracks.pvd", pvd({{"cracks", "vtp"}}, times));
 }

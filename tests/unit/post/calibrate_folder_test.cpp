@@ -115,6 +115,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     ASSERT_EQ(decision.ending, Ending::calibrated) << decision.reason;
     EXPECT_EQ(longest_wait, 6.0 * static_cast<double>(most_wanted));  // each finished run took 6 s
     EXPECT_FALSE(has("wanted.tsv"));
+    EXPECT_FALSE(has("nearest.toml"));
     const Material calibrated = read_material(folder_.file("calibrated.toml"));  // a material like any other
     EXPECT_NEAR(calibrated.contact.cohesion / *decision.point[Parameter::cohesion], 1, 1e-6);
     EXPECT_NEAR(calibrated.rock.young_modulus / *decision.point[Parameter::young_modulus], 1, 1e-6);
@@ -132,6 +133,24 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     // Asked again it answers the same.
     EXPECT_EQ(calibrate_folder(folder()).ending, Ending::calibrated);
     EXPECT_EQ(text("report.md"), report);
+}
+
+// Friction that no contact reaches: the nearest point is a material too, and is not called calibrated.
+TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
+    SyntheticRock smooth;
+    smooth.friction_limit = 35;
+    Decision decision = calibrate_folder(folder());
+    for (int calls = 1; decision.ending == Ending::wanted && calls < 60; ++calls) {
+        EXPECT_FALSE(has("nearest.toml"));
+        run_wanted(smooth, 0.015);
+        decision = calibrate_folder(folder());
+    }
+    ASSERT_NE(decision.ending, Ending::calibrated);
+    EXPECT_FALSE(has("calibrated.toml"));
+    const Material nearest = read_material(folder_.file("nearest.toml"));
+    EXPECT_EQ(nearest.name, "Augig granite, nearest point");
+    EXPECT_NEAR(nearest.contact.cohesion / *decision.point[Parameter::cohesion], 1, 1e-6);
+    EXPECT_NEAR(nearest.contact.friction_angle / *decision.point[Parameter::friction_angle], 1, 1e-6);
 }
 
 TEST_F(CalibrateFolder, StudyIsReadAndChecked) {

@@ -45,6 +45,29 @@ TEST_F(MaterialWith, AddsTables) {
                                {"contact.cohesion", 70e6}, {"contact.tensile_strength", 9e6}, {"laboratory.cohesion", 21e6}}));
 }
 
+TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
+    const std::string stone = file(
+        "name = \"stone\"\n[rock]\n# young_modulus = \"25.8 GPa\"              # E\n[laboratory]\n# young_modulus = \"25.8 "
+        "GPa\"\n# cohesion = 1 # "
+        "C\n");
+    EXPECT_EQ(material_with(stone, {{"laboratory.young_modulus", "49 GPa"}, {"rock.young_modulus", "50 GPa"}}),
+              "name = \"stone\"\n[rock]\nyoung_modulus = \"50 GPa\"                # E\n[laboratory]\nyoung_modulus = \"49 "
+              "GPa\"\n# cohesion = 1 # C\n");
+}
+
+TEST_F(MaterialWith, EntersValuesIntoATemplate) {
+    const std::string text = material_template("marble", {{"laboratory.cohesion", "23 MPa"}, {"rock.density", "2700"}});
+    const auto read = read_incomplete_material(file(text));
+    EXPECT_EQ(read.values, (std::map<std::string, double>{{"laboratory.cohesion", 23e6}, {"rock.density", 2700}}));
+    EXPECT_NE(text.find("\ndensity = 2700                          # hardly enters"), std::string::npos) << text;
+    EXPECT_EQ(text.find("# density = "), std::string::npos);
+    expect_one_line<UsageError>(
+        [] {
+            std::ignore = material_template("marble", {{"rock.colour", "white"}});
+        },
+        {"rock.colour: unknown key"});
+}
+
 TEST_F(MaterialWith, SaysWhatItCannotSet) {
     const std::string stone = file("name = \"stone\"\ncontact = {cohesion = 1e6, friction_angle = 0.5}\n");
     const auto with = [&](const std::string& key, const std::string& value) {
