@@ -27,8 +27,8 @@ struct StrengthGroup {
 /// \throws InputError if the runs are not of one material
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
 
-/// Table `strength --summary`, a row for each test, pressure and grain size. \param format for scripts; empty: the table for people \param diagnostics gets, after the table,
-/// what speaks against the strengths, with numbers of runs
+/// Table `strength --summary`, a row for each test, pressure and grain size. \param format for scripts; empty: the table for
+/// people \param diagnostics gets, after the table, what speaks against the strengths, with numbers of runs
 void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
                             std::ostream& diagnostics);
 
