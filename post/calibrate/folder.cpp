@@ -99,15 +99,21 @@ constexpr std::array moduli_measures{Measure{"young_modulus_GPa", &FinishedRun::
                                      Measure{"crack_damage_2d_MPa", &FinishedRun::crack_damage, 1e6}};
 constexpr std::array toughness_measures{Measure{"mode_i_toughness_MPa.m^0.5", &FinishedRun::mode_i_toughness, 1e6}};
 
-/// Adds the measures of a table to the runs of its files.
+/// Adds the measures of a table to the runs of its files. \throws InputError if two of its rows say other values of one file
 void add_measures(const std::string& path, std::span<const Measure> measures, const std::vector<std::string>& files,
                   std::vector<FinishedRun>& runs) {
     const TableFile table(path);
     const std::vector<std::string> rows = table.texts("file");
     std::map<std::string, std::size_t> row_of_file;
-    for (std::size_t row = 0; row < rows.size(); ++row) row_of_file[rows[row]] = row;
+    for (std::size_t row = 0; row < rows.size(); ++row) row_of_file.try_emplace(rows[row], row);
     for (const Measure& measure : measures) {
         const std::vector<double> values = table.numbers_or_nan(measure.column);
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            const double first = values[row_of_file[rows[row]]];
+            if (values[row] == first || (std::isnan(values[row]) && std::isnan(first))) continue;
+            throw InputError(fmt::format("{}: {} has {} = {:.7g} and {:.7g}: two runs of one name; each needs a name of its own",
+                                         path, rows[row], measure.column, first, values[row]));
+        }
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const auto row = row_of_file.find(files[i]);
             if (row != row_of_file.end() && !std::isnan(values[row->second]))

@@ -197,6 +197,17 @@ TEST_F(CalibrateFolder, ContactsNeedNotBeGiven) {
     expect_one_line<InputError>([&] { calibrate_folder(folder()); }, {"material.toml: missing: rock.density;", "all of [rock]"});
 }
 
+TEST_F(CalibrateFolder, RunsNeedNamesOfTheirOwn) {
+    (void)calibrate_folder(folder());
+    run_wanted({}, 0.015);
+    moduli_ += moduli_.substr(moduli_.find("run1.h5"), moduli_.find("run2.h5") - moduli_.find("run1.h5"));
+    std::ofstream(folder_.file("moduli.tsv")) << moduli_;
+    EXPECT_NO_THROW((void)read_finished(folder()));  // the same row again is the same run
+    std::ofstream(folder_.file("moduli.tsv")) << moduli_ << "run1.h5\t27.2\t0.22\t27\t0.22\t50\t100\n";
+    expect_one_line<InputError>([&] { (void)read_finished(folder()); },
+                                {"moduli.tsv: run1.h5 has young_modulus_GPa = ", "27.2", "two runs of one name"});
+}
+
 TEST_F(CalibrateFolder, AMissingColumnIsOneLine) {
     std::ofstream(folder_.file("strength.tsv")) << "file\ttest\nrun.h5\tuniaxial\n";
     expect_one_line<InputError>([&] { calibrate_folder(folder()); }, {"strength.tsv", "no column peak_kind"});
