@@ -55,7 +55,7 @@ bool lacks_specimens_only(const Decision& decision) {
     });
 }
 
-/// "σt is outside, +12 % off; UCS is undecided, +3 % ± 7 % off"
+/// "σt is outside, +12 % ± 3 % off with 80 specimens, for a bound of 5 %; …", of the targets that were missed
 std::string label_of_missed(const std::vector<Outcome>& outcomes) {
     std::string missed;
     for (const Outcome& o : outcomes) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "post/cracks/crack_network.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
@@ -115,30 +120,41 @@ TEST(Brazilian, NoWarningWhenTheSplitIsThePeakAndBeginsInside) {
     EXPECT_NE(outside.warning().find("not inside 0.5 R"), std::string::npos) << outside.warning();
 }
 
-TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
+struct Peak {
+    std::string test;
+    double stress = 0;
+    double confining_pressure = 0;
+    std::optional<double> mean_edge = std::nullopt;
+};
+/// `strength --summary` of runs with these peaks, as TSV.
+std::string summary_of(const std::vector<Peak>& peaks) {
     test::TemporaryFolder folder;
     std::vector<std::string> files;
-    const auto add = [&](const std::string& test, double peak, double confining = 0) {
+    for (const Peak& peak : peaks) {
         Recipe recipe;
-        recipe.test = test;
-        recipe.peak = peak;
-        recipe.confining_pressure = confining;
-        if (test == "brazilian") recipe.plane = PlaneCondition::stress;
+        recipe.test = peak.test;
+        recipe.peak = peak.stress;
+        recipe.confining_pressure = peak.confining_pressure;
+        if (peak.test == "brazilian") recipe.plane = PlaneCondition::stress;
+        if (peak.mean_edge) recipe.specimen.statistics.mean_edge = *peak.mean_edge;
         files.push_back(folder.file(std::to_string(files.size())));
         test::write_run(files.back(), recipe);
-    };
-    add("uniaxial", 120e6);
-    add("uniaxial", 130e6);
-    add("brazilian", 8e6);
-    add("brazilian", 9e6);
-    add("brazilian", 13e6);
-    add("tension", 6e6);
-    add("triaxial", 200e6, 8e6);
-    add("triaxial", 150e6, 4e6);
+    }
     std::ostringstream out;
     std::ostringstream notes;
     write_strength_summary(out, files, TableFormat::tsv, notes);
-    const std::string table = out.str();
+    return out.str();
+}
+
+TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
+    const std::string table = summary_of({{"uniaxial", 120e6},
+                                          {"uniaxial", 130e6},
+                                          {"brazilian", 8e6},
+                                          {"brazilian", 9e6},
+                                          {"brazilian", 13e6},
+                                          {"tension", 6e6},
+                                          {"triaxial", 200e6, 8e6},
+                                          {"triaxial", 150e6, 4e6}});
     EXPECT_EQ(test::parse_tsv(table).size(), 6U);
     EXPECT_EQ(field(table, "strength_MPa", 0), "10");
     // s = √7 MPa; t(0.975, 2) = 4.302653
@@ -154,24 +170,8 @@ TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
 }
 
 TEST(StrengthSummary, GrainSizesAreNotPooled) {
-    test::TemporaryFolder folder;
-    std::vector<std::string> files;
-    const auto add = [&](const std::string& test, double peak, double edge) {
-        Recipe recipe;
-        recipe.test = test;
-        recipe.peak = peak;
-        recipe.specimen.statistics.mean_edge = edge;
-        files.push_back(folder.file(std::to_string(files.size())));
-        test::write_run(files.back(), recipe);
-    };
-    add("uniaxial", 120e6, 4e-3);
-    add("uniaxial", 140e6, 7e-3);
-    add("uniaxial", 130e6, 4.1e-3);
-    add("tension", 6e6, 7e-3);
-    std::ostringstream out;
-    std::ostringstream notes;
-    write_strength_summary(out, files, TableFormat::tsv, notes);
-    const std::string table = out.str();
+    const std::string table = summary_of(
+        {{"uniaxial", 120e6, 0, 4e-3}, {"uniaxial", 140e6, 0, 7e-3}, {"uniaxial", 130e6, 0, 4.1e-3}, {"tension", 6e6, 0, 7e-3}});
     ASSERT_EQ(test::parse_tsv(table).size(), 4U);
     EXPECT_EQ(field(table, "test", 0), "tension");
     EXPECT_EQ(field(table, "strength_MPa", 1), "125");
