@@ -11,7 +11,6 @@
 
 #include "share/error.hpp"
 #include "share/file_checks.hpp"
-#include "share/former_names.hpp"
 #include "share/h5_file.hpp"
 #include "share/provenance.hpp"
 #include "share/schema.hpp"
@@ -54,8 +53,7 @@ namespace {
 
 constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
 
-/// Visits every attribute of /run once, for writing and reading alike. Attributes marked `newer` may be missing from older files
-/// and then have their default.
+/// Visits every attribute of /run once, for writing and reading alike.
 template <class Header, class Visit>
 void visit_header(Header& h, Visit&& visit) {
     visit("test", h.test);
@@ -78,29 +76,29 @@ void visit_header(Header& h, Visit&& visit) {
     visit("critical_opening", h.contact.critical_opening, Dimension::length);
     visit("critical_sliding", h.contact.critical_sliding, Dimension::length);
     visit("ultimate_opening", h.contact.ultimate_opening, Dimension::length);
-    visit.newer("mode_ii_fracture_energy", h.contact.mode_ii_fracture_energy, Dimension::fracture_energy);
-    visit.newer("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
-    visit.newer("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
-    visit.newer("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
-    visit.newer("contact_open_shear_strength", h.contact.open_shear_strength, Dimension::stress);
+    visit("mode_ii_fracture_energy", h.contact.mode_ii_fracture_energy, Dimension::fracture_energy);
+    visit("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
+    visit("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
+    visit("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
+    visit("contact_open_shear_strength", h.contact.open_shear_strength, Dimension::stress);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
-    visit.newer("rate", h.rate);
-    visit.newer("rate_tolerance", h.rate_tolerance, Dimension::one);
-    visit.newer("rate_share", h.rate_share, Dimension::one);
+    visit("rate", h.rate);
+    visit("rate_tolerance", h.rate_tolerance, Dimension::one);
+    visit("rate_share", h.rate_share, Dimension::one);
     visit("platen_speed", h.platen_speed, Dimension::speed);
     visit("damping", h.damping, Dimension::one);
-    visit.newer("damping_form", h.damping_form);
+    visit("damping_form", h.damping_form);
     visit("peak_drop", h.peak_drop, Dimension::one);
     visit("max_strain", h.max_strain, Dimension::one);
     visit("mass_scaling", h.mass_scaling);
-    visit.newer("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
-    visit.newer("added_mass", h.added_mass, Dimension::one);
+    visit("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
+    visit("added_mass", h.added_mass, Dimension::one);
     visit("stable_time_step", h.stable_time_step, Dimension::time);
     visit("time_step", h.time_step, Dimension::time);
     visit("stop_reason", h.stop_reason);
     visit("steps", h.steps);
-    visit.newer("integrations", h.integrations);
+    visit("integrations", h.integrations);
     visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
     visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
     visit("energy_scale", h.energy_scale, Dimension::energy);
@@ -109,7 +107,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("confinement_mean", h.confinement_mean, Dimension::stress);
     visit("confinement_deviation", h.confinement_deviation, Dimension::stress);
     visit("damping_share", h.damping_share, Dimension::one);
-    visit.newer("damping_load", h.damping_load, Dimension::one);
+    visit("damping_load", h.damping_load, Dimension::one);
 }
 
 struct HeaderWriter {
@@ -119,9 +117,6 @@ struct HeaderWriter {
     void operator()(const char* name, const double& value, Dimension dimension) const {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
-    void newer(const char* name, const std::string& value) const { (*this)(name, value); }
-    void newer(const char* name, const std::int64_t& value) const { (*this)(name, value); }
-    void newer(const char* name, const double& value, Dimension dimension) const { (*this)(name, value, dimension); }
 };
 
 struct HeaderReader {
@@ -132,21 +127,6 @@ struct HeaderReader {
     }
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
-        require_finite(name, value);
-    }
-    void newer(const char* name, std::int64_t& value) const {
-        value = file.attribute_or<std::int64_t>(schema::run_group, name, value);
-    }
-    void newer(const char* name, std::string& value) const {
-        value = file.attribute_or<std::string>(schema::run_group, name, value);
-    }
-    void newer(const char* name, double& value, Dimension /*dimension*/) const {
-        value = file.attribute_or<double>(schema::run_group, name, value);
-        require_finite(name, value);
-    }
-
-private:
-    void require_finite(const char* name, double value) const {
         if (!std::isfinite(value)) {
             throw InputError(fmt::format("{}: attribute {} of {} is {}; a finite number is needed", file.name(), name,
                                          schema::run_group, value));
@@ -162,7 +142,6 @@ void write_header(H5Output& file, const RunHeader& header) {
 
 RunHeader read_header(const H5Input& file) {
     RunHeader header;
-    header.contact.open_shear_strength = file.attribute<double>(schema::run_group, "contact_tensile_strength");  // in older files
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
     visit_header(header, HeaderReader{file});
@@ -217,7 +196,7 @@ void write_column(H5Output& file, const schema::Dataset& dataset, const std::vec
     file.write<T>(dataset.path, std::span<const T>(values), extents, dataset.unit, dataset.description);
 }
 
-/// A column of /cracks that older files lack.
+/// A column of /cracks that is NaN where a point has not been damaged so far.
 struct DamageColumn {
     schema::Dataset dataset;
     double Crack::*value;
@@ -258,12 +237,8 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     }
 }
 
-/// Fills the columns that older files lack, in which they stay NaN.
 void read_damage_columns(const H5Input& file, std::vector<Crack>& cracks) {
     for (const DamageColumn& column : damage_columns) {
-        if (!file.has(column.dataset.path)) {
-            continue;
-        }
         const std::vector<double> values = file.read<double>(column.dataset.path, {cracks.size()});
         require_all(file, column.dataset.path, values, "a finite number or NaN", [](double v) { return !std::isinf(v); });
         for (std::size_t i = 0; i < cracks.size(); ++i) {
@@ -380,10 +355,6 @@ std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
 
 void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance,
                        const std::vector<SensitivityRow>& sensitivity) {
-    for (const auto& [now, before] : former_names_of(schema::history_group)) {
-        state_->file.hard_link(fmt::format("{}/{}", schema::history_group, now),
-                               fmt::format("{}/{}", schema::history_group, before));
-    }
     write_header(state_->file, header);
     write_cracks(state_->file, cracks);
     if (!sensitivity.empty()) {
@@ -428,9 +399,7 @@ History read_history(const H5Input& file) {
     History history;
     const std::size_t rows = rows_of(file, history_path(0));
     for (std::size_t i = 0; i < n_history_columns; ++i) {
-        const bool is_newer = i >= static_cast<std::size_t>(HistoryColumn::damping_load);  // may be missing from older files
-        history.columns[i] =
-            is_newer && !file.has(history_path(i)) ? std::vector<double>(rows) : read_finite(file, history_path(i), {rows});
+        history.columns[i] = read_finite(file, history_path(i), {rows});
     }
     const std::vector<double>& time = history[HistoryColumn::time];
     if (!std::is_sorted(time.begin(), time.end())) {
@@ -492,8 +461,6 @@ std::vector<Crack> RunReader::cracks() const {
     read_damage_columns(f, cracks);
     return cracks;
 }
-
-bool RunReader::has_damage_times() const { return state_->file.has(schema::crack_time_broken.path); }
 
 std::size_t RunReader::n_frames() const { return state_->frames.size(); }
 
