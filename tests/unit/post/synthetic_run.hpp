@@ -180,6 +180,7 @@ inline RunHeader synthetic_header(const Recipe& r) {
     header.time_step = 5e-8;
     header.stop_reason = r.stop_reason;
     header.steps = 200000;
+    header.integrations = header.steps;
     header.isotropic_end_time = r.confining_pressure > 0 ? 1.0 : 0.0;
     header.energy_balance_error = 0.002;
     header.platen_force_difference = 0.01;
