@@ -56,6 +56,7 @@ struct Specimen {
         contact_nodes;  ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
     std::vector<std::int32_t> contact_grain_boundary;         ///< [c] groups the contacts of one grain-to-grain edge
     std::vector<std::uint8_t> contact_kind;                   ///< [c] ContactKind
+    std::vector<double> contact_strength_factor;              ///< [c] factor on the strengths of a contact; none: 1 everywhere
     std::vector<std::array<std::int32_t, 2>> boundary_edges;  ///< [b] solid on the left
     std::vector<std::uint8_t> boundary_part;                  ///< [b] index into part_names
     std::vector<std::string> phase_names{"rock"};

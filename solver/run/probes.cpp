@@ -56,8 +56,9 @@ std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int3
     for (const std::int32_t e : elements) {
         const auto [n0, n1, n2] = a.element_nodes[e];
         const TriangleGeometry& g = a.element_geometry[e];
-        const auto stress = triangle_stress(a.elasticity, triangle_state(g, a.elasticity, s.displacement[n1] - s.displacement[n0],
-                                                                         s.displacement[n2] - s.displacement[n0]));
+        const PlaneElasticity c = a.elasticity[e];
+        const auto stress = triangle_stress(
+            c, triangle_state(g, c, s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0]));
         for (std::size_t k = 0; k < 4; ++k) {
             sum[k] += g.area * stress[k];
         }

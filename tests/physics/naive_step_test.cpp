@@ -27,13 +27,67 @@ double difference(const std::vector<Vector2>& fast, const std::vector<NaiveRun::
     return worst / largest;
 }
 
-/// A compressed, shaken rectangle after `n` steps by both. Both laws of platens stick and slide.
-void expect_equal_fields(const LawDescription& description, std::int64_t n, bool damaged, VectorTarget target, DampingForm form) {
+/// What grains and contacts are made of: one phase, or several whose values and strengths all differ.
+enum class Grains { of_one_phase, of_three_phases };
+
+/// A specimen of 80 grains with its phases and the parameters of its classes.
+struct Made {
+    Specimen specimen;
+    Fabric fabric;
+};
+Made make(Grains grains) {
     mesher::SpecimenRequest request;
     request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
     request.grains = 80;
-    const ContactLaw law = test::augig_law(description.variant);
-    SmallRun run(mesher::make_specimen(request), law);
+    Made made{mesher::make_specimen(request), {}};
+    Specimen& s = made.specimen;
+    s.phase_names.resize(grains == Grains::of_one_phase ? 1 : 3);
+    made.fabric = uniform_fabric(test::augig_granite().rock, test::augig_contact(), s.phase_names.size());
+    if (grains == Grains::of_one_phase) {
+        return made;
+    }
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        s.grain_phase[g] = static_cast<std::uint8_t>(g * 7 % 3);
+    }
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        s.contact_strength_factor.push_back(0.6 + 0.1 * static_cast<double>(c * 5 % 9));
+    }
+    for (std::size_t p = 0; p < made.fabric.phases.size(); ++p) {
+        made.fabric.phases[p].young_modulus *= 0.5 + 0.5 * static_cast<double>(p);
+        made.fabric.phases[p].poisson_ratio += 0.03 * static_cast<double>(p);
+        made.fabric.phases[p].density *= 1 + 0.1 * static_cast<double>(p);
+    }
+    for (std::size_t k = 0; k < made.fabric.contacts.size(); ++k) {
+        made.fabric.contacts[k] = test::scaled_contact(test::augig_contact(), 1 + 0.1 * static_cast<double>(k));
+        made.fabric.contacts[k].normal_stiffness *= 1 + 0.2 * static_cast<double>(k % 3);
+        made.fabric.contacts[k].critical_opening /= 1 + 0.2 * static_cast<double>(k % 3);  // e tc/kt
+    }
+    return made;
+}
+
+/// The law of each contact by place, made of its own values.
+std::vector<ContactLaw> laws_of_contacts(const Made& made, const Assemblage& a, LawVariant variant) {
+    std::vector<ContactLaw> laws(a.contacts.size());
+    for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
+        const auto c = static_cast<std::size_t>(a.specimen_contact[static_cast<std::size_t>(place)]);
+        const auto phase_at = [&](std::size_t k) {
+            const auto node = static_cast<std::size_t>(made.specimen.contact_nodes[c][k]);
+            return made.specimen.grain_phase[static_cast<std::size_t>(grain_of_nodes(made.specimen)[node])];
+        };
+        const ContactParameters& of_class = made.fabric.contacts[contact_class(phase_at(0), phase_at(2))];
+        const auto& strength = made.specimen.contact_strength_factor;
+        laws[static_cast<std::size_t>(place)] =
+            make_contact_law(test::scaled_contact(of_class, strength.empty() ? 1 : strength[c]), variant, Coupling::full);
+    });
+    return laws;
+}
+
+/// A compressed, shaken rectangle after `n` steps by both. Both laws of platens stick and slide.
+void expect_equal_fields(const LawDescription& description, std::int64_t n, bool damaged, VectorTarget target, DampingForm form,
+                         Grains grains = Grains::of_one_phase) {
+    const Made made = make(grains);
+    SmallRun run(made.specimen, made.fabric.phases,
+                 make_contact_laws(made.fabric.contacts, description.variant, Coupling::full));
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
@@ -42,7 +96,8 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     run.assemblage.vector_target = target;
     const double speed = damaged ? 5.0 : 0.5;
     run.set_velocity([&](const Vector2& x) { return Vector2{0.1 * std::sin(200 * x.y), -speed * x.y / 0.02}; });
-    NaiveRun naive(run.assemblage, run.boundary, law, run.parameters.time_step, run.parameters.damping, form);
+    NaiveRun naive(run.assemblage, run.boundary, laws_of_contacts(made, run.assemblage, description.variant),
+                   run.parameters.time_step, run.parameters.damping, form);
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
         naive.set_velocity(i, run.state.velocity[i]);
     }
@@ -56,7 +111,8 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     }
     EXPECT_EQ(naive.failed_points() > 0, damaged);
     const std::string name = std::string(description.name) + (damaged ? ", damaged, " : ", ") + std::string(name_of(target)) +
-                             ", damping " + std::string(name_of(form));
+                             ", damping " + std::string(name_of(form)) +
+                             (grains == Grains::of_three_phases ? ", three phases" : "");
     // Round-off of 1e-16 a step adds up over the steps; the issue asks for 1e-9 of the field's maximum.
     verify("elements: displacements of the fast step against a plain one, " + name,
            difference(run.state.displacement, naive.displacement()), 0, 1e-9, "the equations, one by one", 1);
@@ -87,6 +143,17 @@ TEST(NaiveStep, DamagedFieldsAgreeForLawsWithAnEnergy) {
         if (law != LawVariant::combined) {
             expect_equal_fields(description_of(law), 400, true, widest_vector_target(), DampingForm::combined);
         }
+    }
+}
+
+// Six classes of contacts, each with its own values, and a strength factor on every contact.
+TEST(NaiveStep, FieldsOfThreePhasesAgreeForEveryLaw) {
+    for (const LawDescription& description : all_contact_laws()) {
+        SCOPED_TRACE(description.name);
+        expect_equal_fields(description, 200, false, widest_vector_target(), DampingForm::local, Grains::of_three_phases);
+    }
+    for (const LawVariant law : {LawVariant::consistent, LawVariant::combined, LawVariant::cohesive_frictional}) {
+        expect_equal_fields(description_of(law), 400, true, widest_vector_target(), DampingForm::local, Grains::of_three_phases);
     }
 }
 

@@ -116,7 +116,7 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
         }
     }
     State& s = run.state;
-    const ContactLaw& law = run.parameters.law;
+    const ContactLaw& law = run.parameters.laws[0];
     const auto lead = [&](const Vector2& by) {
         const Vector2 step = (1 / run.parameters.time_step) * by;
         for (std::size_t i = 0; i < s.velocity.size(); ++i) {
@@ -385,13 +385,13 @@ TEST(NodeEdgeContact, ResidualCohesionAndFrictionHold) {
     const double area = 1e-3;
     const double overlap = 20 * test::MPa / law.kt;
     PairGeometry g = pair_geometry(Vector2{2e-3, 0}, Vector2{1e-3, overlap});
-    const NodeEdgeResponse pressed = move_node_edge_contact(law, {true, true, area, 0, overlap, 0, 0}, g, 1e-5);
+    const NodeEdgeResponse pressed = move_node_edge_contact(friction_law(law), {true, true, area, 0, overlap, 0, 0}, g, 1e-5);
     const double shear = 10 * test::MPa + 20 * test::MPa * std::tan(30 * test::degree);
     expect_close(law.ks * pressed.contact.elastic_slip, shear, 1e-12, shear);
     expect_close(std::abs(pressed.forces.on_node.x), area * shear, 1e-12, area * shear);
     EXPECT_GT(pressed.friction, 0);
     g = pair_geometry(Vector2{2e-3, 0}, Vector2{1e-3, -0.1 * overlap});
-    const NodeEdgeResponse parted = move_node_edge_contact(law, pressed.contact, g, 0);
+    const NodeEdgeResponse parted = move_node_edge_contact(friction_law(law), pressed.contact, g, 0);
     EXPECT_EQ(parted.contact.elastic_slip, 0);
     const double stored = 0.5 * area * shear * shear / law.ks;
     expect_close(parted.friction, stored, 1e-12, stored);
@@ -424,7 +424,7 @@ Crushed crush(int threads, double shortening, bool scaled = false) {
         run.assemblage, run.specimen, request, test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i));
     if (scaled) {
         run.parameters.mass_scaling =
-            make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, boundary, run.parameters.law));
+            make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, boundary, run.parameters.laws));
     }
     run.set_boundary(boundary, 0.7);
     run.parameters.damping = 0.8;

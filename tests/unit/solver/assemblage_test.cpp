@@ -127,10 +127,10 @@ TEST(Assemblage, ChunksCoverEverythingAndShareNoNode) {
     EXPECT_EQ(element, a.n_elements());
     EXPECT_EQ(node, a.n_nodes());
     std::int32_t contact = 0;
-    for (const Range& r : a.contact_chunks) {
-        EXPECT_EQ(r.begin, contact);
-        EXPECT_LE(r.size(), contacts_per_chunk);
-        contact = r.end;
+    for (const ContactChunk& chunk : a.contact_chunks) {
+        EXPECT_EQ(chunk.contacts.begin, contact);
+        EXPECT_LE(chunk.contacts.size(), contacts_per_chunk);
+        contact = chunk.contacts.end;
     }
     EXPECT_EQ(contact, a.n_contacts());
 }

@@ -69,7 +69,7 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
 // Two blocks under pressure, pushed along the joint: below the friction limit, near it, and sliding.
 TEST(NearFailure, CountsJointsThatSlideAndPointsThatAreAboutToFail) {
     SmallRun run(test::jointed_rectangle(4, 2, 0.06, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
-    const ContactLaw& law = run.parameters.law;
+    const ContactLaw& law = run.parameters.laws[0];
     const double overlap = 10e6 / law.kt;
     const double limit = 10e6 * law.tan_phi / law.ks;  // sliding at which friction is at its limit
     const auto at = [&](double sliding) {
