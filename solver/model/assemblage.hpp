@@ -142,12 +142,31 @@ void for_each_contact(const Assemblage& a, const Act& act) {
         }
     }
 }
-/// Σ over the chunks of grains of `sum_of(chunk)`, in their order.
-template <class SumOf>
-double sum_over_grain_chunks(const Assemblage& a, const SumOf& sum_of) {
-    double total = 0;
+/// Σ `of_item(i)` over the items of a range.
+template <class OfItem>
+auto sum_over(Range range, const OfItem& of_item) {
+    decltype(of_item(0)) sum{};
+    for (std::int32_t i = range.begin; i < range.end; ++i) {
+        sum += of_item(i);
+    }
+    return sum;
+}
+/// The same over ranges, one a chunk: first within each, then over them in their order. All sums of a run are made so, whoever
+/// works on which chunk.
+template <class OfItem>
+auto sum_over(const std::vector<Range>& ranges, const OfItem& of_item) {
+    decltype(of_item(0)) total{};
+    for (const Range& range : ranges) {
+        total += sum_over(range, of_item);
+    }
+    return total;
+}
+/// Σ `of_node(i)` over all nodes, by chunk of grains.
+template <class OfNode>
+auto sum_over_nodes(const Assemblage& a, const OfNode& of_node) {
+    decltype(of_node(0)) total{};
     for (const GrainChunk& chunk : a.grain_chunks) {
-        total += sum_of(chunk);
+        total += sum_over(chunk.nodes, of_node);
     }
     return total;
 }

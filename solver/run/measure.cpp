@@ -77,18 +77,6 @@ void find_damping_forces(const Assemblage& a, const StepParameters& parameters, 
     }
 }
 
-/// Σ `of_node(i)`, by chunk.
-template <class OfNode>
-double sum_over_nodes(const Assemblage& a, const OfNode& of_node) {
-    return sum_over_grain_chunks(a, [&](const GrainChunk& chunk) {
-        double sum = 0;
-        for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
-            sum += of_node(i);
-        }
-        return sum;
-    });
-}
-
 double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s) {
     return 0.5 * sum_over_nodes(a, [&](std::int32_t i) {
                const Vector2 force = s.force[i] + s.damping_force[i];
@@ -107,23 +95,26 @@ TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) 
                           s.displacement[n2] - s.displacement[n0]);
 }
 
-/// \param element_force Σ |force on a node| over the nodes of all elements, N
-double strain_energy(const Assemblage& a, const State& s, double& element_force) {
-    double energy = 0;
-    element_force = sum_over_grain_chunks(a, [&](const GrainChunk& chunk) {
-        double energy_of_chunk = 0;
-        double force = 0;
-        for (std::int32_t e = chunk.elements.begin; e < chunk.elements.end; ++e) {
+/// Strain energy (J) and Σ |force on a node| over the nodes (N) of elements.
+struct ElementSums {
+    double energy = 0, force = 0;
+    ElementSums& operator+=(const ElementSums& other) {
+        energy += other.energy;
+        force += other.force;
+        return *this;
+    }
+};
+ElementSums sum_over_elements(const Assemblage& a, const State& s) {
+    ElementSums total;
+    for (const GrainChunk& chunk : a.grain_chunks) {
+        total += sum_over(chunk.elements, [&](std::int32_t e) {
             const TriangleGeometry g = a.element_geometry[e];
             const TriangleState t = element_state(a, e, s);
-            energy_of_chunk += triangle_energy(g, t);
             const TriangleForces f = triangle_forces(g, t);
-            force += length(f.on_node0()) + length(f.on_node1) + length(f.on_node2);
-        }
-        energy += energy_of_chunk;
-        return force;
-    });
-    return energy;
+            return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+        });
+    }
+    return total;
 }
 
 void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const State& s, Energies& energies) {
@@ -138,16 +129,34 @@ void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const St
     }
 }
 
+/// What the platens do: energy they keep (J), work of the last half step (J), power (W), forces along y (N).
+struct PlatenSums {
+    double energy = 0, half_work = 0, power = 0;
+    std::array<double, 2> force{};
+    PlatenSums& operator+=(const PlatenSums& other) {
+        energy += other.energy;
+        half_work += other.half_work;
+        power += other.power;
+        force[bottom_platen] += other.force[bottom_platen];
+        force[top_platen] += other.force[top_platen];
+        return *this;
+    }
+};
 void add_platen_energies(const Boundary& boundary, double time_step, const State& s, Measurement& m) {
-    for (const PlatenPoint& point : s.platen_points) {
+    const PlatenSums sums = sum_over(boundary.platen_points_of_chunk, [&](std::int32_t i) {
+        const PlatenPoint& point = s.platen_points[i];
         const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
                                                  s.loading.platen_displacement[point.platen]);
-        m.energies.platen += r.stored + r.friction;
         const double increment = s.loading.increment_before[point.platen];
-        m.energies.external += 0.5 * r.force.y * increment;
-        m.platen_power += r.force.y * increment / time_step;
-        (static_cast<std::size_t>(point.platen) == top_platen ? m.force_top : m.force_bottom) += r.force.y;
-    }
+        PlatenSums of_point{r.stored + r.friction, 0.5 * r.force.y * increment, r.force.y * increment / time_step};
+        of_point.force[point.platen] = r.force.y;
+        return of_point;
+    });
+    m.energies.platen += sums.energy;
+    m.energies.external += sums.half_work;
+    m.platen_power += sums.power;
+    m.force_bottom += sums.force[bottom_platen];
+    m.force_top += sums.force[top_platen];
 }
 
 void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
@@ -159,9 +168,9 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
         m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
-    for (const double pressing : s.prescribed.pressing) {
-        m.membrane_force += std::abs(pressing);  // two ends an edge, two sides: the mean of the sides
-    }
+    // Two ends an edge, two sides: the mean of the sides.
+    m.membrane_force +=
+        sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) { return std::abs(s.prescribed.pressing[i]); });
 }
 
 /// Motions, tractions, damage and states of all contact points, into a frame.
@@ -193,16 +202,10 @@ void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, 
 }  // namespace
 
 double Gauge::strain(const std::vector<Vector2>& displacement) const {
-    double total = 0;
-    for (const Range& range : of_chunk) {
-        double sum = 0;
-        for (std::int32_t i = range.begin; i < range.end; ++i) {
-            const Vector2& u = displacement[terms[i].node];
-            sum += terms[i].weight * (along_y ? u.y : u.x);
-        }
-        total += sum;
-    }
-    return total;
+    return sum_over(of_chunk, [&](std::int32_t i) {
+        const Vector2& u = displacement[terms[i].node];
+        return terms[i].weight * (along_y ? u.y : u.x);
+    });
 }
 
 Gauges make_gauges(const Assemblage& a, const Specimen& s) {
@@ -231,8 +234,8 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
         sum_nodal_forces(a, boundary, s.loading, block, s);
     }
-    double element_force = 0;
-    m.energies.strain = strain_energy(a, s, element_force);
+    const ElementSums elements = sum_over_elements(a, s);
+    m.energies.strain = elements.energy;
     find_damping_forces(a, parameters, s);
     m.own_kinetic = kinetic_energy(a, parameters, s);
     const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
@@ -246,7 +249,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.numerical += sums.platen_loss;
         m.energies.external += sums.platen_work;
     }
-    m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
+    m.unbalanced_ratio = elements.force > 0 ? unbalanced / elements.force : 0;
     add_contact_energies(a, parameters.laws, s, m.energies);
     add_platen_energies(boundary, parameters.time_step, s, m);
     add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
@@ -263,15 +266,13 @@ double stored_in_contacts(const Assemblage& a, const ContactLaws& laws, const St
     contact_law::with_law(laws.variant(), [&](auto kind) {
         for (const ContactChunk& chunk : a.contact_chunks) {
             const ContactLaw& law = laws[chunk.contact_class];
-            double of_chunk = 0;
-            for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
+            energy += sum_over(chunk.contacts, [&](std::int32_t c) {
                 const auto [first, second] = points_of(c);
                 const double of_points = decltype(kind)::stored_energy(law, point_history(s, first)) +
                                          decltype(kind)::stored_energy(law, point_history(s, second));  // per area, over s²
                 const double strength = a.contacts[c].strength;
-                of_chunk += s.contact_pairs.released[c] != 0 ? 0 : strength * strength * a.contacts[c].point_area * of_points;
-            }
-            energy += of_chunk;
+                return s.contact_pairs.released[c] != 0 ? 0 : strength * strength * a.contacts[c].point_area * of_points;
+            });
         }
     });
     return energy;

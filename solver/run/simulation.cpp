@@ -241,7 +241,7 @@ private:
         const Measurement m = measure(assemblage_, boundary_, parameters_, state_);
         check_stability(m.energies);
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
-        follow_damping_load(state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
+        follow_damping_load(assemblage_, state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
         push_row(m);
         rate_ = rate_measures(m);
         driver_.note(view());

@@ -109,13 +109,7 @@ void add_platens(const Boundary& boundary, const std::vector<Vector2>& x, std::v
 }
 
 double dot(const Assemblage& a, const std::vector<Vector2>& x, const std::vector<Vector2>& y) {
-    return sum_over_grain_chunks(a, [&](const GrainChunk& chunk) {
-        double sum = 0;
-        for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
-            sum += graincrack::dot(x[i], y[i]);
-        }
-        return sum;
-    });
+    return sum_over_nodes(a, [&](std::int32_t i) { return graincrack::dot(x[i], y[i]); });
 }
 
 /// A start vector with a part in every mode: a fixed sequence without pattern.

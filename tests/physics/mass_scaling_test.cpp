@@ -105,6 +105,7 @@ Assemblage broken(Assemblage a, std::size_t every, std::size_t first) {
         }
     }
     a.contacts = left;
+    a.contact_chunks = {{{0, static_cast<std::int32_t>(left.size())}, 0}};
     return a;
 }
 

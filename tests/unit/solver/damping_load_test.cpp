@@ -33,7 +33,7 @@ double share_of(Velocity&& velocity, DampingForce&& damping_force) {
         }
         std::fill(s.damping_force.begin(), s.damping_force.end(), Vector2{0, -damping_force(t)});
         s.time = t;
-        follow_damping_load(s, 1, time_constant, s.damping_load);
+        follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     }
     return s.damping_load.share() / static_cast<double>(s.damping_force.size());
 }
@@ -59,10 +59,10 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
     s.displacement.assign(s.displacement.size(), {1e-6, 0});
     s.damping_force.assign(s.damping_force.size(), {-1, 0});
     s.time = transit;
-    follow_damping_load(s, 1, time_constant, s.damping_load);
+    follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     const double once = s.damping_load.share();
     EXPECT_GT(once, 0);
-    follow_damping_load(s, 1, time_constant, s.damping_load);
+    follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     EXPECT_EQ(s.damping_load.share(), once);
 }
 
