@@ -1,14 +1,11 @@
 // What grains and contacts of each phase are made of.
-//
-// Every grain belongs to a phase of the specimen (/grains/phase), every contact to the class of its two phases. A specimen of p
-// phases has p (p + 1)/2 classes, in the order 00, 01, 11, 02, 12, 22, …
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "share/material.hpp"
+#include "share/specimen.hpp"
 
 namespace graincrack {
 
@@ -20,13 +17,6 @@ struct Phase {
     friend bool operator==(const Phase&, const Phase&) = default;
 };
 inline Phase phase_of(const Rock& rock) { return {rock.young_modulus, rock.poisson_ratio, rock.density}; }
-
-/// The class of a contact between grains of two phases, in either order.
-constexpr std::size_t contact_class(std::size_t phase, std::size_t other) {
-    const std::size_t high = std::max(phase, other);
-    return high * (high + 1) / 2 + std::min(phase, other);
-}
-constexpr std::size_t n_contact_classes(std::size_t n_phases) { return n_phases * (n_phases + 1) / 2; }
 
 /// Properties by phase and by class.
 struct Fabric {

@@ -107,6 +107,26 @@ std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
     return grain;
 }
 
+std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names) {
+    std::vector<std::string> names;
+    for (std::size_t high = 0; high < phase_names.size(); ++high) {
+        for (std::size_t low = 0; low <= high; ++low) {
+            names.push_back(phase_names[low] + "-" + phase_names[high]);
+        }
+    }
+    return names;
+}
+
+std::vector<std::uint8_t> contact_classes(const Specimen& s) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    std::vector<std::uint8_t> classes;
+    for (const auto& nodes : s.contact_nodes) {
+        classes.push_back(
+            static_cast<std::uint8_t>(contact_class(s.grain_phase[grain[nodes[0]]], s.grain_phase[grain[nodes[2]]])));
+    }
+    return classes;
+}
+
 void write_specimen(H5Output& file, const Specimen& s) {
     const std::string group = schema::specimen_group;
     file.create_group(group);
@@ -131,6 +151,13 @@ void write_specimen(H5Output& file, const Specimen& s) {
     write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
     write_column(file, schema::contact_kind, s.contact_kind);
     file.attribute(schema::contact_kind.path, "names", std::vector<std::string>{"grain boundary", "pre-existing crack"});
+    if (s.phase_names.size() > 1) {
+        write_column(file, schema::contact_class, contact_classes(s));
+        file.attribute(schema::contact_class.path, "names", contact_class_names(s.phase_names));
+    }
+    if (!s.contact_strength_factor.empty()) {
+        write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
+    }
     write_rows(file, schema::boundary_edges, s.boundary_edges);
     write_column(file, schema::boundary_part, s.boundary_part);
     file.attribute(schema::boundary_part.path, "names", s.part_names);
@@ -162,7 +189,15 @@ Specimen read_specimen(const H5Input& file) {
     s.boundary_edges = table_of<std::int32_t, 2>(file, schema::boundary_edges);
     s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path, {s.n_boundary_edges()});
     s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
+    if (file.has(schema::contact_strength_factor.path)) {
+        s.contact_strength_factor = file.read<double>(schema::contact_strength_factor.path, {s.n_contacts()});
+    }
     validate(s, file.name());
+    if (file.has(schema::contact_class.path) &&
+        file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()}) != contact_classes(s)) {
+        throw InputError(fmt::format("{}: {} is not the pair of the phases of the two grains of each contact", file.name(),
+                                     schema::contact_class.path));
+    }
     return s;
 }
 

@@ -4,7 +4,9 @@
 // contacts. Any specimen that passes `validate` can be run, however it was made.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,6 +21,20 @@ enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack =
 
 /// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
 enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };
+
+// Every contact belongs to the class of the phases of its two grains. p phases have p (p + 1)/2 classes, in the order 00, 01, 11,
+// 02, 12, 22, …
+
+/// Most phases of a specimen: their classes fit in uint8.
+inline constexpr std::size_t max_phases = 22;
+/// The class of a contact between grains of two phases, in either order.
+constexpr std::size_t contact_class(std::size_t phase, std::size_t other) {
+    const std::size_t high = std::max(phase, other);
+    return high * (high + 1) / 2 + std::min(phase, other);
+}
+constexpr std::size_t n_contact_classes(std::size_t n_phases) { return n_phases * (n_phases + 1) / 2; }
+/// Names of all classes, as "quartz-mica": the phase with the lower index first.
+std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names);
 
 /// Statistics of the mesh; attributes of /specimen. Lengths in m, angles in rad.
 struct MeshStatistics {
@@ -68,6 +84,9 @@ struct Specimen {
     [[nodiscard]] std::size_t n_contacts() const { return contact_nodes.size(); }
     [[nodiscard]] std::size_t n_boundary_edges() const { return boundary_edges.size(); }
 };
+
+/// Class of each contact [c].
+std::vector<std::uint8_t> contact_classes(const Specimen& specimen);
 
 /// Checks that the arrays fit each other and the conventions of the schema: lengths, index ranges, counter-clockwise
 /// elements of positive area that do not share sides in the same sense, elements of a grain contiguous and ascending, each node

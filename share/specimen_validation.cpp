@@ -61,6 +61,13 @@ void check_sizes(const Specimen& s, const Checker& check) {
     check.require(s.contact_grain_boundary.size() == s.n_contacts(),
                   "contacts/grain_boundary and contacts/nodes differ in length");
     check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
+    check.require(s.phase_names.size() <= max_phases, "more than 22 phases");
+    check.require(s.contact_strength_factor.empty() || s.contact_strength_factor.size() == s.n_contacts(),
+                  "contacts/strength_factor and contacts/nodes differ in length");
+    for (std::size_t c = 0; c < s.contact_strength_factor.size(); ++c) {
+        check.require(std::isfinite(s.contact_strength_factor[c]) && s.contact_strength_factor[c] > 0,
+                      "contacts/strength_factor must be positive and finite", c);
+    }
     check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
     check.require(s.shape == "rectangle" || s.shape == "disc", "shape is unknown; rectangle or disc is needed");
     check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
