@@ -11,13 +11,6 @@ namespace graincrack::h5 {
 
 namespace {
 
-Handle string_type() {
-    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type.get(), H5T_VARIABLE);
-    H5Tset_cset(type.get(), H5T_CSET_UTF8);
-    return type;
-}
-
 Handle fixed_string_type(std::size_t size) {
     Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type.get(), std::max<std::size_t>(size, 1));
@@ -76,30 +69,15 @@ void write_attribute(hid_t object, const std::string& name, const std::vector<st
 
 namespace {
 
-/// Reads any string attribute, fixed or variable (of files before schema 3), scalar or vector.
+/// Reads a string attribute of fixed length, scalar or vector.
 bool read_strings(hid_t attribute, std::vector<std::string>& out) {
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);
-    if (H5Tget_class(type.get()) != H5T_STRING) {
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
         return false;
     }
     const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
     out.clear();
-    if (H5Tis_variable_str(type.get()) > 0) {
-        std::vector<char*> values(n, nullptr);
-        const Handle memory = string_type();
-        H5Tset_cset(memory.get(), H5Tget_cset(type.get()));
-        if (n > 0 && H5Aread(attribute, memory.get(), values.data()) < 0) {
-            return false;
-        }
-        for (char* value : values) {
-            out.emplace_back(value != nullptr ? value : "");
-        }
-        if (n > 0) {
-            H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.data());
-        }
-        return true;
-    }
     const std::size_t size = H5Tget_size(type.get());
     std::vector<char> bytes(n * size);
     if (n > 0 && H5Aread(attribute, type.get(), bytes.data()) < 0) {

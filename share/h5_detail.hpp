@@ -117,7 +117,6 @@ Extents space_extents(hid_t space);
 std::string extents_text(const Extents& extents);
 
 /// One line for each dataset: path, type, shape, unit, description.
-/// \param reads_variable whether the file may hold texts of variable length
-std::vector<std::string> describe(hid_t file, const std::string& file_name, bool reads_variable);
+std::vector<std::string> describe(hid_t file, const std::string& file_name);
 
 }  // namespace graincrack::h5

@@ -46,8 +46,7 @@ hid_t hash_type(hid_t type) {
 /// Walks through a file whose groups are a tree (`require_tree`).
 class Content {
 public:
-    Content(hid_t file, const std::string& file_name, bool reads_variable)
-        : file_(file), file_name_(file_name), reads_variable_(reads_variable) {}
+    Content(hid_t file, const std::string& file_name) : file_(file), file_name_(file_name) {}
 
     /// Adds an object and all below it to a hash, but for the object `left_out`.
     void digest(const std::string& path, const std::string& left_out, Sha256& hash) const {
@@ -81,7 +80,7 @@ public:
             std::string text;
             const Handle attribute(H5Aexists(object.get(), name) > 0 ? H5Aopen(object.get(), name, H5P_DEFAULT) : -1, H5Aclose);
             if (attribute.valid()) {
-                require_readable_attribute(attribute.get(), reads_variable_, file_name_, path, name);
+                require_readable_attribute(attribute.get(), file_name_, path, name);
                 line += read_attribute(attribute.get(), text) ? " " + text : "";
             }
         }
@@ -122,7 +121,7 @@ private:
             if (!attribute.valid()) {
                 refuse();
             }
-            require_readable_attribute(attribute.get(), reads_variable_, file_name_, path, name);
+            require_readable_attribute(attribute.get(), file_name_, path, name);
             const Handle type(H5Aget_type(attribute.get()), H5Tclose);
             const Handle space(H5Aget_space(attribute.get()), H5Sclose);
             hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
@@ -153,20 +152,19 @@ private:
 
     hid_t file_;
     const std::string& file_name_;
-    bool reads_variable_;
 };
 
 }  // namespace
 
-std::string digest(hid_t file, const std::string& file_name, const std::string& left_out, bool reads_variable) {
+std::string digest(hid_t file, const std::string& file_name, const std::string& left_out) {
     Sha256 hash;
-    Content(file, file_name, reads_variable).digest("/", left_out, hash);
+    Content(file, file_name).digest("/", left_out, hash);
     return hash.hex();
 }
 
-std::vector<std::string> describe(hid_t file, const std::string& file_name, bool reads_variable) {
+std::vector<std::string> describe(hid_t file, const std::string& file_name) {
     std::vector<std::string> lines;
-    Content(file, file_name, reads_variable).describe("/", lines);
+    Content(file, file_name).describe("/", lines);
     return lines;
 }
 

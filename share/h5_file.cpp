@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "share/error.hpp"
-#include "share/former_names.hpp"
 #include "share/h5_detail.hpp"
 #include "share/h5_digest.hpp"
 #include "share/h5_open.hpp"
@@ -113,22 +112,7 @@ std::string hdf5_version() {
 struct H5Input::State {
     std::string name;
     std::string kind;
-    std::int64_t version = schema_version;
     Handle file;
-
-    /// Where the file holds a dataset or group that has a path of today.
-    [[nodiscard]] std::string stored(const std::string& path) const {
-        const std::size_t slash = path.rfind('/');
-        if (version == schema_version || slash == std::string::npos) {
-            return path;
-        }
-        const std::string_view group = std::string_view(path).substr(0, slash);
-        return path.substr(0, slash + 1) + std::string(stored_name(version, group, std::string_view(path).substr(slash + 1)));
-    }
-    /// Name that the file has for an attribute of an object.
-    [[nodiscard]] std::string stored(const std::string& object, const std::string& attribute) const {
-        return std::string(stored_name(version, object, attribute));
-    }
 };
 
 H5Input::H5Input() : state_(std::make_unique<State>()) { silence_hdf5(); }
@@ -154,20 +138,16 @@ H5Input H5Input::from_image(const std::vector<char>& image, const std::string& n
 }
 
 void H5Input::require_kind(std::string_view kind) {
-    const std::int64_t version = attribute_or<std::int64_t>("/", "schema_version", 0);
-    state_->version = std::min<std::int64_t>(version, schema_version);
     if (attribute_or<std::string>("/", "format", "") != "graincrack") {
         throw InputError(
             fmt::format("{}: an HDF5 file, but not a Graincrack one (no root attribute format = graincrack)", state_->name));
     }
     require_tree(state_->file.get(), state_->name);
-    if (version < 1) {
+    if (const auto version = attribute<std::int64_t>("/", "schema_version"); version != schema_version) {
         throw InputError(
-            fmt::format("{}: schema version {} is none; {} is that of today", state_->name, version, schema_version));
-    }
-    if (version > schema_version) {
-        throw InputError(fmt::format("{}: schema version {} is newer than this build reads ({}); use a newer Graincrack",
-                                     state_->name, version, schema_version));
+            fmt::format("{}: has schema version {}, but this build reads {}; {}", state_->name, version, schema_version,
+                        version < schema_version ? "make the file again, or read it with the Graincrack that wrote it"
+                                                 : "use a newer Graincrack"));
     }
     state_->kind = attribute_or<std::string>("/", "kind", "");
     if (!kind.empty() && state_->kind != kind) {
@@ -182,22 +162,19 @@ H5Input& H5Input::operator=(H5Input&&) noexcept = default;
 
 const std::string& H5Input::name() const { return state_->name; }
 const std::string& H5Input::kind() const { return state_->kind; }
-std::int64_t H5Input::version() const { return state_->version; }
 
 bool H5Input::has(const std::string& path) const {
-    const std::string stored = state_->stored(path);
     // H5Lexists needs every parent to exist.
-    for (std::size_t slash = stored.find('/', 1); slash != std::string::npos; slash = stored.find('/', slash + 1)) {
-        if (H5Lexists(state_->file.get(), stored.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+    for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+        if (H5Lexists(state_->file.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
             return false;
         }
     }
-    return stored == "/" || H5Lexists(state_->file.get(), stored.c_str(), H5P_DEFAULT) > 0;
+    return path == "/" || H5Lexists(state_->file.get(), path.c_str(), H5P_DEFAULT) > 0;
 }
 
 bool H5Input::has_attribute(const std::string& object, const std::string& attribute) const {
-    return has(object) && H5Aexists_by_name(state_->file.get(), state_->stored(object).c_str(),
-                                            state_->stored(object, attribute).c_str(), H5P_DEFAULT) > 0;
+    return has(object) && H5Aexists_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
 }
 
 namespace {
@@ -213,7 +190,7 @@ Handle open_dataset(hid_t file, const std::string& file_name, const std::string&
 }  // namespace
 
 Extents H5Input::extents(const std::string& dataset) const {
-    const Handle id = open_dataset(state_->file.get(), state_->name, state_->stored(dataset));
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     const Handle space(H5Dget_space(id.get()), H5Sclose);
     return space_extents(space.get());
 }
@@ -224,7 +201,7 @@ std::vector<std::string> H5Input::children(const std::string& group) const {
 
 template <class T>
 std::vector<T> H5Input::read(const std::string& dataset) const {
-    const Handle id = open_dataset(state_->file.get(), state_->name, state_->stored(dataset));
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     std::vector<T> values(require_readable(id.get(), state_->name, dataset));
     if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
         throw InputError(
@@ -244,7 +221,7 @@ std::vector<T> H5Input::read(const std::string& dataset, const Extents& shape) c
 
 template <class T>
 std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
-    const Handle id = open_dataset(state_->file.get(), state_->name, state_->stored(dataset));
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     require_readable(id.get(), state_->name, dataset);
     const Handle space(H5Dget_space(id.get()), H5Sclose);
     std::vector<hsize_t> extents = to_hsize(space_extents(space.get()));
@@ -269,21 +246,13 @@ T H5Input::attribute(const std::string& object, const std::string& attribute) co
     if (!has_attribute(object, attribute)) {
         throw InputError(fmt::format("{}: attribute {} of {} is missing", state_->name, attribute, object));
     }
-    const Handle id(H5Aopen_by_name(state_->file.get(), state_->stored(object).c_str(), state_->stored(object, attribute).c_str(),
-                                    H5P_DEFAULT, H5P_DEFAULT),
-                    H5Aclose);
+    const Handle id(H5Aopen_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     if (id.valid()) {
-        require_readable_attribute(id.get(), state_->version < 3, state_->name, object, attribute);
+        require_readable_attribute(id.get(), state_->name, object, attribute);
     }
     T value{};
     if (!id.valid() || !read_attribute(id.get(), value)) {
         throw InputError(fmt::format("{}: attribute {} of {} has an unexpected type", state_->name, attribute, object));
-    }
-    const auto renew = [&](std::string& text) { text = std::string(present_text(state_->version, object, attribute, text)); };
-    if constexpr (std::is_same_v<T, std::string>) {
-        renew(value);
-    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-        std::for_each(value.begin(), value.end(), renew);
     }
     return value;
 }
@@ -293,11 +262,11 @@ T H5Input::attribute_or(const std::string& object, const std::string& name, T fa
     return has_attribute(object, name) ? attribute<T>(object, name) : fallback;
 }
 
-std::string H5Input::digest() const { return h5::digest(state_->file.get(), state_->name, "/provenance", state_->version < 3); }
+std::string H5Input::digest() const { return h5::digest(state_->file.get(), state_->name, "/provenance"); }
 
-void H5Input::check() const { static_cast<void>(h5::digest(state_->file.get(), state_->name, "", state_->version < 3)); }
+void H5Input::check() const { static_cast<void>(h5::digest(state_->file.get(), state_->name, "")); }
 
-std::vector<std::string> H5Input::describe() const { return h5::describe(state_->file.get(), state_->name, state_->version < 3); }
+std::vector<std::string> H5Input::describe() const { return h5::describe(state_->file.get(), state_->name); }
 
 // --- writing ---------------------------------------------------------------------------------------------------------
 

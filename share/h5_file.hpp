@@ -12,9 +12,8 @@
 
 namespace graincrack {
 
-/// Version of the file layout this build writes. Newer files are refused, older ones are read: names and texts that changed are
-/// in share/former_names.
-inline constexpr int schema_version = 3;
+/// Version of the file layout that this build writes and reads; files of another one are refused.
+inline constexpr int schema_version = 4;
 
 /// Version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();
@@ -22,13 +21,12 @@ std::string hdf5_version();
 /// Shape of an array, slowest index first.
 using Extents = std::vector<std::size_t>;
 
-/// A file open for reading; "-" reads an HDF5 file image from stdin. Paths and attributes have their names of today for files of
-/// every schema version; only `children`, `digest` and `describe` tell names as the file has them.
+/// A file open for reading; "-" reads an HDF5 file image from stdin.
 class H5Input {
 public:
     /// \param path a file or "-"
     /// \param kind "specimen" or "run" if the caller needs one, empty to accept both
-    /// \throws InputError one line: missing, not HDF5, truncated or damaged, foreign (no format attribute), newer schema,
+    /// \throws InputError one line: missing, not HDF5, truncated or damaged, foreign (no format attribute), another schema,
     ///         another kind than asked, or an empty stdin
     explicit H5Input(const std::string& path, std::string_view kind = "");
     /// The same from the bytes of a file. A file that is still being written holds what was flushed so far.
@@ -40,7 +38,6 @@ public:
 
     [[nodiscard]] const std::string& name() const;  ///< the path, or "stdin", for messages
     [[nodiscard]] const std::string& kind() const;  ///< root attribute "kind"
-    [[nodiscard]] std::int64_t version() const;     ///< root attribute "schema_version"; 0 without one
 
     [[nodiscard]] bool has(const std::string& path) const;
     [[nodiscard]] bool has_attribute(const std::string& object, const std::string& attribute) const;

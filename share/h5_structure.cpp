@@ -141,7 +141,7 @@ std::size_t require_readable(hid_t dataset, const std::string& file_name, const 
     return n;
 }
 
-void require_readable_attribute(hid_t attribute, bool reads_variable, const std::string& file_name, const std::string& object,
+void require_readable_attribute(hid_t attribute, const std::string& file_name, const std::string& object,
                                 const std::string& name) {
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);
@@ -154,7 +154,7 @@ void require_readable_attribute(hid_t attribute, bool reads_variable, const std:
     const H5T_class_t kind = H5Tget_class(type.get());
     const bool is_variable = kind == H5T_VLEN || H5Tis_variable_str(type.get()) > 0;
     require(kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_STRING, "is neither a number nor a text");
-    require(reads_variable || !is_variable,
+    require(!is_variable,
             "is a text of variable length; one of fixed length is needed (h5py: numpy.bytes_(text), or an array of type S)");
     if (H5Sget_simple_extent_type(space.get()) != H5S_NULL) {
         const std::size_t n = product_of(space_extents(space.get()));

@@ -17,9 +17,9 @@ void require_tree(hid_t file, const std::string& file_name);
 /// as many as its bytes can hold; nothing has been read then
 std::size_t require_readable(hid_t dataset, const std::string& file_name, const std::string& path);
 
-/// \throws InputError for an attribute that declares more than the file has bytes, or for texts of variable length unless
-/// `reads_variable`: the library keeps those apart, in what a damaged file leads it astray
-void require_readable_attribute(hid_t attribute, bool reads_variable, const std::string& file_name, const std::string& object,
+/// \throws InputError for an attribute that declares more than the file has bytes, or for texts of variable length: the
+/// library keeps those apart, in what a damaged file leads it astray
+void require_readable_attribute(hid_t attribute, const std::string& file_name, const std::string& object,
                                 const std::string& name);
 
 }  // namespace graincrack::h5

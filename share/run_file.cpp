@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 #include <string_view>
@@ -11,7 +12,6 @@
 
 #include "share/error.hpp"
 #include "share/file_checks.hpp"
-#include "share/former_names.hpp"
 #include "share/h5_file.hpp"
 #include "share/provenance.hpp"
 #include "share/schema.hpp"
@@ -54,8 +54,33 @@ namespace {
 
 constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
 
-/// Visits every attribute of /run once, for writing and reading alike. Attributes marked `newer` may be missing from older files
-/// and then have their default.
+/// Visits every contact parameter once.
+template <class Contact, class Visit>
+void visit_contact(Contact& contact, const Visit& visit) {
+    visit("contact_normal_stiffness", contact.normal_stiffness, Dimension::stiffness);
+    visit("contact_shear_stiffness", contact.shear_stiffness, Dimension::stiffness);
+    visit("contact_tensile_strength", contact.tensile_strength, Dimension::stress);
+    visit("contact_cohesion", contact.cohesion, Dimension::stress);
+    visit("contact_friction_angle", contact.friction_angle, Dimension::angle);
+    visit("fracture_energy", contact.fracture_energy, Dimension::fracture_energy);
+    visit("critical_opening", contact.critical_opening, Dimension::length);
+    visit("critical_sliding", contact.critical_sliding, Dimension::length);
+    visit("ultimate_opening", contact.ultimate_opening, Dimension::length);
+    visit("mode_ii_fracture_energy", contact.mode_ii_fracture_energy, Dimension::fracture_energy);
+    visit("contact_residual_tensile_strength", contact.residual_tensile_strength, Dimension::stress);
+    visit("contact_residual_cohesion", contact.residual_cohesion, Dimension::stress);
+    visit("contact_residual_friction_angle", contact.residual_friction_angle, Dimension::angle);
+    visit("contact_open_shear_strength", contact.open_shear_strength, Dimension::stress);
+}
+/// Visits every property of a phase once.
+template <class AnyPhase, class Visit>
+void visit_phase(AnyPhase& phase, const Visit& visit) {
+    visit("young_modulus", phase.young_modulus, Dimension::stress);
+    visit("poisson_ratio", phase.poisson_ratio, Dimension::one);
+    visit("density", phase.density, Dimension::density);
+}
+
+/// Visits every attribute of /run once, for writing and reading alike.
 template <class Header, class Visit>
 void visit_header(Header& h, Visit&& visit) {
     visit("test", h.test);
@@ -69,38 +94,25 @@ void visit_header(Header& h, Visit&& visit) {
     visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
     visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
     visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
-    visit("contact_normal_stiffness", h.contact.normal_stiffness, Dimension::stiffness);
-    visit("contact_shear_stiffness", h.contact.shear_stiffness, Dimension::stiffness);
-    visit("contact_tensile_strength", h.contact.tensile_strength, Dimension::stress);
-    visit("contact_cohesion", h.contact.cohesion, Dimension::stress);
-    visit("contact_friction_angle", h.contact.friction_angle, Dimension::angle);
-    visit("fracture_energy", h.contact.fracture_energy, Dimension::fracture_energy);
-    visit("critical_opening", h.contact.critical_opening, Dimension::length);
-    visit("critical_sliding", h.contact.critical_sliding, Dimension::length);
-    visit("ultimate_opening", h.contact.ultimate_opening, Dimension::length);
-    visit.newer("mode_ii_fracture_energy", h.contact.mode_ii_fracture_energy, Dimension::fracture_energy);
-    visit.newer("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
-    visit.newer("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
-    visit.newer("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
-    visit.newer("contact_open_shear_strength", h.contact.open_shear_strength, Dimension::stress);
+    visit_contact(h.contact, visit);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
-    visit.newer("rate", h.rate);
-    visit.newer("rate_tolerance", h.rate_tolerance, Dimension::one);
-    visit.newer("rate_share", h.rate_share, Dimension::one);
+    visit("rate", h.rate);
+    visit("rate_tolerance", h.rate_tolerance, Dimension::one);
+    visit("rate_share", h.rate_share, Dimension::one);
     visit("platen_speed", h.platen_speed, Dimension::speed);
     visit("damping", h.damping, Dimension::one);
-    visit.newer("damping_form", h.damping_form);
+    visit("damping_form", h.damping_form);
     visit("peak_drop", h.peak_drop, Dimension::one);
     visit("max_strain", h.max_strain, Dimension::one);
     visit("mass_scaling", h.mass_scaling);
-    visit.newer("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
-    visit.newer("added_mass", h.added_mass, Dimension::one);
+    visit("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
+    visit("added_mass", h.added_mass, Dimension::one);
     visit("stable_time_step", h.stable_time_step, Dimension::time);
     visit("time_step", h.time_step, Dimension::time);
     visit("stop_reason", h.stop_reason);
     visit("steps", h.steps);
-    visit.newer("integrations", h.integrations);
+    visit("integrations", h.integrations);
     visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
     visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
     visit("energy_scale", h.energy_scale, Dimension::energy);
@@ -109,7 +121,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("confinement_mean", h.confinement_mean, Dimension::stress);
     visit("confinement_deviation", h.confinement_deviation, Dimension::stress);
     visit("damping_share", h.damping_share, Dimension::one);
-    visit.newer("damping_load", h.damping_load, Dimension::one);
+    visit("damping_load", h.damping_load, Dimension::one);
 }
 
 struct HeaderWriter {
@@ -119,9 +131,6 @@ struct HeaderWriter {
     void operator()(const char* name, const double& value, Dimension dimension) const {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
-    void newer(const char* name, const std::string& value) const { (*this)(name, value); }
-    void newer(const char* name, const std::int64_t& value) const { (*this)(name, value); }
-    void newer(const char* name, const double& value, Dimension dimension) const { (*this)(name, value, dimension); }
 };
 
 struct HeaderReader {
@@ -132,21 +141,6 @@ struct HeaderReader {
     }
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
-        require_finite(name, value);
-    }
-    void newer(const char* name, std::int64_t& value) const {
-        value = file.attribute_or<std::int64_t>(schema::run_group, name, value);
-    }
-    void newer(const char* name, std::string& value) const {
-        value = file.attribute_or<std::string>(schema::run_group, name, value);
-    }
-    void newer(const char* name, double& value, Dimension /*dimension*/) const {
-        value = file.attribute_or<double>(schema::run_group, name, value);
-        require_finite(name, value);
-    }
-
-private:
-    void require_finite(const char* name, double value) const {
         if (!std::isfinite(value)) {
             throw InputError(fmt::format("{}: attribute {} of {} is {}; a finite number is needed", file.name(), name,
                                          schema::run_group, value));
@@ -160,12 +154,78 @@ void write_header(H5Output& file, const RunHeader& header) {
     visit_header(header, HeaderWriter{file});
 }
 
+/// Properties of phases or classes as datasets of a group, one a property.
+class PropertyTable {
+public:
+    void operator()(const char* name, const double& value, Dimension dimension) const {
+        if (columns_.find(name) == columns_.end()) {
+            order_.emplace_back(name, dimension);
+        }
+        columns_[name].push_back(value);
+    }
+    void write(H5Output& file, const std::string& group, const std::vector<std::string>& names) const {
+        file.create_group(group);
+        file.attribute(group, "names", names);
+        for (const auto& [name, dimension] : order_) {
+            file.write<double>(group + "/" + name, std::span<const double>(columns_[name]), {names.size()}, si_unit(dimension),
+                               "by index of the attribute names of the group");
+        }
+    }
+
+private:
+    mutable std::vector<std::pair<std::string, Dimension>> order_;
+    mutable std::map<std::string, std::vector<double>> columns_;
+};
+
+void write_fabric(H5Output& file, const Fabric& fabric, const std::vector<std::string>& phase_names) {
+    const PropertyTable phases;
+    for (const Phase& phase : fabric.phases) {
+        visit_phase(phase, phases);
+    }
+    phases.write(file, schema::phases_group, phase_names);
+    const PropertyTable classes;
+    for (const ContactParameters& contact : fabric.contacts) {
+        visit_contact(contact, classes);
+    }
+    classes.write(file, schema::classes_group, contact_class_names(phase_names));
+}
+
+/// Row `row` of a group of properties.
+struct PropertyReader {
+    const H5Input& file;
+    std::string group;
+    std::size_t rows, row;
+    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
+        value = file.read<double>(group + "/" + name, {rows})[row];
+        if (!std::isfinite(value)) {
+            throw InputError(
+                fmt::format("{}: {}/{} has the value {}; a finite number is needed", file.name(), group, name, value));
+        }
+    }
+};
+
+Fabric read_fabric(const H5Input& file) {
+    const std::size_t n_phases = rows_of(file, std::string(schema::phases_group) + "/young_modulus");
+    if (n_phases < 1 || n_phases > max_phases) {
+        throw InputError(
+            fmt::format("{}: {} has {} phases; 1 to {} are needed", file.name(), schema::phases_group, n_phases, max_phases));
+    }
+    Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_contact_classes(n_phases))};
+    for (std::size_t i = 0; i < fabric.phases.size(); ++i) {
+        visit_phase(fabric.phases[i], PropertyReader{file, schema::phases_group, fabric.phases.size(), i});
+    }
+    for (std::size_t i = 0; i < fabric.contacts.size(); ++i) {
+        visit_contact(fabric.contacts[i], PropertyReader{file, schema::classes_group, fabric.contacts.size(), i});
+    }
+    return fabric;
+}
+
 RunHeader read_header(const H5Input& file) {
     RunHeader header;
-    header.contact.open_shear_strength = file.attribute<double>(schema::run_group, "contact_tensile_strength");  // in older files
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
     visit_header(header, HeaderReader{file});
+    header.fabric = read_fabric(file);
     if (header.time_step <= 0 || header.steps < 0) {
         throw InputError(
             fmt::format("{}: time_step and steps of {} are {} and {}; a positive step and no negative number are needed",
@@ -217,7 +277,7 @@ void write_column(H5Output& file, const schema::Dataset& dataset, const std::vec
     file.write<T>(dataset.path, std::span<const T>(values), extents, dataset.unit, dataset.description);
 }
 
-/// A column of /cracks that older files lack.
+/// A column of /cracks that is NaN where a point has not been damaged so far.
 struct DamageColumn {
     schema::Dataset dataset;
     double Crack::*value;
@@ -258,12 +318,8 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     }
 }
 
-/// Fills the columns that older files lack, in which they stay NaN.
 void read_damage_columns(const H5Input& file, std::vector<Crack>& cracks) {
     for (const DamageColumn& column : damage_columns) {
-        if (!file.has(column.dataset.path)) {
-            continue;
-        }
         const std::vector<double> values = file.read<double>(column.dataset.path, {cracks.size()});
         require_all(file, column.dataset.path, values, "a finite number or NaN", [](double v) { return !std::isinf(v); });
         for (std::size_t i = 0; i < cracks.size(); ++i) {
@@ -303,6 +359,10 @@ RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& h
     : state_(std::make_unique<State>(State{std::move(file), 0, 0, {}})) {
     write_specimen(state_->file, specimen);
     write_header(state_->file, header);
+    const bool has_fabric = !header.fabric.phases.empty();
+    write_fabric(state_->file,
+                 has_fabric ? header.fabric : uniform_fabric(header.rock, header.contact, specimen.phase_names.size()),
+                 specimen.phase_names);
     state_->file.create_group(schema::history_group);
     state_->file.create_group(schema::frames_group);
     state_->file.flush();
@@ -380,10 +440,6 @@ std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
 
 void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance,
                        const std::vector<SensitivityRow>& sensitivity) {
-    for (const auto& [now, before] : former_names_of(schema::history_group)) {
-        state_->file.hard_link(fmt::format("{}/{}", schema::history_group, now),
-                               fmt::format("{}/{}", schema::history_group, before));
-    }
     write_header(state_->file, header);
     write_cracks(state_->file, cracks);
     if (!sensitivity.empty()) {
@@ -428,9 +484,7 @@ History read_history(const H5Input& file) {
     History history;
     const std::size_t rows = rows_of(file, history_path(0));
     for (std::size_t i = 0; i < n_history_columns; ++i) {
-        const bool is_newer = i >= static_cast<std::size_t>(HistoryColumn::damping_load);  // may be missing from older files
-        history.columns[i] =
-            is_newer && !file.has(history_path(i)) ? std::vector<double>(rows) : read_finite(file, history_path(i), {rows});
+        history.columns[i] = read_finite(file, history_path(i), {rows});
     }
     const std::vector<double>& time = history[HistoryColumn::time];
     if (!std::is_sorted(time.begin(), time.end())) {
@@ -492,8 +546,6 @@ std::vector<Crack> RunReader::cracks() const {
     read_damage_columns(f, cracks);
     return cracks;
 }
-
-bool RunReader::has_damage_times() const { return state_->file.has(schema::crack_time_broken.path); }
 
 std::size_t RunReader::n_frames() const { return state_->frames.size(); }
 

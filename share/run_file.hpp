@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -34,7 +33,7 @@ struct RunHeader {
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
-    Fabric fabric;                       ///< phases and classes; where there is one, of the rock and the contact
+    Fabric fabric;                       ///< of phases and classes; empty: all are of the rock and the contact
     double platen_friction = 0;          ///< rad
     double confining_pressure = 0;       ///< target, Pa
     std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"
@@ -53,7 +52,7 @@ struct RunHeader {
     // set when the run ends
     std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
-    std::int64_t integrations = 0;    ///< steps; in files of older versions a step of n substeps counted n times, or 0
+    std::int64_t integrations = 0;    ///< steps
     double isotropic_end_time = 0;    ///< end of the isotropic stage (triaxial), s; 0 without one
     double peak_axial_stress = 0;     ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
     double energy_scale = 0;          ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
@@ -134,10 +133,6 @@ struct Crack {
     double time_broken = std::numeric_limits<double>::quiet_NaN();      ///< s, when 90 % was lost
     double opening_broken = std::numeric_limits<double>::quiet_NaN();   ///< m, then
     double sliding_broken = std::numeric_limits<double>::quiet_NaN();   ///< m, then
-    /// How many of the three levels of damage the log records the point to have reached.
-    [[nodiscard]] std::size_t damage_levels() const {
-        return !std::isnan(time_broken) ? 3 : (!std::isnan(time_damaged_50) ? 2 : (!std::isnan(time_damaged_10) ? 1 : 0));
-    }
 };
 
 /// State of the assemblage at one time; lengths as in Specimen.
@@ -205,8 +200,6 @@ public:
     [[nodiscard]] Specimen specimen() const;
     [[nodiscard]] History history() const;
     [[nodiscard]] std::vector<Crack> cracks() const;
-    /// Whether the crack log records when points were damaged and broken; in older files those values are NaN.
-    [[nodiscard]] bool has_damage_times() const;
     [[nodiscard]] std::size_t n_frames() const;
     /// Time of each frame, ascending, s.
     [[nodiscard]] std::vector<double> frame_times() const;

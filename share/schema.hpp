@@ -16,6 +16,8 @@ struct Dataset {
 
 inline constexpr const char* specimen_group = "/specimen";
 inline constexpr const char* run_group = "/run";
+inline constexpr const char* phases_group = "/run/phases";    ///< a dataset a property, by index of the phases of /grains/phase
+inline constexpr const char* classes_group = "/run/classes";  ///< a dataset a contact parameter, by index of the classes
 inline constexpr const char* history_group = "/history";
 inline constexpr const char* cracks_group = "/cracks";
 inline constexpr const char* sensitivity_group = "/sensitivity";

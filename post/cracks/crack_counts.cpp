@@ -71,14 +71,13 @@ const std::vector<std::string>& label_columns() {
     return columns;
 }
 
-std::vector<Cell> label_cells(const std::vector<Crack>& cracks, bool has_damage_times, double time) {
+std::vector<Cell> label_cells(const std::vector<Crack>& cracks, double time) {
     std::vector<Cell> cells;
     for (const CrackLabel& label : all_crack_labels) {
         if (label == CrackLabel{}) continue;
-        const bool known = label.event == CrackEvent::failed || has_damage_times;
         const ModeCounts counts = count_modes(cracks, label, time);
-        cells.push_back(known ? count_cell(counts.tensile) : Cell());
-        cells.push_back(known ? count_cell(counts.shear) : Cell());
+        cells.push_back(count_cell(counts.tensile));
+        cells.push_back(count_cell(counts.shear));
     }
     return cells;
 }

@@ -24,8 +24,8 @@ ModeCounts count_modes(const std::vector<Crack>& cracks, const CrackLabel& label
 
 /// Columns of tables of runs, behind those of `tensile_cracks` and `shear_cracks`: the counts by the other labels.
 const std::vector<std::string>& label_columns();
-/// Their entries at a time (s); those of broken points are empty if the run does not record them.
-std::vector<Cell> label_cells(const std::vector<Crack>& cracks, bool has_damage_times, double time);
+/// Their entries at a time (s).
+std::vector<Cell> label_cells(const std::vector<Crack>& cracks, double time);
 
 /// A run whose history counts the cracks of a label. \throws InputError as `read_labelled_cracks`
 RunData read_labelled_run(const RunReader& run, const CrackLabel& label);

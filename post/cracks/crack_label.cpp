@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "post/cracks/run_state.hpp"
-#include "share/error.hpp"
-#include "share/schema.hpp"
 
 namespace graincrack {
 
@@ -41,11 +39,6 @@ std::vector<Crack> labelled(const std::vector<Crack>& cracks, const CrackLabel& 
 }
 
 std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabel& label) {
-    if (label.event == CrackEvent::broken && !run.has_damage_times()) {
-        throw InputError(run.name() + ": has no " + schema::crack_time_broken.path +
-                         ", as its graincrack-solve did not record when contact points broke; use --crack-event failed, or run "
-                         "the test again");
-    }
     return labelled(read_cracks(run, specimen), label);
 }
 

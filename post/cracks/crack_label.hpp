@@ -41,7 +41,7 @@ std::optional<CrackMode> mode_of(const Crack& crack, const CrackLabel& label);
 /// is as in the log.
 std::vector<Crack> labelled(const std::vector<Crack>& cracks, const CrackLabel& label);
 
-/// The crack log of a run by a label. \throws InputError as `read_cracks`, and if the run does not record when points broke
+/// The crack log of a run by a label. \throws InputError as `read_cracks`
 std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabel& label);
 
 }  // namespace graincrack

@@ -94,7 +94,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
     const auto finish = [&](std::vector<Cell> row, std::size_t row_index) {
         row.resize(first_columns.size() - 1);
         row.push_back(kind);
-        for (Cell& each : label_cells(cracks.all, cracks.has_damage_times, run.history[HistoryColumn::time][row_index])) {
+        for (Cell& each : label_cells(cracks.all, run.history[HistoryColumn::time][row_index])) {
             row.push_back(std::move(each));
         }
         for (Cell& each : direction_cells(cracks, run.history[HistoryColumn::time][row_index])) row.push_back(std::move(each));

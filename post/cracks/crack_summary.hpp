@@ -24,10 +24,9 @@ struct CrackBalance {
 };
 CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time);
 
-/// The rows of a crack log, and whether they record when points were damaged and broken.
+/// The rows of a crack log, and what they belong to.
 struct CrackRows {
     const std::vector<Crack>& all;
-    bool has_damage_times;
     const Specimen& specimen;
 };
 

@@ -210,7 +210,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
     table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
     table("summary", [&](std::ostream& out) {
-        write_crack_summary(out, data, curve, {cracks, run.has_damage_times(), specimen}, events, breakup.last, format);
+        write_crack_summary(out, data, curve, {cracks, specimen}, events, breakup.last, format);
     });
     if (curve) {
         table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });

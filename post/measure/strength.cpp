@@ -105,8 +105,7 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
     const Strength strength = measure_strength(run);
-    const std::int64_t integrations = std::max(run.header.steps, run.header.integrations);
-    const double grain_steps = static_cast<double>(integrations) * static_cast<double>(run.specimen.grains);
+    const double grain_steps = static_cast<double>(run.header.integrations) * static_cast<double>(run.specimen.grains);
     const bool timed = grain_steps > 0 && run.wall_time > 0;
     std::vector<Cell> row{run.name,
                           run.header.test,
@@ -143,7 +142,7 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
         row.emplace_back(value);
     }
     const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
-    for (Cell& each : label_cells(reader.cracks(), reader.has_damage_times(), time_of_peak)) row.push_back(std::move(each));
+    for (Cell& each : label_cells(reader.cracks(), time_of_peak)) row.push_back(std::move(each));
     row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
 }

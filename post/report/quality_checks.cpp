@@ -53,10 +53,7 @@ std::string sliding_label(const CrackBalance& b) {
                : "no tensile cracks";
 }
 
-std::vector<double> modes(const std::optional<ModeCounts>& counts) {
-    if (!counts) return {};
-    return {counts->tensile, counts->shear};
-}
+std::vector<double> modes(const ModeCounts& counts) { return {counts.tensile, counts.shear}; }
 
 std::string rate_label(const RunHeader& h) {
     if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance);

@@ -72,10 +72,8 @@ TestReport read_test_report(const RunReader& run) {
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.at_end = balance_cracks(cracks, times.back());
     report.failed_by_displacement = count_modes(cracks, {CrackEvent::failed, CrackModeRule::displacement}, times.back());
-    if (run.has_damage_times()) {
-        report.broken = count_modes(cracks, {CrackEvent::broken, CrackModeRule::sign}, times.back());
-        report.broken_by_displacement = count_modes(cracks, {CrackEvent::broken, CrackModeRule::displacement}, times.back());
-    }
+    report.broken = count_modes(cracks, {CrackEvent::broken, CrackModeRule::sign}, times.back());
+    report.broken_by_displacement = count_modes(cracks, {CrackEvent::broken, CrackModeRule::displacement}, times.back());
     report.branches = count_branches(cracks);
     report.sensitivity = read_sensitivity(run.file());
     report.contact_zone_length =

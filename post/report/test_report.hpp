@@ -43,10 +43,10 @@ struct TestReport {
     CrackBalance at_peak;
     CrackBalance at_end;
     FailureBranches branches;
-    // Contacts by the end, by the other labels; those of broken points only if the run records them.
+    // Contacts by the end, by the other labels.
     ModeCounts failed_by_displacement;
-    std::optional<ModeCounts> broken;
-    std::optional<ModeCounts> broken_by_displacement;
+    ModeCounts broken;
+    ModeCounts broken_by_displacement;
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;

@@ -28,16 +28,7 @@ import numpy as np
 
 __all__ = ["FormatError", "Group", "Run", "Specimen", "Table"]
 
-SCHEMA_VERSIONS = (1, 2, 3)
-
-# Names of schema 1 for what schema 2 calls otherwise.
-_FORMER_NAMES = {
-    ("/run", "energy_balance_error"): "ledger_residual",
-    ("/history", "energy_balance_error"): "ledger_residual",
-    ("/history", "non_conservative_work"): "law_mismatch",
-}
-# Second names in /history, kept in files for scripts of schema 1.
-_SECOND_NAMES = {"/history": {"ledger_residual", "law_mismatch"}}
+SCHEMA_VERSION = 4  # as share/h5_file.hpp has it
 
 
 class FormatError(ValueError):
@@ -66,11 +57,10 @@ class Group(Mapping):
         return self._read[name]
 
     def __iter__(self) -> Iterator[str]:
-        second = _SECOND_NAMES.get(self._group.name, set()) if "energy_balance_error" in self._group else set()
-        return iter([name for name in self._group if name not in second])
+        return iter(self._group)
 
     def __len__(self) -> int:
-        return sum(1 for _ in self)
+        return len(self._group)
 
     def unit(self, name: str) -> str:
         """Its unit: "Pa", "m", "1" …"""
@@ -99,8 +89,6 @@ class Group(Mapping):
 
     def _dataset(self, name: str) -> h5py.Dataset:
         found = self._group.get(name)
-        if found is None:
-            found = self._group.get(_FORMER_NAMES.get((self._group.name, name), name))
         if not isinstance(found, h5py.Dataset):
             raise KeyError(f"{self._group.file.filename}: no {self._group.name}/{name}; there are {', '.join(self)}")
         return found
@@ -282,15 +270,14 @@ def _open(path: str | Path) -> h5py.File:
     version = file.attrs.get("schema_version")
     if "specimen" not in file or version is None:
         raise FormatError(f"{path}: none of Graincrack's files; one of graincrack-mesh or graincrack-solve fits")
-    if int(version) not in SCHEMA_VERSIONS:
-        raise FormatError(f"{path}: schema {int(version)}; this module reads {', '.join(map(str, SCHEMA_VERSIONS))}")
+    if int(version) != SCHEMA_VERSION:
+        raise FormatError(f"{path}: has schema version {int(version)}, but this module reads {SCHEMA_VERSION}; use the module of the "
+                          "Graincrack that wrote the file")
     return file
 
 
 def _attribute(file: h5py.File, group: str, name: str):
     attributes = file[group].attrs
-    if name not in attributes:
-        name = _FORMER_NAMES.get((group, name), name)
     if name not in attributes:
         there = ", ".join(sorted(a for a in attributes if not a.endswith("_unit")))
         raise KeyError(f"{file.filename}: {group} has no {name!r}; there are {there}")

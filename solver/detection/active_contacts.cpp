@@ -193,9 +193,9 @@ void clear_active(ContactPairList& list) {
     const std::size_t n = list.watched.size();
     active.pair.assign(n, -1);
     active.nodes.resize(n);
-    for (auto* values : {&active.live, &active.area, &active.initial_overlap, &active.overlap, &active.elastic_slip,
-                         &active.release_correction, &active.place, &active.normal_stiffness, &active.shear_stiffness,
-                         &active.cohesion, &active.tan_friction}) {
+    for (auto* values :
+         {&active.live, &active.area, &active.initial_overlap, &active.overlap, &active.elastic_slip, &active.release_correction,
+          &active.place, &active.normal_stiffness, &active.shear_stiffness, &active.cohesion, &active.tan_friction}) {
         values->resize(n);
     }
     active.forces.resize(3 * n);

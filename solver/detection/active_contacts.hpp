@@ -27,7 +27,8 @@ void resume_active(const Assemblage& assemblage, const ContactLaws& laws, Contac
 void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 
 /// Adds a pair of the list to the active ones of its chunk.
-void append_active(const Assemblage& assemblage, const ContactLaws& laws, std::int32_t chunk, std::int32_t index, ContactPairList& list);
+void append_active(const Assemblage& assemblage, const ContactLaws& laws, std::int32_t chunk, std::int32_t index,
+                   ContactPairList& list);
 
 /// Stored in all node–edge contacts, J, summed by chunk.
 double stored_in_active_contacts(const Assemblage& assemblage, const ContactLaws& laws, const ContactPairList& list);

@@ -60,9 +60,7 @@ struct NodeEdgeResponse {
 };
 
 /// The law of a node–edge contact is the residual one of the class of its two grains.
-inline FrictionLaw friction_law(const ContactLaw& law) {
-    return {law.kt, law.ks, law.residual_cc, law.residual_tan_phi};
-}
+inline FrictionLaw friction_law(const ContactLaw& law) { return {law.kt, law.ks, law.residual_cc, law.residual_tan_phi}; }
 inline FrictionLaw friction_law(const Assemblage& a, const ContactLaws& laws, const CandidatePair& pair) {
     return friction_law(laws[class_between(a, pair.node, a.surface.edges[pair.edge].nodes[0])]);
 }
@@ -103,7 +101,8 @@ GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const FrictionLaw& law
     const double limit = (contact.overlap > 0 ? friction_limit(law, pressure) : 0.0) / law.shear_stiffness;
     const double trial = old.elastic_slip + sliding;
     contact.elastic_slip = std::clamp(trial, -limit, limit);
-    r.friction = 0.5 * contact.area * law.shear_stiffness * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);
+    r.friction =
+        0.5 * contact.area * law.shear_stiffness * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);
     r.forces = node_edge_forces(law, contact, g);
     return r;
 }

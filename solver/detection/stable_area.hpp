@@ -7,8 +7,8 @@
 //
 //   Σ_i kt_i A_i (Σ_C a_iC v_C)² ≤ Σ_C v_C² L_C,   L_C = Σ_i kt_i A_i |a_iC| Σ_D |a_iD|
 //
-// by the Cauchy–Schwarz inequality. The load L_C of each cluster is kept below η M_C/Δt², M_C its mass, so that node–edge contacts
-// add at most η to ω² Δt², which the fraction of the stable step keeps below 2 (4 is the limit without damping). A
+// by the Cauchy–Schwarz inequality. The load L_C of each cluster is kept below η M_C/Δt², M_C its mass, so that node–edge
+// contacts add at most η to ω² Δt², which the fraction of the stable step keeps below 2 (4 is the limit without damping). A
 // contact beside the vertex it came from has small a_C and keeps all of its area; one that has slid to another vertex becomes
 // softer.
 //

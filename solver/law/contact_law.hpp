@@ -13,8 +13,9 @@
 // from a peak as fracture, slip against friction as friction. Where a law has no potential, the difference between the work done
 // on a point and the change of its energy and dissipation is booked as non-conservative work.
 //
-// Strength factor. A contact whose strengths (and cohesion) are s times those of its class, its fracture energies s² times and its
-// stiffnesses the same, has displacements of peak and of loss that are s times as large. Its law is similar to that of its class:
+// Strength factor. A contact whose strengths (and cohesion) are s times those of its class, its fracture energies s² times and
+// its stiffnesses the same, has displacements of peak and of loss that are s times as large. Its law is similar to that of its
+// class:
 //
 //   σ_s(δ) = s σ_1(δ/s),  ψ_s(δ) = s² ψ_1(δ/s)                    the length E G/t² of the process zone stays
 //

@@ -69,8 +69,7 @@ void place_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
         for (std::int32_t i = 0; i < n; ++i) {
             if (i % contacts_per_chunk == 0) {
                 const auto place = static_cast<std::int32_t>(a.contact_chunks.size()) * contacts_per_chunk;
-                a.contact_chunks.push_back(
-                    {{place, place + std::min(contacts_per_chunk, n - i)}, static_cast<std::int32_t>(k)});
+                a.contact_chunks.push_back({{place, place + std::min(contacts_per_chunk, n - i)}, static_cast<std::int32_t>(k)});
             }
             const std::int32_t place = a.contact_chunks.back().contacts.begin + i % contacts_per_chunk;
             a.contact_of_specimen[of_class[k][i]] = place;

@@ -30,10 +30,9 @@ struct GrainSurface {
 /// Bytes of its arrays.
 std::size_t memory_of(const GrainSurface& surface);
 
-/// The outline of a validated specimen whose nodes have the internal indices `node_of_specimen` and whose contacts have the places
-/// `contact_of_specimen`. A node stands for half the mean
-/// of the two edges it ends: with another node of a flush face opposite, that is what a bonded contact has for each of its two
-/// points.
+/// The outline of a validated specimen whose nodes have the internal indices `node_of_specimen` and whose contacts have the
+/// places `contact_of_specimen`. A node stands for half the mean of the two edges it ends: with another node of a flush face
+/// opposite, that is what a bonded contact has for each of its two points.
 GrainSurface make_surface(const Specimen& specimen, const std::vector<std::int32_t>& node_of_specimen,
                           const std::vector<std::int32_t>& contact_of_specimen);
 

@@ -39,8 +39,7 @@ Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int3
 }
 
 void cut_terms(const Assemblage& a, Gauge& gauge) {
-    std::sort(gauge.terms.begin(), gauge.terms.end(),
-              [](const Gauge::Term& l, const Gauge::Term& r) { return l.node < r.node; });
+    std::sort(gauge.terms.begin(), gauge.terms.end(), [](const Gauge::Term& l, const Gauge::Term& r) { return l.node < r.node; });
     gauge.of_chunk = ranges_by_chunk(a, gauge.terms, [](const Gauge::Term& term) { return term.node; });
 }
 
@@ -169,8 +168,7 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
     // Two ends an edge, two sides: the mean of the sides.
-    m.membrane_force +=
-        sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) { return std::abs(s.prescribed.pressing[i]); });
+    m.membrane_force += sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) { return std::abs(s.prescribed.pressing[i]); });
 }
 
 /// Motions, tractions, damage and states of all contact points, into a frame.

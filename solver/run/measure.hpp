@@ -1,5 +1,5 @@
-// What a run measures at an instant: energies, forces of the platens, strains. Sums are made by chunk and totalled in the order of
-// chunks.
+// What a run measures at an instant: energies, forces of the platens, strains. Sums are made by chunk and totalled in the order
+// of chunks.
 #pragma once
 
 #include <vector>

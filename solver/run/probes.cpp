@@ -79,9 +79,9 @@ std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int3
         const auto [n0, n1, n2] = a.element_nodes[e];
         const TriangleGeometry g = a.element_geometry[e];
         const PlaneElasticity c = a.elasticity[e];
-        StressSum of_element{
-            triangle_stress(c, triangle_state(g, c, s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0])),
-            g.area};
+        StressSum of_element{triangle_stress(c, triangle_state(g, c, s.displacement[n1] - s.displacement[n0],
+                                                               s.displacement[n2] - s.displacement[n0])),
+                             g.area};
         for (double& component : of_element.stress) {
             component *= g.area;
         }

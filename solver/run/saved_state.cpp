@@ -153,19 +153,6 @@ void write_array(H5Output& file, const std::string& name, const std::vector<Item
                        "of the solver's state, in its own order, SI");
 }
 
-/// Rows of `grain_sums` of the first files of schema 1, in which the work of the membrane has the third column for itself: it is
-/// added to the work of loads, the fourth, to which it belongs since.
-std::vector<double> add_membrane_to_loads(const std::vector<double>& rows) {
-    constexpr std::size_t width = 6, membrane = 2, loads = 3;
-    std::vector<double> merged;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i % width != membrane) {
-            merged.push_back(i % width == loads ? rows[i - 1] + rows[i] : rows[i]);
-        }
-    }
-    return merged;
-}
-
 /// A number of a file as a member of a state. \throws InputError if it is not finite, or none that the member can have
 template <class Member>
 void take(double number, const std::string& where, Member& member) {
@@ -191,17 +178,14 @@ void read_array(const H5Input& file, const std::string& name, std::optional<std:
     const std::string path = path_of(name);
     const Extents extents = file.extents(path);
     const std::size_t width = width_of<Item>();
-    const bool has_membrane =
-        std::is_same_v<Item, GrainSums> && file.version() < 2 && extents == Extents{rows.value_or(0), width + 1};
-    if (extents.size() != 2 || (extents[1] != width && !has_membrane)) {
+    if (extents.size() != 2 || extents[1] != width) {
         throw InputError(fmt::format("{}: {} has not {} numbers a row: it is of another version of graincrack-solve", file.name(),
                                      path, width));
     }
     if (rows && extents[0] != *rows) {
         throw InputError(fmt::format("{}: {} has {} rows, not {}: the file is damaged", file.name(), path, extents[0], *rows));
     }
-    const std::vector<double> read = file.read<double>(path);
-    const std::vector<double> numbers = has_membrane ? add_membrane_to_loads(read) : read;
+    const std::vector<double> numbers = file.read<double>(path);
     const std::string where = file.name() + ": " + path;
     items.resize(extents[0]);
     std::size_t at = 0;
@@ -224,24 +208,12 @@ bool is_list(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether states of files before schema 3 may lack an array. What they lack is found anew, some of it in the first step.
-bool is_newer(std::string_view name) {
-    constexpr std::array names{"cluster_load", "cluster_near_platen", "active_pairs", "active_counts", "next_mark"};
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// \throws InputError where a state cannot go on as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
     const RunHeader& old = run.header();
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
     if (!run.file().has(schema::state_group)) {
         refuse("keeps no state to start from; make it with --save-state or --checkpoint-every");
-    }
-    if (old.stop_reason == "checkpoint" && run.file().version() < schema_version) {
-        refuse(
-            fmt::format("is a checkpoint of schema {}, which this build (schema {}) cannot continue; use the build that wrote "
-                        "it, or run the test again",
-                        run.file().version(), schema_version));
     }
     if (!same_mesh(run.specimen(), specimen)) {
         refuse("is a run of another specimen; give the one it was made from, or itself");
@@ -286,23 +258,14 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
 void book_change(const std::string& name, const RunHeader& old, const Setup& setup, State& s) {
     const auto& laws = all_contact_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
-    const ContactLaws before = make_contact_laws(old.fabric.contacts, law->variant,
-                                                 old.coupling == "none" ? Coupling::none : Coupling::full);
+    const ContactLaws before =
+        make_contact_laws(old.fabric.contacts, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
     const double change =
         stored_in_contacts(setup.assemblage, setup.parameters.laws, s) - stored_in_contacts(setup.assemblage, before, s);
     if (!std::isfinite(change)) {
         throw InputError(name + ": its contact values store no energy that is a number: the file is damaged");
     }
     s.grain_sums.front().load_work += change;
-}
-
-/// The next marks of failed points: from the crack log, or, where an older file has no times of damage, from their histories.
-void restore_marks(const RunReader& run, const std::vector<Crack>& cracks, const ContactLaws& laws, State& s) {
-    for (const Crack& crack : cracks) {
-        const std::size_t point = 2 * static_cast<std::size_t>(crack.contact) + crack.point;
-        s.next_mark[point] = cohesion_mark(
-            run.has_damage_times() ? crack.damage_levels() : count_marks_above(remaining_cohesion(laws[0], point_history(s, point))));
-    }
 }
 
 FrameProgress read_frame_progress(const RunReader& run) {
@@ -329,9 +292,8 @@ FrameProgress read_frame_progress(const RunReader& run) {
 
 StageControllerState read_loading(const H5Input& file) {
     const std::string group = schema::state_group;
-    // The first files of schema 1 have no stages; only a checkpoint needs them.
-    const auto texts = [&](const char* name) { return file.attribute_or<std::vector<std::string>>(group, name, {}); };
-    const auto numbers = [&](const char* name) { return file.attribute_or<std::vector<double>>(group, name, {}); };
+    const auto texts = [&](const char* name) { return file.attribute<std::vector<std::string>>(group, name); };
+    const auto numbers = [&](const char* name) { return file.attribute<std::vector<double>>(group, name); };
     StageControllerState loading;
     loading.boundary_conditions = {texts("amplitudes"), numbers("amplitude_values")};
     loading.platen_speed = file.attribute<double>(group, "platen_speed");
@@ -403,9 +365,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         take(file.attribute<double>(group, name), fmt::format("{}: attribute {} of {}", run.name(), name, group), value);
     });
     visit_arrays(s, [&](const char* name, auto& items) {
-        if (file.version() >= 3 || !is_newer(name) || file.has(path_of(name))) {
-            read_array(file, name, is_list(name) ? std::nullopt : std::optional(items.size()), items);
-        }
+        read_array(file, name, is_list(name) ? std::nullopt : std::optional(items.size()), items);
     });
     std::vector<ContactHistory> histories;
     read_array(file, "history", s.failed.size(), histories);
@@ -418,7 +378,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     complete_cluster_state(setup.parameters.mass_scaling, s);
-    (s.contact_pairs.active.pair.empty() ? load_active : resume_active)(setup.assemblage, setup.parameters.laws, s.contact_pairs);
+    resume_active(setup.assemblage, setup.parameters.laws, s.contact_pairs);
     const RunHeader& old = run.header();
     if (old.time_step != setup.parameters.time_step) {
         s.origin_step = s.step;
@@ -427,9 +387,6 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     book_change(run.name(), old, setup, s);
     saved.loading = read_loading(file);
     saved.cracks = run.cracks();
-    if (!file.has(path_of("next_mark"))) {
-        restore_marks(run, saved.cracks, setup.parameters.laws, s);
-    }
     saved.energy_scale = old.energy_scale;
     take(file.attribute<double>(group, "energy_balance_error"), run.name() + ": attribute energy_balance_error of " + group,
          saved.energy_balance_error);

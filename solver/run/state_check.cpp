@@ -115,12 +115,8 @@ public:
         require(list.friction.size() == list.chunks.size(), "friction of chunks");
     }
 
-    /// States of older files have no order of active contacts.
     void check_active() const {
         const ContactPairList& list = s_.contact_pairs;
-        if (list.active.pair.empty() && list.active.count.empty()) {
-            return;
-        }
         require(list.active.pair.size() == list.watched.size() && list.active.count.size() == list.chunks.size(),
                 "active contacts");
         for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {

@@ -15,7 +15,7 @@ static_assert(n % sum_lanes == 0);
 /// the class (see `ContactGeometry::strength`): motions and tractions over s, energies over s².
 struct Lanes {
     alignas(64) double edge_x[n], edge_y[n], area[n];
-    alignas(64) double strength[n];                     ///< s
+    alignas(64) double strength[n];                    ///< s
     alignas(64) double force_area[n], energy_area[n];  ///< area times s and s²
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
     alignas(64) double jump_x[2 * n], jump_y[2 * n];

@@ -26,8 +26,8 @@ struct Triangles {
 Triangles triangles_from(const Assemblage& a, std::int32_t e) {
     const TriangleTable& t = a.element_geometry;
     const ElasticityTable& c = a.elasticity;
-    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e], &t.area[e],
-            &c.c11[e],         &c.c12[e],         &c.mu[e]};
+    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e],
+            &t.area[e],        &c.c11[e],         &c.c12[e],         &c.mu[e]};
 }
 
 GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, std::int32_t count, Lanes& b) {

@@ -37,8 +37,9 @@ PhasedSpecimen make(Grains grains) {
     request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
     request.grains = 80;
     const Specimen s = mesher::make_specimen(request);
-    return grains == Grains::of_three_phases ? test::varied_phases(s)
-                                             : PhasedSpecimen{s, uniform_fabric(test::augig_granite().rock, test::augig_contact(), 1)};
+    return grains == Grains::of_three_phases
+               ? test::varied_phases(s)
+               : PhasedSpecimen{s, uniform_fabric(test::augig_granite().rock, test::augig_contact(), 1)};
 }
 
 /// The law of each contact by place, made of its own values.

@@ -350,7 +350,8 @@ void expect_release_without_a_jump(const ContactLaw& law, double strength = 1) {
     laws.of_class = {make_contact_law(test::scaled_contact(test::augig_contact(), 3), law.variant, Coupling::full), law, law};
     laws.of_class[2].residual_tan_phi = laws.of_class[0].residual_tan_phi = 5;
     laws.of_class[2].kt = laws.of_class[0].kt = 0.1 * law.kt;
-    SmallRun run = sliding_blocks(120.0, laws, strength);  // so fast that the blocks are still pressed together when they have slid far
+    SmallRun run =
+        sliding_blocks(120.0, laws, strength);  // so fast that the blocks are still pressed together when they have slid far
     const double energy = run.measured().energies.kinetic;
     const auto force_on_grain = [&run] {
         (void)run.measured();  // sums the forces

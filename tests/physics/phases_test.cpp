@@ -26,7 +26,7 @@ Shaken shaken(SmallRun run) {
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
     run.parameters.damping = 0.3;
     run.parameters.damping_form = DampingForm::local;  // the sign of a change of force that is hardly one is round-off
-    constexpr double speed = 0.2;  // m/s, of each platen
+    constexpr double speed = 0.2;                      // m/s, of each platen
     run.set_velocity([&](const Vector2& x) { return Vector2{0.05 * std::sin(200 * x.y), -speed * x.y / 0.02}; });
     run.begin();
     Shaken s{std::move(run), {}};
@@ -83,7 +83,8 @@ TEST(Phases, ANodeEdgeContactHasTheLawOfItsTwoGrains) {
         const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
         const auto& surface = a.surface;
         // Any node of the one grain and any edge of the other.
-        const auto edge = std::find_if(surface.edges.begin(), surface.edges.end(), [](const SurfaceEdge& e) { return e.grain == 1; });
+        const auto edge =
+            std::find_if(surface.edges.begin(), surface.edges.end(), [](const SurfaceEdge& e) { return e.grain == 1; });
         const auto node = std::find(surface.grain_of_node.begin(), surface.grain_of_node.end(), 0);
         const CandidatePair pair{static_cast<std::int32_t>(node - surface.grain_of_node.begin()),
                                  static_cast<std::int32_t>(edge - surface.edges.begin())};

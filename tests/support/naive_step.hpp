@@ -88,8 +88,8 @@ private:
                 std::atan2(deformation(1, 0) - deformation(0, 1), deformation(0, 0) + deformation(1, 1)));
             const Eigen::Matrix2d r = rotation.toRotationMatrix();
             const Eigen::Matrix2d strain = r.transpose() * deformation - Eigen::Matrix2d::Identity();
-            const Eigen::Matrix2d stress = elasticity.c12 * strain.trace() * Eigen::Matrix2d::Identity() +
-                                           elasticity.mu * (strain + strain.transpose());
+            const Eigen::Matrix2d stress =
+                elasticity.c12 * strain.trace() * Eigen::Matrix2d::Identity() + elasticity.mu * (strain + strain.transpose());
             const Eigen::Matrix2d forces = -0.5 * reference_edges.determinant() * r * stress * gradients.transpose();
             force_[nodes[1]] += forces.col(0);
             force_[nodes[2]] += forces.col(1);

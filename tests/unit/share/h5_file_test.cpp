@@ -3,6 +3,7 @@
 #include "share/h5_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -303,7 +304,7 @@ TEST(H5File, EachBadInputHasItsOwnLine) {
     EXPECT_NO_THROW(H5Input(good, "specimen").check());
 }
 
-TEST(H5File, ForeignAndNewerFilesAreRefused) {
+TEST(H5File, ForeignFilesAndThoseOfAnotherSchemaAreRefused) {
     const TemporaryFolder folder;
     const auto write = [&](const std::string& name, const std::string& format, std::int64_t version) {
         H5Output out(folder.file(name), "specimen");
@@ -313,9 +314,14 @@ TEST(H5File, ForeignAndNewerFilesAreRefused) {
     };
     write("foreign.h5", "neper", 1);
     write("newer.h5", "graincrack", schema_version + 1);
+    write("older.h5", "graincrack", schema_version - 1);
     write("same.h5", "graincrack", schema_version);
     expect_one_line<InputError>([&] { H5Input(folder.file("foreign.h5")); }, {"foreign.h5", "not a Graincrack one"});
-    expect_one_line<InputError>([&] { H5Input(folder.file("newer.h5")); }, {"newer.h5", "newer", std::to_string(schema_version)});
+    const std::string reads = fmt::format("but this build reads {}", schema_version);
+    expect_one_line<InputError>([&] { H5Input(folder.file("newer.h5")); },
+                                {"newer.h5", fmt::format("schema version {}", schema_version + 1), reads, "use a newer"});
+    expect_one_line<InputError>([&] { H5Input(folder.file("older.h5")); },
+                                {"older.h5", fmt::format("schema version {}", schema_version - 1), reads, "make the file again"});
     EXPECT_NO_THROW(H5Input(folder.file("same.h5")));
 }
 

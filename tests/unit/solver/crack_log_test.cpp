@@ -91,7 +91,6 @@ TEST(CrackLog, LaterEventsCompleteTheRow) {
     run.state.events[0] = {later(7, ContactEventKind::damaged_50), later(7, ContactEventKind::damaged_10), event(7, 4, 1)};
     crack_log.collect(run.assemblage, 1.0, run.state);
     Crack row = crack_log.rows(run.assemblage, run.state).at(0);
-    EXPECT_EQ(row.damage_levels(), 2U);
     EXPECT_TRUE(std::isnan(row.time_broken) && std::isnan(row.opening_broken) && std::isnan(row.sliding_broken));
     run.state.events[0] = {later(9, ContactEventKind::broken), later(11, ContactEventKind::separation)};
     crack_log.collect(run.assemblage, 1.0, run.state);
@@ -104,7 +103,6 @@ TEST(CrackLog, LaterEventsCompleteTheRow) {
     EXPECT_EQ(row.sliding_broken, -2e-6);
     EXPECT_EQ(row.time_separated, 11);
     EXPECT_EQ(row.opening, -1e-7);  // at failure, as before
-    EXPECT_EQ(row.damage_levels(), 3U);
 }
 
 // The upper of two grains has a velocity upwards: both points of their contact fail in tension.

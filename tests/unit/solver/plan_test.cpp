@@ -7,7 +7,6 @@
 #include <map>
 #include <sstream>
 
-#include "share/former_names.hpp"
 #include "share/h5_file.hpp"
 #include "share/run_file.hpp"
 #include "share/schema.hpp"
@@ -44,11 +43,7 @@ std::size_t size_of(const std::string& line) {
     std::string type;
     std::string shape;
     words >> path >> type >> shape;
-    const auto former = former_names_of(schema::history_group);
-    const bool is_former = std::any_of(former.begin(), former.end(), [&](const auto& names) {
-        return path == std::string(schema::history_group) + "/" + std::string(names.second);
-    });
-    const bool is_link = path.find("PointData") != std::string::npos || path.find("CellData") != std::string::npos || is_former;
+    const bool is_link = path.find("PointData") != std::string::npos || path.find("CellData") != std::string::npos;
     if (is_link || shape.empty() || shape.front() != '[' || !size_of_type.contains(type)) {
         return 0;
     }
