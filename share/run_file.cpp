@@ -69,20 +69,10 @@ void visit_header(Header& h, Visit&& visit) {
     visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
     visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
     visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
-    visit("contact_normal_stiffness", h.contact.normal_stiffness, Dimension::stiffness);
-    visit("contact_shear_stiffness", h.contact.shear_stiffness, Dimension::stiffness);
-    visit("contact_tensile_strength", h.contact.tensile_strength, Dimension::stress);
-    visit("contact_cohesion", h.contact.cohesion, Dimension::stress);
-    visit("contact_friction_angle", h.contact.friction_angle, Dimension::angle);
-    visit("fracture_energy", h.contact.fracture_energy, Dimension::fracture_energy);
+    visit.contact(h);
     visit("critical_opening", h.contact.critical_opening, Dimension::length);
     visit("critical_sliding", h.contact.critical_sliding, Dimension::length);
     visit("ultimate_opening", h.contact.ultimate_opening, Dimension::length);
-    visit.newer("mode_ii_fracture_energy", h.contact.mode_ii_fracture_energy, Dimension::fracture_energy);
-    visit.newer("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
-    visit.newer("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
-    visit.newer("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
-    visit.newer("contact_open_shear_strength", h.contact.open_shear_strength, Dimension::stress);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit.newer("rate", h.rate);
@@ -119,6 +109,11 @@ struct HeaderWriter {
     void operator()(const char* name, const double& value, Dimension dimension) const {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
+    void contact(const RunHeader& h) const {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            (*this)(row.quantity.name.data(), h.contact.*row.value, row.quantity.dimension);
+        }
+    }
     void newer(const char* name, const std::string& value) const { (*this)(name, value); }
     void newer(const char* name, const std::int64_t& value) const { (*this)(name, value); }
     void newer(const char* name, const double& value, Dimension dimension) const { (*this)(name, value, dimension); }
@@ -133,6 +128,17 @@ struct HeaderReader {
     void operator()(const char* name, double& value, Dimension /*dimension*/) const {
         value = file.attribute<double>(schema::run_group, name);
         require_finite(name, value);
+    }
+    /// What only some laws read may be missing from older files: it then follows from the other parameters.
+    void contact(RunHeader& h) const {
+        GivenContact given;
+        for (const ContactParameter& row : all_contact_parameters()) {
+            const char* name = row.quantity.name.data();
+            if (!row.every_law && !file.has_attribute(schema::run_group, name)) continue;
+            (*this)(name, (given.*row.given).emplace(), row.quantity.dimension);
+        }
+        if (!given.open_shear_strength) given.open_shear_strength = given.tensile_strength;  // as the law had it then
+        h.contact = derived_contact(given, h.rock, h.plane);
     }
     void newer(const char* name, std::int64_t& value) const {
         value = file.attribute_or<std::int64_t>(schema::run_group, name, value);
@@ -162,7 +168,6 @@ void write_header(H5Output& file, const RunHeader& header) {
 
 RunHeader read_header(const H5Input& file) {
     RunHeader header;
-    header.contact.open_shear_strength = file.attribute<double>(schema::run_group, "contact_tensile_strength");  // in older files
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
     visit_header(header, HeaderReader{file});
