@@ -57,20 +57,12 @@ constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn
 /// Visits every contact parameter once.
 template <class Contact, class Visit>
 void visit_contact(Contact& contact, const Visit& visit) {
-    visit("contact_normal_stiffness", contact.normal_stiffness, Dimension::stiffness);
-    visit("contact_shear_stiffness", contact.shear_stiffness, Dimension::stiffness);
-    visit("contact_tensile_strength", contact.tensile_strength, Dimension::stress);
-    visit("contact_cohesion", contact.cohesion, Dimension::stress);
-    visit("contact_friction_angle", contact.friction_angle, Dimension::angle);
-    visit("fracture_energy", contact.fracture_energy, Dimension::fracture_energy);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        visit(row.quantity.name.data(), contact.*row.value, row.quantity.dimension);
+    }
     visit("critical_opening", contact.critical_opening, Dimension::length);
     visit("critical_sliding", contact.critical_sliding, Dimension::length);
     visit("ultimate_opening", contact.ultimate_opening, Dimension::length);
-    visit("mode_ii_fracture_energy", contact.mode_ii_fracture_energy, Dimension::fracture_energy);
-    visit("contact_residual_tensile_strength", contact.residual_tensile_strength, Dimension::stress);
-    visit("contact_residual_cohesion", contact.residual_cohesion, Dimension::stress);
-    visit("contact_residual_friction_angle", contact.residual_friction_angle, Dimension::angle);
-    visit("contact_open_shear_strength", contact.open_shear_strength, Dimension::stress);
 }
 /// Visits every property of a phase once.
 template <class AnyPhase, class Visit>

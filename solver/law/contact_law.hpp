@@ -47,9 +47,10 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     law.g2 = p.mode_ii_fracture_energy;
     law.open_shear_strength = p.open_shear_strength;
     const LawDescription& description = description_of(variant);
-    law.residual_tc = description.residual_strength ? p.residual_tensile_strength : 0;
-    law.residual_cc = description.residual_strength ? p.residual_cohesion : 0;
-    law.residual_tan_phi = description.residual_friction ? std::tan(p.residual_friction_angle) : law.tan_phi;
+    law.residual_tc = description.reads(&ContactParameters::residual_tensile_strength) ? p.residual_tensile_strength : 0;
+    law.residual_cc = description.reads(&ContactParameters::residual_cohesion) ? p.residual_cohesion : 0;
+    law.residual_tan_phi =
+        description.reads(&ContactParameters::residual_friction_angle) ? std::tan(p.residual_friction_angle) : law.tan_phi;
     law.dct = p.critical_opening;
     law.dcs = p.critical_sliding;
     law.dut = p.ultimate_opening;
