@@ -76,9 +76,9 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
                 "{}: line {}: table [{}]: several minerals are not built yet; describe one rock by [rock] and [contact]",
                 toml.file, section.line, first));
         }
-        throw InputError(fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line,
-                                     fmt::join(section.name, "."), section.name.size() == 1 ? suggestion(first, table_names) : "",
-                                     fmt::join(table_names, ", ")));
+        throw InputError(
+            fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line, fmt::join(section.name, "."),
+                        section.name.size() == 1 ? did_you_mean(first, table_names) : "", fmt::join(table_names, ", ")));
     }
     for (const TomlEntry& entry : toml.entries) {
         if (!entry.section.empty() && is_of_calibration(entry.section.front())) {
@@ -167,7 +167,7 @@ fs::path find_material(const std::string& name_or_file) {
     std::vector<std::string> folders;
     for (const fs::path& folder : material_folders()) folders.push_back(folder.string());
     throw InputError(fmt::format("material {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too",
-                                 name_or_file, suggestion(name_or_file, known),
+                                 name_or_file, did_you_mean(name_or_file, known),
                                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(folders, ", ")));
 }
 
@@ -207,8 +207,8 @@ Quantity material_quantity(const std::string& key) {
             if (table + "." + each.name == key) return each.quantity;
         }
     }
-    throw UsageError(
-        fmt::format("{}: unknown key{}; known are {}", key, suggestion(key, material_keys()), fmt::join(material_keys(), ", ")));
+    throw UsageError(fmt::format("{}: unknown key{}; known are {}", key, did_you_mean(key, material_keys()),
+                                 fmt::join(material_keys(), ", ")));
 }
 
 FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where) {

@@ -25,7 +25,7 @@ double read_value(const TomlEntry& entry, const Quantity& quantity, const std::s
 
 }  // namespace
 
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
     const std::string nearest = nearest_word(word, known);
     return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
 }
@@ -41,7 +41,7 @@ double TomlKeys::read(const std::string& file, const TomlEntry& entry) {
     const std::string name = path + "." + entry.key;
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const TomlKey& k) { return k.name == entry.key; });
     if (key == keys.end()) {
-        throw InputError(fmt::format("{}unknown key {}{}; known are {}", where, name, suggestion(entry.key, names()),
+        throw InputError(fmt::format("{}unknown key {}{}; known are {}", where, name, did_you_mean(entry.key, names()),
                                      fmt::join(names(), ", ")));
     }
     const double value = read_value(entry, key->quantity, where + name);

@@ -31,6 +31,6 @@ struct TomlKeys {
 };
 
 /// " (did you mean …?)" with the nearest of the known words, or nothing.
-std::string suggestion(const std::string& word, const std::vector<std::string>& known);
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace graincrack
