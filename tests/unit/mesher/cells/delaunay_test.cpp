@@ -115,5 +115,13 @@ TEST(DelaunayCells, FollowPrescribedEdges) {
     }
 }
 
+// The piece of the edge is as long as the side of the triangle that it cuts off.
+TEST(DelaunayCells, FollowAPrescribedEdgeThatCutsACorner) {
+    Region region = rectangle(0.08, 0.06);
+    region.edges = {{{0.0379, -0.03}, {0.04, -0.0279}}};
+    const PlaneCells cells = cells_of(region, 1);
+    EXPECT_NEAR(covered(cells, region.edges[0].from, region.edges[0].to), length({0.0021, 0.0021}), 1e-16);
+}
+
 }  // namespace
 }  // namespace graincrack::mesher
