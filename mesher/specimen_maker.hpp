@@ -44,9 +44,9 @@ struct MeshPlan {
     double edge = 0;          ///< expected mean edge, m
 };
 
-/// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points and h holes has (n + 2 − 2h −
-/// b)/2 inner points, so b and n are both even or both odd. \throws UsageError naming the option if a size, edge, number, spread
-/// or subdivision allows no mesh
+/// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points and h holes has
+/// (n + 2 − 2h − b)/2 inner points, so b and n are both even or both odd.
+/// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh
 MeshPlan plan_mesh(const SpecimenRequest& request);
 
 /// Result of the attempts to make a mesh.

@@ -10,8 +10,9 @@
 namespace graincrack::mesher {
 
 /// Delaunay triangles of points within loops, with given edges (constrained Delaunay triangulation).
-/// \param loops sides of closed loops that neither cross nor touch each other: a triangle is kept if an odd number of loops is
-/// around it \param inner further edges that must be sides of triangles \throws UsageError if two edges cross
+/// \param loops sides of closed loops that do not cross; a triangle is kept if an odd number of loops is around it
+/// \param inner further edges that must be sides of triangles
+/// \throws UsageError if two edges cross
 std::vector<Triangle> constrained_triangles(std::span<const Point> points, std::span<const Edge> loops,
                                             std::span<const Edge> inner = {});
 

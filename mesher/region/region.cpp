@@ -62,7 +62,7 @@ void add_meetings(const Curve& curve, Point a, Point b, std::vector<double>& sha
     if (along_side >= -round_off && along_side <= 1 + round_off) add(cross(curve.from - a, side) / sine);
 }
 
-/// Whether two curves of loops have a point in common. \param follow one another in a polygon, so that they share a corner
+/// Whether two curves of loops that are not neighbours in a polygon have a point in common.
 bool meet(const Curve& a, const Curve& b) {
     if (a.is_circle() && b.is_circle()) {
         const double apart = length(a.circle.centre - b.circle.centre);

@@ -51,7 +51,8 @@ Region rectangle(double width, double height);
 Region disc(double diameter, Pole pole, int diameters);
 
 /// Checks that loops have three corners, a part for each side and the right direction, that they neither cross nor touch each
-/// other and that holes lie inside; that prescribed edges have a length. \throws UsageError naming the first violation
+/// other and that holes lie inside; that prescribed edges have a length.
+/// \throws UsageError naming the first violation
 void check(const Region& region);
 
 struct Box {
@@ -87,8 +88,8 @@ struct Curve {
 
     [[nodiscard]] bool is_circle() const { return kind == Kind::circle || kind == Kind::circular_hole; }
     [[nodiscard]] double distance(Point p) const;
-    /// A point moved straight away from the curve, to a distance inside the region; from a prescribed edge to the side where it
-    /// is. \param inside whether the point lies inside the region
+    /// A point moved straight away from the curve, to a distance `depth` inside the region; from a prescribed edge to its own
+    /// side. \param inside whether the point lies inside the region
     [[nodiscard]] Point moved_off(Point p, bool inside, double depth) const;
 };
 

@@ -17,8 +17,9 @@ int admissible_boundary_count(const Region& region, double wanted, bool odd);
 /// Points of a circle lie at the radius that gives the polygon the area of the circle; the pole facets' nodes (or the pole
 /// vertices) are moved along their diameter so that the polygon has the circle's extent there. Prescribed edges are clipped to
 /// the region and divided where they meet; where they end on a loop, a point of the loop is moved there or, if none is free,
-/// added (two if needed to keep the parity). \param n from `admissible_boundary_count` \throws UsageError if prescribed edges lie
-/// upon each other
+/// added (two if needed to keep the parity). The polygon of a circle whose points are moved loses a little of its area.
+/// \param n from `admissible_boundary_count`
+/// \throws UsageError if prescribed edges lie upon each other
 Seeds fixed_seeds(const Region& region, int n, double edge, double spread, RandomNumbers& random);
 
 }  // namespace graincrack::mesher

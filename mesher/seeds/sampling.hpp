@@ -13,7 +13,8 @@ namespace graincrack::mesher {
 /// there is room for hardly any further point; in the order of a Hilbert curve.
 ///
 /// Bridson's dart throwing (SIGGRAPH 2007) on a grid. Near each convex corner that a grain could cut off one point is placed on
-/// the bisector, so that such corners are shared by two triangles. \param depth of the region, with a reach of `margin` at least
+/// the bisector, so that such corners are shared by two triangles.
+/// \param depth of the region, with a reach of `margin` at least
 std::vector<Point> sample_points(const Region& region, const DepthGrid& depth, double min_distance, double margin,
                                  RandomNumbers& random);
 
