@@ -88,8 +88,9 @@ struct Curve {
 
     [[nodiscard]] bool is_circle() const { return kind == Kind::circle || kind == Kind::circular_hole; }
     [[nodiscard]] double distance(Point p) const;
-    /// A point moved straight away from the curve, to a distance `depth` inside the region; from a prescribed edge to its own
-    /// side. \param inside whether the point lies inside the region
+    /// A point moved straight away from the curve, to a distance `depth` inside the region; from a prescribed edge within
+    /// its side.
+    /// \param inside whether the point lies inside the region
     [[nodiscard]] Point moved_off(Point p, bool inside, double depth) const;
 };
 
