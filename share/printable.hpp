@@ -19,9 +19,9 @@ inline std::size_t length_of_control(std::string_view text) {
                static_cast<unsigned char>(text[n]) <= last;
     };
     if (is_between("", 0x00, 0x1f) || is_between("", 0x7f, 0x7f)) return 1;
-    if (is_between("\xc2", 0x80, 0x9f) || is_between("\xd8", 0x9c, 0x9c)) return 2;  // U+061C
+    if (is_between("\xc2", 0x80, 0x9f) || is_between("\xd8", 0x9c, 0x9c)) return 2;                 // U+061C
     const bool turns = is_between("\xe2\x80", 0x8e, 0x8f) || is_between("\xe2\x80", 0xa8, 0xae) ||  // U+200E, F; U+2028 to E
-                       is_between("\xe2\x81", 0xa6, 0xa9);                                       // U+2066 to 9
+                       is_between("\xe2\x81", 0xa6, 0xa9);                                          // U+2066 to 9
     return turns ? 3 : 0;
 }
 

@@ -47,8 +47,8 @@ void require_shallow_keys(const std::string& text, const std::string& file) {
         } else if (c == '\n' || std::string_view("=,[]{}").find(c) != std::string_view::npos) {
             dots = 0;
         } else if (c == '.' && ++dots > max_nesting) {
-            throw InputError(fmt::format("{}: line {}: a key has more than {} dots; none here has more than two", file, line,
-                                         max_nesting));
+            throw InputError(
+                fmt::format("{}: line {}: a key has more than {} dots; none here has more than two", file, line, max_nesting));
         }
     }
 }
