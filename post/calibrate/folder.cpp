@@ -179,7 +179,7 @@ Study read_study(const Material& rock, const std::vector<std::string>& settings)
     const auto ucs = rock.laboratory.find("compressive_strength");
     const auto e = rock.laboratory.find("young_modulus");
     if (ucs != rock.laboratory.end() && e != rock.laboratory.end())
-        study.max_strain = std::stod(fmt::format("{:.2g}", 0.015 * (ucs->second / e->second) / (122e6 / 25.8e9)));
+        study.max_strain = graincrack::rounded(0.015 * (ucs->second / e->second) / (122e6 / 25.8e9), 2);
     auto keys = study_keys(study);
     const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
         const auto key = keys.find(name);
