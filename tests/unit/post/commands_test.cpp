@@ -41,8 +41,8 @@ protected:
 TEST_F(Commands, InfoNamesKindCountsAndDatasets) {
     const std::string run = output_of({"info", folder_.file("run.h5")});
     const std::string schema = ", schema " + std::to_string(schema_version);
-    for (const std::string& words :
-         {"run" + schema, std::string("uniaxial"), "Augig granite", "/contacts/nodes", "/history/axial_stress"}) {
+    for (const std::string& words : std::vector<std::string>{"run" + schema, "uniaxial", "Augig granite", "/contacts/nodes",
+                                                             "/history/axial_stress"}) {
         EXPECT_NE(run.find(words), std::string::npos) << words;
     }
     const std::string specimen = output_of({"info", folder_.file("specimen.h5"), "--check"});
