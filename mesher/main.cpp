@@ -10,9 +10,9 @@
 
 #include "mesher/mesh_options.hpp"
 #include "mesher/mesh_report.hpp"
+#include "mesher/plane/triangulation.hpp"
 #include "mesher/size_check.hpp"
 #include "mesher/specimen_maker.hpp"
-#include "mesher/triangulation.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/material.hpp"

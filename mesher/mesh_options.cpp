@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "mesher/triangulation.hpp"
+#include "mesher/plane/triangulation.hpp"
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 

@@ -15,7 +15,7 @@ std::string millimetres(double value) { return format_number(in_unit(value, Dime
 
 SizeBounds size_bounds(const Material& material) {
     const Rock& rock = material.rock;
-    const double tc = material.contact.tensile_strength;
+    const double tc = *material.contact.tensile_strength;  // which every material gives
     constexpr PlaneCondition plane = PlaneCondition::stress;
     SizeBounds bounds;
     bounds.lower = fpz::min_grain_size(rock);

@@ -6,10 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "mesher/edge_orientation.hpp"
-#include "mesher/mesh_statistics.hpp"
-#include "mesher/notch.hpp"
-#include "mesher/point_sampling.hpp"
+#include "mesher/assemblage/notch.hpp"
+#include "mesher/assemblage/separate_bodies.hpp"
+#include "mesher/assemblage/statistics.hpp"
+#include "mesher/cells/delaunay.hpp"
+#include "mesher/elements/lattice.hpp"
+#include "mesher/seeds/fixed_seeds.hpp"
+#include "mesher/seeds/orientation.hpp"
+#include "mesher/seeds/sampling.hpp"
 #include "share/error.hpp"
 #include "share/quantities.hpp"
 #include "share/units.hpp"
@@ -28,8 +32,8 @@ constexpr double outline_spread =
     0.7;  ///< spread of the outline's edges over that of all edges: points of the outline are not relaxed
 
 struct Attempt {
-    Outline outline;
-    PlaneMesh mesh;
+    PlaneCells cells;
+    double loading_arc = 0;
     double excess = std::numeric_limits<double>::infinity();  ///< psi6 over its bound
     double psi6_of_parts = 0;
 };
@@ -43,7 +47,11 @@ double edge_over_equilateral(double spread) {
 }
 
 /// Edge of the equilateral triangle of the mean grain area, m.
-double equilateral_edge(const Shape& shape, double n_grains) { return std::sqrt(4 * shape.area() / (std::sqrt(3.0) * n_grains)); }
+double equilateral_edge(const Region& region, double n_grains) {
+    return std::sqrt(4 * area(region) / (std::sqrt(3.0) * n_grains));
+}
+
+double smallest_extent(const Region& region) { return std::min(bounds(region).width(), bounds(region).height()); }
 
 void check_size(const char* option, double value) {
     if (!(value > 0) || !std::isfinite(value)) throw UsageError(std::string(option) + ": must be a length above 0");
@@ -51,7 +59,9 @@ void check_size(const char* option, double value) {
 
 void check_request(const SpecimenRequest& request) {
     const Shape& shape = request.shape;
-    if (shape.kind == ShapeKind::disc) {
+    if (request.region) {
+        check(*request.region);
+    } else if (shape.kind == ShapeKind::disc) {
         check_size("--diameter", shape.width);
     } else {
         check_size("--width", shape.width);
@@ -70,7 +80,8 @@ void check_request(const SpecimenRequest& request) {
     if (shape.loaded_diameter >= shape.diameters) {
         throw UsageError("--loaded-diameter: there are " + std::to_string(shape.diameters) + " (--diameters), counted from 0");
     }
-    const double smallest = std::min(shape.width, shape.height);
+    const Region region = region_of(request);
+    const double smallest = smallest_extent(region);
     if (request.edge) {
         check_size("--edge", *request.edge);
         if (*request.edge > smallest / 2) {
@@ -78,7 +89,7 @@ void check_request(const SpecimenRequest& request) {
                              " across; at most half of that would do");
         }
         // More grains than this would exceed the file's indices, whatever the number of elements.
-        if (shape.area() / (*request.edge * *request.edge) > 3e8) {
+        if (area(region) / (*request.edge * *request.edge) > 3e8) {
             throw UsageError("--edge: " + metres(*request.edge) +
                              " would make more than 700 million grains; choose a larger edge");
         }
@@ -86,10 +97,11 @@ void check_request(const SpecimenRequest& request) {
 }
 
 MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
+    const Region region = region_of(request);
     MeshPlan plan;
     plan.n_grains = n_grains;
-    plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(request.shape, static_cast<double>(n_grains));
-    plan.n_boundary = admissible_boundary_count(request.shape, request.shape.perimeter() / plan.edge, n_grains % 2 != 0);
+    plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(region, static_cast<double>(n_grains));
+    plan.n_boundary = admissible_boundary_count(region, perimeter(region) / plan.edge, n_grains % 2 != 0);
     if (plan.n_boundary < 4 * request.shape.diameters) {
         throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
                          std::to_string(plan.n_boundary) + " edges on the rim; at most a quarter of these would do");
@@ -103,22 +115,30 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
                          " at either side and be as long as two itself: " + metres(2 * plan.edge) + " to " +
                          metres(request.shape.width - 4 * plan.edge) + " would do");
     }
-    plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - plan.n_boundary) / 2));
+    const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
+    plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
     return plan;
 }
 
 Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int number, const ProgressCallback& progress) {
+    const Region region = region_of(request);
+    const DepthGrid depth(region, sampling_margin * plan.edge);
     RandomNumbers random(request.seed, static_cast<std::uint64_t>(number));
+    Seeds fixed = fixed_seeds(region, plan.n_boundary, plan.edge, outline_spread * request.spread, random);
+    const auto inner = sample_points(region, depth, sampling_distance * plan.edge, sampling_margin * plan.edge, random);
+    // Points added to loops, and those on prescribed edges, stand for inner points: see `plan_mesh`.
+    const auto on_loops = std::count_if(fixed.sides.begin(), fixed.sides.end(), [](const Side& side) { return side.part >= 0; });
+    const auto n_free = static_cast<std::ptrdiff_t>(plan.n_inner) - (on_loops - plan.n_boundary) / 2 -
+                        (static_cast<std::ptrdiff_t>(fixed.n_fixed) - on_loops);
     Attempt attempt;
-    attempt.outline = make_outline(request.shape, plan.n_boundary, outline_spread * request.spread, random);
-    const auto inner = sample_points(request.shape, sampling_distance * plan.edge, sampling_margin * plan.edge, random);
-    attempt.mesh =
-        relax_points(request.shape, attempt.outline, inner, {plan.edge, request.spread, plan.n_inner}, random, progress);
+    attempt.loading_arc = fixed.loading_arc;
+    const RelaxationGoal goal{plan.edge, request.spread, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, n_free))};
+    attempt.cells = delaunay_cells(relax_points(depth, std::move(fixed), inner, goal, random, progress));
     for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
-        const double largest = largest_psi6_of_parts(request.shape, partition, attempt.mesh.points, attempt.mesh.edges);
+        const double largest = largest_psi6_of_parts(region, partition, attempt.cells.points, attempt.cells.edges);
         attempt.psi6_of_parts = std::max(attempt.psi6_of_parts, largest);
     }
-    const double whole = psi6(attempt.mesh.points, attempt.mesh.edges);
+    const double whole = psi6(attempt.cells.points, attempt.cells.edges);
     attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
     return attempt;
 }
@@ -139,16 +159,19 @@ Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const
 
 }  // namespace
 
+Region region_of(const SpecimenRequest& request) { return request.region ? *request.region : region_of(request.shape); }
+
 MeshPlan plan_mesh(const SpecimenRequest& request) {
     check_request(request);
+    const Region region = region_of(request);
     if (!request.grains) {
         const double equilateral = *request.edge / edge_over_equilateral(request.spread);
-        const double n_grains = 4 * request.shape.area() / (std::sqrt(3.0) * equilateral * equilateral);
+        const double n_grains = 4 * area(region) / (std::sqrt(3.0) * equilateral * equilateral);
         return plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains / 2)));
     }
-    const double smallest = std::min(request.shape.width, request.shape.height);
+    const double smallest = smallest_extent(region);
     // With at least two edges across the specimen (`check_request`), an equilateral mesh has this many grains.
-    const double fewest = std::ceil(16 * request.shape.area() / (std::sqrt(3.0) * smallest * smallest));
+    const double fewest = std::ceil(16 * area(region) / (std::sqrt(3.0) * smallest * smallest));
     if (static_cast<double>(*request.grains) < fewest) {
         throw UsageError("--grains: " + std::to_string(*request.grains) + " is too few for this shape; at least " +
                          std::to_string(static_cast<std::int64_t>(fewest)) + " would do");
@@ -161,23 +184,30 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     MeshPlan plan = plan_mesh(request);
     MeshReport made;
     Attempt attempt = best_attempt(request, plan, progress, made);
-    MeshStatistics statistics = mesh_statistics(request.shape, attempt.mesh);
+    const Region region = region_of(request);
+    MeshStatistics statistics = statistics_of(region, attempt.cells);
     for (int i = 0; request.edge && i < max_corrections; ++i) {
         const double ratio = statistics.mean_edge / *request.edge;
         const auto n_grains = 2 * std::llround(static_cast<double>(plan.n_grains) * ratio * ratio / 2);
         if (std::abs(ratio - 1) < edge_tolerance || n_grains == plan.n_grains) break;
         const MeshPlan next_plan = plan_for(request, n_grains);
         Attempt next = best_attempt(request, next_plan, progress, made);
-        const MeshStatistics next_statistics = mesh_statistics(request.shape, next.mesh);
+        const MeshStatistics next_statistics = statistics_of(region, next.cells);
         if (std::abs(next_statistics.mean_edge / *request.edge - 1) >= std::abs(ratio - 1)) break;
         plan = next_plan;
         attempt = std::move(next);
         statistics = next_statistics;
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
-    turn_to_load(request.shape, attempt.outline.points);
-    turn_to_load(request.shape, attempt.mesh.points);
-    Specimen specimen = build_assemblage(request.shape, attempt.outline, attempt.mesh, request.elements_per_edge);
+    if (!request.region) turn_to_load(request.shape, attempt.cells.points);
+    Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge));
+    specimen.shape = region.name;
+    specimen.width = bounds(region).width();
+    specimen.height = bounds(region).height();
+    specimen.tessellation = "delaunay";
+    specimen.elements_per_edge = request.elements_per_edge;
+    specimen.loading_arc = attempt.loading_arc;
+    specimen.part_names = region.part_names;
     if (request.notch) cut_notch(specimen, *request.notch);
     specimen.seed = request.seed;
     specimen.statistics = statistics;

@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "mesher/assemblage_builder.hpp"
-#include "mesher/point_relaxation.hpp"
-#include "mesher/shape.hpp"
+#include "mesher/region/shape.hpp"
+#include "mesher/seeds/relaxation.hpp"
 #include "share/specimen.hpp"
 
 namespace graincrack::mesher {
@@ -14,6 +13,7 @@ namespace graincrack::mesher {
 /// Requested properties of a specimen. Exactly one of `edge` and `grains` is set.
 struct SpecimenRequest {
     Shape shape;
+    std::optional<Region> region;        ///< instead of the shape
     std::optional<double> edge;          ///< mean edge over all grain edges, rim included, m
     std::optional<std::int64_t> grains;  ///< exact number of grains
     double spread = 0.1;                 ///< coefficient of variation of the edges, 0 to 0.3
@@ -33,16 +33,19 @@ inline constexpr int max_elements_per_edge = 100;
 inline constexpr double max_psi6 = 0.15;
 inline constexpr double max_psi6_of_parts = 0.30;
 
+/// The region of a request, or that of its shape.
+Region region_of(const SpecimenRequest& request);
+
 /// Numbers that follow from a request before any point is placed.
 struct MeshPlan {
     std::int64_t n_grains = 0;
     int n_boundary = 0;       ///< boundary points, and edges
-    std::size_t n_inner = 0;  ///< inner points
+    std::size_t n_inner = 0;  ///< inner points, those of prescribed edges included
     double edge = 0;          ///< expected mean edge, m
 };
 
-/// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points has (n + 2 − b)/2 inner
-/// points, so b and n are both even or both odd.
+/// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points and h holes has
+/// (n + 2 − 2h − b)/2 inner points, so b and n are both even or both odd.
 /// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh
 MeshPlan plan_mesh(const SpecimenRequest& request);
 
@@ -52,7 +55,7 @@ struct MeshReport {
     int attempts = 0;          ///< number of meshes made until one had no preferred direction
 };
 
-/// Makes the specimen. The same request gives the same specimen, bit for bit.
+/// Makes the specimen: region → seeds → cells → elements → bodies. The same request gives the same specimen, bit for bit.
 ///
 /// A mesh whose psi6 is above the bounds is made again from other random numbers, up to 100 times; the best mesh is kept. If an
 /// edge is requested, the number of grains is corrected until the mean edge is within 0.5 %, or as near as whole grains allow.

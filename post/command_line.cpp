@@ -1,6 +1,7 @@
 #include "post/command_line.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_version.h>
 
 #include <algorithm>
@@ -141,6 +142,7 @@ std::vector<std::string> files_of(const Registered& command) {
 }  // namespace
 
 void run_command_line(int argc, const char* const* argv, std::ostream& out) {
+    gsl_set_error_handler_off();  // what fails says so by its value or status; the handler would end the process
     CommonOptions common;
     CLI::App app("Turns runs into tables, VTK files and pictures");
     add_common_options(

@@ -414,7 +414,7 @@ CLI::Option* add_fracture_energy(CLI::App& app, std::optional<FractureEnergyChoi
     return detail::add_value(
         app, "--fracture-energy",
         [&target](const std::string& text) { target = parse_fracture_energy(text, "--fracture-energy"); },
-        help_of(help, quantity::fracture_energy), "mixed|mode-i|ENERGY/AREA", "");
+        help_of(help, contact_parameter(&ContactParameters::fracture_energy).quantity), "mixed|mode-i|ENERGY/AREA", "");
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& target, const std::vector<std::string>& choices,

@@ -27,6 +27,8 @@ void remember_signal(int signal) {
     caught_signal = signal;
 }
 
+constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns of a table has some thousand
+
 int report(const std::string& tool, const std::string& message, ExitCode code) {
     std::string line = message;
     for (char& c : line) {
@@ -34,7 +36,7 @@ int report(const std::string& tool, const std::string& message, ExitCode code) {
             c = ' ';
         }
     }
-    std::fprintf(stderr, "%s: %s\n", tool.c_str(), printable(line).c_str());
+    std::fprintf(stderr, "%s: %s\n", tool.c_str(), shortened(printable(line), longest_message).c_str());
     return static_cast<int>(code);
 }
 

@@ -107,9 +107,10 @@ bool read_attribute(hid_t attribute, std::vector<double>& out);
 bool read_attribute(hid_t attribute, std::vector<std::int64_t>& out);
 bool read_attribute(hid_t attribute, std::vector<std::string>& out);
 
-/// Names of the links in a group and of the attributes of an object, sorted.
+/// Names of the links in a group, sorted.
 std::vector<std::string> link_names(hid_t file, const std::string& group);
-std::vector<std::string> attribute_names(hid_t object);
+/// Names of the attributes of an object, sorted; false if one of them is damaged.
+bool attribute_names(hid_t object, std::vector<std::string>& names);
 
 std::string type_name(hid_t type);
 Extents space_extents(hid_t space);

@@ -109,7 +109,11 @@ private:
         return type_name(type.get()) + " " + extents_text(space_extents(space.get()));
     }
     void digest_attributes(hid_t object, const std::string& path, Sha256& hash) const {
-        for (const std::string& name : attribute_names(object)) {
+        std::vector<std::string> names;
+        if (!attribute_names(object, names)) {
+            throw InputError(fmt::format("{}: the attributes of {} cannot be read: the file is damaged", file_name_, path));
+        }
+        for (const std::string& name : names) {
             const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
             const auto refuse = [&] {
                 throw InputError(fmt::format("{}: attribute {} of {} cannot be read", file_name_, name, path));

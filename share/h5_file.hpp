@@ -13,7 +13,7 @@
 namespace graincrack {
 
 /// Version of the file layout that this build writes and reads; files of another one are refused.
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 /// Version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();

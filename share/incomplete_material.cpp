@@ -13,7 +13,7 @@ namespace {
 constexpr double zhang = 6.88;                     // 1/√m: σt = 6.88 K_IC over many rocks (Zhang 2002)
 constexpr double mode_ii_over_mode_i = 3.0 / 1.5;  // of Augig granite
 
-const char* const keys = R"toml(
+const char* const rock_keys = R"toml(
 # Values are texts with units ("25.8 GPa"); a bare number is SI. Strengths are positive. Take the # from a line to set its key.
 
 [rock]                                    # grains; all six are needed
@@ -27,18 +27,9 @@ const char* const keys = R"toml(
 # tensile_strength = "8.8 MPa"            # Brazilian
 
 [contact]                                 # between grains; the first three are needed, `make -C share/studies calibrate` finds them
-# tensile_strength = "24.15 MPa"          # tc. First guess: 2 K_IC/sqrt(pi dp), dp the mean edge (`graincrack-post fpz`)
-# cohesion = "74.57 MPa"                  # cc. First guess: half the UCS
-# friction_angle = "48.76 deg"            # phi_c. First guess: 0.7 times that of the rock, with which grains would lock
-# normal_stiffness = "6.87e5 MPa/mm"      # default: E / w_I (Eqs 3-5)
-# shear_stiffness = "6.98e4 MPa/mm"       # default: G / w_II (Eqs 3-5)
-# fracture_energy = "82.6 J/m2"           # default: K_IC^2/E~; see --fracture-energy
-# mode_ii_fracture_energy = "330 J/m2"    # default: K_IIC^2/E~; laws that soften in shear
-# open_shear_strength = "7.7 MPa"         # default: tc sqrt(ks/kt); law coulomb-slip
-# residual_tensile_strength = "0 MPa"     # default: 0; law coulomb-slip
-# residual_cohesion = "0 MPa"             # default: 0; law coulomb-slip
-# residual_friction_angle = "48.76 deg"   # default: friction_angle
+)toml";
 
+const char* const other_keys = R"toml(
 [platen]
 # friction_angle = "5 deg"                # default: 0; rock on steel
 
@@ -88,6 +79,13 @@ Rock rock_of_laboratory(const IncompleteMaterial& incomplete, std::vector<std::s
     return rock;
 }
 
-std::string material_template(const std::string& name) { return fmt::format("name = \"{}\"\n{}", name, keys); }
+std::string material_template(const std::string& name) {
+    std::string text = fmt::format("name = \"{}\"\n{}", name, rock_keys);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        text += fmt::format("# {:<39} # {}: {}{}\n", fmt::format("{} = \"{}\"", row.key(), row.example),
+                            row.is_needed() ? "first guess" : "default", row.usual, row.every_law ? "" : "; some laws only");
+    }
+    return text + other_keys;
+}
 
 }  // namespace graincrack

@@ -12,6 +12,7 @@
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
 #include "share/toml_file.hpp"
+#include "share/toml_keys.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -19,48 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A key of a table: the quantity it holds, where its value is stored, and whether it is required.
-struct Key {
-    std::string name;
-    Quantity quantity;
-    std::function<void(double)> set;
-    bool needed;
-    bool found = false;
-};
-using Table = std::pair<std::string, std::vector<Key>>;
-
-std::vector<std::string> names_of(const std::vector<Key>& keys) {
-    std::vector<std::string> names;
-    names.reserve(keys.size());
-    for (const Key& key : keys) names.push_back(key.name);
-    return names;
-}
-
-/// " (did you mean …?)" or nothing.
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-    const std::string nearest = nearest_word(word, known);
-    return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
-}
-
-double read_value(const TomlEntry& entry, const Key& key, const std::string& where) {
-    if (entry.is_array || entry.values.front().kind == TomlValue::Kind::boolean) {
-        throw InputError(fmt::format("{}: {} is no quantity; a text with a unit or a bare number in {} fits", where,
-                                     entry.is_array ? "an array" : entry.values.front().text, key.quantity.unit()));
-    }
-    try {
-        return parse_quantity(entry.values.front().text, key.quantity, where);
-    } catch (const UsageError& error) {
-        throw InputError(error.what());
-    }
-}
-
 /// The keys of a material file, bound to a material.
-std::vector<Table> tables_of(Material& material) {
+std::vector<TomlKeys> tables_of(Material& material) {
     const auto to = [](double& target) { return [&target](double value) { target = value; }; };
-    const auto to_optional = [](std::optional<double>& target) { return [&target](double value) { target = value; }; };
     Rock& rock = material.rock;
-    ContactMaterial& contact = material.contact;
-    std::vector<Table> tables{
+    std::vector<TomlKeys> tables{
         {"rock",
          {{"young_modulus", quantity::young_modulus, to(rock.young_modulus), true},
           {"poisson_ratio", quantity::poisson_ratio, to(rock.poisson_ratio), true},
@@ -68,26 +32,13 @@ std::vector<Table> tables_of(Material& material) {
           {"mode_i_toughness", quantity::mode_i_toughness, to(rock.mode_i_toughness), true},
           {"mode_ii_toughness", quantity::mode_ii_toughness, to(rock.mode_ii_toughness), true},
           {"tensile_strength", quantity::tensile_strength, to(rock.tensile_strength), true}}},
-        {"contact",
-         {{"tensile_strength", quantity::contact_tensile_strength, to(contact.tensile_strength), true},
-          {"cohesion", quantity::contact_cohesion, to(contact.cohesion), true},
-          {"friction_angle", quantity::contact_friction_angle, to(contact.friction_angle), true},
-          {"normal_stiffness", quantity::contact_normal_stiffness, to_optional(contact.normal_stiffness), false},
-          {"shear_stiffness", quantity::contact_shear_stiffness, to_optional(contact.shear_stiffness), false},
-          {"fracture_energy", quantity::fracture_energy, to_optional(contact.fracture_energy), false},
-          {"mode_ii_fracture_energy", quantity::mode_ii_fracture_energy, to_optional(contact.mode_ii_fracture_energy), false},
-          {"open_shear_strength", quantity::contact_open_shear_strength, to_optional(contact.open_shear_strength), false},
-          {"residual_tensile_strength", quantity::contact_residual_tensile_strength,
-           to_optional(contact.residual_tensile_strength), false},
-          {"residual_cohesion", quantity::contact_residual_cohesion, to_optional(contact.residual_cohesion), false},
-          {"residual_friction_angle", quantity::contact_residual_friction_angle, to_optional(contact.residual_friction_angle),
-           false}}},
+        {"contact", contact_keys(material.contact)},
         {"platen", {{"friction_angle", quantity::platen_friction, to(material.platen_friction_angle), false}}},
         {"laboratory", {}},
     };
     for (const Quantity& quantity : laboratory_quantities()) {
         const std::string name(quantity.name);
-        tables.back().second.push_back({name, quantity, [&material, name](double v) { material.laboratory[name] = v; }, false});
+        tables.back().keys.push_back({name, quantity, [&material, name](double v) { material.laboratory[name] = v; }, false});
     }
     return tables;
 }
@@ -106,13 +57,14 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     const TomlFile toml = read_toml(file.string());
     Material material;
     material.file = file;
-    std::vector<Table> tables = tables_of(material);
+    std::vector<TomlKeys> tables = tables_of(material);
     std::vector<std::string> table_names;
     table_names.reserve(tables.size());
-    for (const Table& table : tables) table_names.push_back(table.first);
+    for (const TomlKeys& table : tables) table_names.push_back(table.path);
 
-    const auto find_table = [&](const std::vector<std::string>& section) -> Table* {
-        const auto found = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.first == section.front(); });
+    const auto find_table = [&](const std::vector<std::string>& section) -> TomlKeys* {
+        const auto found =
+            std::find_if(tables.begin(), tables.end(), [&](const TomlKeys& t) { return t.path == section.front(); });
         return section.size() == 1 && found != tables.end() ? &*found : nullptr;
     };
     for (const TomlSection& section : toml.sections) {
@@ -124,9 +76,9 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
                 "{}: line {}: table [{}]: several minerals are not built yet; describe one rock by [rock] and [contact]",
                 toml.file, section.line, first));
         }
-        throw InputError(fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line,
-                                     fmt::join(section.name, "."), section.name.size() == 1 ? suggestion(first, table_names) : "",
-                                     fmt::join(table_names, ", ")));
+        throw InputError(
+            fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line, fmt::join(section.name, "."),
+                        section.name.size() == 1 ? did_you_mean(first, table_names) : "", fmt::join(table_names, ", ")));
     }
     for (const TomlEntry& entry : toml.entries) {
         if (!entry.section.empty() && is_of_calibration(entry.section.front())) {
@@ -145,22 +97,12 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
             material.name = entry.values.front().text;
             continue;
         }
-        Table* table = find_table(entry.section);  // exists: all sections were checked above
-        std::vector<Key>& keys = table->second;
-        const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == entry.key; });
-        if (key == keys.end()) {
-            throw InputError(fmt::format("{}: line {}: unknown key {}.{}{}; known are {}", toml.file, entry.line, table->first,
-                                         entry.key, suggestion(entry.key, names_of(keys)), fmt::join(names_of(keys), ", ")));
-        }
-        const std::string name = table->first + "." + key->name;
-        const double value = read_value(entry, *key, fmt::format("{}: line {}: {}", toml.file, entry.line, name));
-        key->set(value);
-        values[name] = value;
-        key->found = true;
+        TomlKeys& table = *find_table(entry.section);  // exists: all sections were checked above
+        values[table.path + "." + entry.key] = table.read(toml.file, entry);
     }
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
     for (const auto& [table, keys] : tables) {
-        for (const Key& key : keys) {
+        for (const TomlKey& key : keys) {
             if (!key.needed || key.found) continue;
             missing.push_back({table + "." + key.name, fmt::format("{}, in {}", key.quantity.meaning, key.quantity.unit())});
         }
@@ -225,7 +167,7 @@ fs::path find_material(const std::string& name_or_file) {
     std::vector<std::string> folders;
     for (const fs::path& folder : material_folders()) folders.push_back(folder.string());
     throw InputError(fmt::format("material {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too",
-                                 name_or_file, suggestion(name_or_file, known),
+                                 name_or_file, did_you_mean(name_or_file, known),
                                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(folders, ", ")));
 }
 
@@ -253,7 +195,7 @@ std::vector<std::string> material_keys() {
     Material material;
     std::vector<std::string> names;
     for (const auto& [table, keys] : tables_of(material)) {
-        for (const Key& key : keys) names.push_back(table + "." + key.name);
+        for (const TomlKey& key : keys) names.push_back(table + "." + key.name);
     }
     return names;
 }
@@ -261,13 +203,11 @@ std::vector<std::string> material_keys() {
 Quantity material_quantity(const std::string& key) {
     Material material;
     for (const auto& [table, keys] : tables_of(material)) {
-        for (const Key& each : keys) {
+        for (const TomlKey& each : keys) {
             if (table + "." + each.name == key) return each.quantity;
         }
     }
-    const std::string nearest = nearest_word(key, material_keys());
-    throw UsageError(fmt::format("{}: unknown key{}; known are {}", key,
-                                 nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
+    throw UsageError(fmt::format("{}: unknown key{}; known are {}", key, did_you_mean(key, material_keys()),
                                  fmt::join(material_keys(), ", ")));
 }
 
@@ -280,7 +220,7 @@ FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_vi
     if (word && text != "nan" && text != "inf") {
         throw UsageError(fmt::format("{}: unknown choice \"{}\"; mixed, mode-i or a value such as 90J/m2 fits", where, text));
     }
-    return {Kind::value, parse_quantity(text, quantity::fracture_energy, where)};
+    return {Kind::value, parse_quantity(text, contact_parameter(&ContactParameters::fracture_energy).quantity, where)};
 }
 
 std::string_view name_of(FractureEnergyChoice::Kind kind) {
@@ -300,30 +240,17 @@ FractureEnergyChoice effective_fracture_energy(const Material& material, const s
 
 ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
                                      const std::optional<FractureEnergyChoice>& choice) {
-    const Rock& rock = material.rock;
-    const ContactMaterial& contact = material.contact;
-    ContactParameters p;
-    p.normal_stiffness = contact.normal_stiffness.value_or(fpz::normal_stiffness(rock, plane));
-    p.shear_stiffness = contact.shear_stiffness.value_or(fpz::shear_stiffness(rock, plane));
-    p.tensile_strength = contact.tensile_strength;
-    p.cohesion = contact.cohesion;
-    p.friction_angle = contact.friction_angle;
-    const FractureEnergyChoice chosen = effective_fracture_energy(material, choice);
-    switch (chosen.kind) {
-        case FractureEnergyChoice::Kind::mixed: p.fracture_energy = fpz::mixed_mode_fracture_energy(rock, plane); break;
-        case FractureEnergyChoice::Kind::mode_i: p.fracture_energy = fpz::mode_i_fracture_energy(rock, plane); break;
-        case FractureEnergyChoice::Kind::value: p.fracture_energy = chosen.value; break;
+    GivenContact given = material.contact;
+    if (choice) {
+        switch (choice->kind) {
+            case FractureEnergyChoice::Kind::mixed:
+                given.fracture_energy = fpz::mixed_mode_fracture_energy(material.rock, plane);
+                break;
+            case FractureEnergyChoice::Kind::mode_i: given.fracture_energy.reset(); break;
+            case FractureEnergyChoice::Kind::value: given.fracture_energy = choice->value; break;
+        }
     }
-    p.critical_opening = fpz::critical_displacement(p.tensile_strength, p.normal_stiffness);
-    p.critical_sliding = fpz::critical_displacement(p.cohesion, p.shear_stiffness);
-    p.ultimate_opening = fpz::ultimate_displacement(p.fracture_energy, p.tensile_strength, p.critical_opening);
-    p.mode_ii_fracture_energy = contact.mode_ii_fracture_energy.value_or(fpz::mode_ii_fracture_energy(rock, plane));
-    p.open_shear_strength =
-        contact.open_shear_strength.value_or(p.tensile_strength * std::sqrt(p.shear_stiffness / p.normal_stiffness));
-    p.residual_tensile_strength = contact.residual_tensile_strength.value_or(0);
-    p.residual_cohesion = contact.residual_cohesion.value_or(0);
-    p.residual_friction_angle = contact.residual_friction_angle.value_or(contact.friction_angle);
-    return p;
+    return derived_contact(given, material.rock, plane);
 }
 
 }  // namespace graincrack

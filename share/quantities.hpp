@@ -88,30 +88,6 @@ inline constexpr Quantity grain_size{"grain_size", Dimension::length, 0, 1e3, "m
 inline constexpr Quantity min_grain_size{"min_grain_size", Dimension::length, 0, 1e3, "smallest grains of the rock", true};
 inline constexpr Quantity max_grain_size{"max_grain_size", Dimension::length, 0, 1e3, "largest grains of the rock", true};
 
-// --- contact ---------------------------------------------------------------------------------------------------------
-inline constexpr Quantity contact_tensile_strength{
-    "contact_tensile_strength", Dimension::stress, 0, 1e12, "tensile strength t_c of a contact", true};
-inline constexpr Quantity contact_cohesion{"contact_cohesion", Dimension::stress, 0, 1e12, "cohesion c_c of a contact", true};
-inline constexpr Quantity contact_friction_angle{"contact_friction_angle", Dimension::angle, 0, 1.55,
-                                                 "friction angle phi_c of a contact"};
-inline constexpr Quantity contact_normal_stiffness{
-    "contact_normal_stiffness", Dimension::stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true};
-inline constexpr Quantity contact_shear_stiffness{
-    "contact_shear_stiffness", Dimension::stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true};
-inline constexpr Quantity fracture_energy{
-    "fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true};
-inline constexpr Quantity mode_ii_fracture_energy{
-    "mode_ii_fracture_energy", Dimension::fracture_energy, 0, 1e9, "energy to slide a unit of contact area apart", true};
-inline constexpr Quantity contact_open_shear_strength{
-    "contact_open_shear_strength", Dimension::stress, 0, 1e12, "shear strength of a contact while it is open", true};
-inline constexpr Quantity contact_residual_tensile_strength{"contact_residual_tensile_strength", Dimension::stress, 0, 1e12,
-                                                            "tensile strength of a failed contact"};
-inline constexpr Quantity contact_residual_cohesion{"contact_residual_cohesion", Dimension::stress, 0, 1e12,
-                                                    "cohesion of a failed contact"};
-inline constexpr Quantity contact_residual_friction_angle{"contact_residual_friction_angle", Dimension::angle, 0, 1.55,
-                                                          "friction angle of a failed contact"};
-inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};
-
 // --- specimen --------------------------------------------------------------------------------------------------------
 inline constexpr Quantity width{"width", Dimension::length, 0, 1e4, "width of the specimen (x)", true};
 inline constexpr Quantity height{"height", Dimension::length, 0, 1e4, "height of the specimen (y)", true};
@@ -121,6 +97,7 @@ inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edg
 inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
 
 // --- test ------------------------------------------------------------------------------------------------------------
+inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};
 inline constexpr Quantity confining_pressure{"confining_pressure", Dimension::stress, 0, 1e12, "pressure on the lateral edges"};
 inline constexpr Quantity platen_speed{"platen_speed", Dimension::speed, 0, 1e3, "speed of each platen", true};
 inline constexpr Quantity rate_tolerance{

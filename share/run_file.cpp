@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 #include <string_view>
@@ -53,6 +54,24 @@ namespace {
 
 constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
 
+/// Visits every contact parameter once.
+template <class Contact, class Visit>
+void visit_contact(Contact& contact, const Visit& visit) {
+    for (const ContactParameter& row : all_contact_parameters()) {
+        visit(row.quantity.name.data(), contact.*row.value, row.quantity.dimension);
+    }
+    visit("critical_opening", contact.critical_opening, Dimension::length);
+    visit("critical_sliding", contact.critical_sliding, Dimension::length);
+    visit("ultimate_opening", contact.ultimate_opening, Dimension::length);
+}
+/// Visits every property of a phase once.
+template <class AnyPhase, class Visit>
+void visit_phase(AnyPhase& phase, const Visit& visit) {
+    visit("young_modulus", phase.young_modulus, Dimension::stress);
+    visit("poisson_ratio", phase.poisson_ratio, Dimension::one);
+    visit("density", phase.density, Dimension::density);
+}
+
 /// Visits every attribute of /run once, for writing and reading alike.
 template <class Header, class Visit>
 void visit_header(Header& h, Visit&& visit) {
@@ -67,20 +86,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
     visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
     visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
-    visit("contact_normal_stiffness", h.contact.normal_stiffness, Dimension::stiffness);
-    visit("contact_shear_stiffness", h.contact.shear_stiffness, Dimension::stiffness);
-    visit("contact_tensile_strength", h.contact.tensile_strength, Dimension::stress);
-    visit("contact_cohesion", h.contact.cohesion, Dimension::stress);
-    visit("contact_friction_angle", h.contact.friction_angle, Dimension::angle);
-    visit("fracture_energy", h.contact.fracture_energy, Dimension::fracture_energy);
-    visit("critical_opening", h.contact.critical_opening, Dimension::length);
-    visit("critical_sliding", h.contact.critical_sliding, Dimension::length);
-    visit("ultimate_opening", h.contact.ultimate_opening, Dimension::length);
-    visit("mode_ii_fracture_energy", h.contact.mode_ii_fracture_energy, Dimension::fracture_energy);
-    visit("contact_residual_tensile_strength", h.contact.residual_tensile_strength, Dimension::stress);
-    visit("contact_residual_cohesion", h.contact.residual_cohesion, Dimension::stress);
-    visit("contact_residual_friction_angle", h.contact.residual_friction_angle, Dimension::angle);
-    visit("contact_open_shear_strength", h.contact.open_shear_strength, Dimension::stress);
+    visit_contact(h.contact, visit);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit("rate", h.rate);
@@ -140,11 +146,78 @@ void write_header(H5Output& file, const RunHeader& header) {
     visit_header(header, HeaderWriter{file});
 }
 
+/// Properties of phases or classes as datasets of a group, one a property.
+class PropertyTable {
+public:
+    void operator()(const char* name, const double& value, Dimension dimension) const {
+        if (columns_.find(name) == columns_.end()) {
+            order_.emplace_back(name, dimension);
+        }
+        columns_[name].push_back(value);
+    }
+    void write(H5Output& file, const std::string& group, const std::vector<std::string>& names) const {
+        file.create_group(group);
+        file.attribute(group, "names", names);
+        for (const auto& [name, dimension] : order_) {
+            file.write<double>(group + "/" + name, std::span<const double>(columns_[name]), {names.size()}, si_unit(dimension),
+                               "by index of the attribute names of the group");
+        }
+    }
+
+private:
+    mutable std::vector<std::pair<std::string, Dimension>> order_;
+    mutable std::map<std::string, std::vector<double>> columns_;
+};
+
+void write_fabric(H5Output& file, const Fabric& fabric, const std::vector<std::string>& phase_names) {
+    const PropertyTable phases;
+    for (const Phase& phase : fabric.phases) {
+        visit_phase(phase, phases);
+    }
+    phases.write(file, schema::phases_group, phase_names);
+    const PropertyTable classes;
+    for (const ContactParameters& contact : fabric.contacts) {
+        visit_contact(contact, classes);
+    }
+    classes.write(file, schema::classes_group, contact_class_names(phase_names));
+}
+
+/// Row `row` of a group of properties.
+struct PropertyReader {
+    const H5Input& file;
+    std::string group;
+    std::size_t rows, row;
+    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
+        value = file.read<double>(group + "/" + name, {rows})[row];
+        if (!std::isfinite(value)) {
+            throw InputError(
+                fmt::format("{}: {}/{} has the value {}; a finite number is needed", file.name(), group, name, value));
+        }
+    }
+};
+
+Fabric read_fabric(const H5Input& file) {
+    const std::size_t n_phases = rows_of(file, std::string(schema::phases_group) + "/young_modulus");
+    if (n_phases < 1 || n_phases > max_phases) {
+        throw InputError(
+            fmt::format("{}: {} has {} phases; 1 to {} are needed", file.name(), schema::phases_group, n_phases, max_phases));
+    }
+    Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_contact_classes(n_phases))};
+    for (std::size_t i = 0; i < fabric.phases.size(); ++i) {
+        visit_phase(fabric.phases[i], PropertyReader{file, schema::phases_group, fabric.phases.size(), i});
+    }
+    for (std::size_t i = 0; i < fabric.contacts.size(); ++i) {
+        visit_contact(fabric.contacts[i], PropertyReader{file, schema::classes_group, fabric.contacts.size(), i});
+    }
+    return fabric;
+}
+
 RunHeader read_header(const H5Input& file) {
     RunHeader header;
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
     visit_header(header, HeaderReader{file});
+    header.fabric = read_fabric(file);
     if (header.time_step <= 0 || header.steps < 0) {
         throw InputError(
             fmt::format("{}: time_step and steps of {} are {} and {}; a positive step and no negative number are needed",
@@ -278,6 +351,10 @@ RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& h
     : state_(std::make_unique<State>(State{std::move(file), 0, 0, {}})) {
     write_specimen(state_->file, specimen);
     write_header(state_->file, header);
+    const bool has_fabric = !header.fabric.phases.empty();
+    write_fabric(state_->file,
+                 has_fabric ? header.fabric : uniform_fabric(header.rock, header.contact, specimen.phase_names.size()),
+                 specimen.phase_names);
     state_->file.create_group(schema::history_group);
     state_->file.create_group(schema::frames_group);
     state_->file.flush();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "share/contact_state.hpp"
+#include "share/fabric.hpp"
 #include "share/fracture_process_zone.hpp"
 #include "share/material.hpp"
 #include "share/quantities.hpp"
@@ -32,6 +33,7 @@ struct RunHeader {
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
+    Fabric fabric;                       ///< of phases and classes; empty: all are of the rock and the contact
     double platen_friction = 0;          ///< rad
     double confining_pressure = 0;       ///< target, Pa
     std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"

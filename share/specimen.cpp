@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <span>
 
 #include "share/error.hpp"
@@ -15,8 +13,6 @@
 
 namespace graincrack {
 namespace {
-
-constexpr double conformity = 1e-9;  // of the specimen's size: far below any edge, far above round-off of positions
 
 /// Rows of an array of arrays as one flat span, as HDF5 needs them.
 template <class T, std::size_t n>
@@ -46,143 +42,6 @@ void write_rows(H5Output& file, const schema::Dataset& dataset, const std::vecto
 template <class T>
 void write_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values) {
     file.write<T>(dataset.path, std::span<const T>(values), {values.size()}, dataset.unit, dataset.description);
-}
-
-double signed_area(const Specimen& s, const std::array<std::int32_t, 3>& e) {
-    const auto& a = s.node_position[e[0]];
-    const auto& b = s.node_position[e[1]];
-    const auto& c = s.node_position[e[2]];
-    return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
-}
-
-/// Throws the error of a violated condition, with the name of the file and the row.
-class Checker {
-public:
-    explicit Checker(const std::string& where) : where_(where) {}
-    void require(bool condition, const char* what, std::size_t row) const {
-        if (!condition) {
-            throw InputError(fmt::format("{}: {} (row {})", where_, what, row));
-        }
-    }
-    void require(bool condition, const char* what) const {
-        if (!condition) {
-            throw InputError(fmt::format("{}: {}", where_, what));
-        }
-    }
-
-private:
-    const std::string& where_;
-};
-
-template <std::size_t n>
-bool all_below(const std::array<std::int32_t, n>& row, std::size_t limit) {
-    return std::all_of(row.begin(), row.end(), [limit](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < limit; });
-}
-
-void check_sizes(const Specimen& s, const Checker& check) {
-    check.require(!s.element_nodes.empty(), "a specimen needs at least one element");
-    check.require(s.element_grain.size() == s.n_elements(), "elements/nodes and elements/grain differ in length");
-    check.require(s.grain_area.size() == s.n_grains(), "grains/area and grains/phase differ in length");
-    check.require(s.contact_grain_boundary.size() == s.n_contacts(),
-                  "contacts/grain_boundary and contacts/nodes differ in length");
-    check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
-    check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
-    check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
-                  "width and height must be positive and finite");
-    check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");
-}
-
-void check_elements(const Specimen& s, const Checker& check) {
-    for (std::size_t i = 0; i < s.n_nodes(); ++i) {
-        check.require(std::isfinite(s.node_position[i][0]) && std::isfinite(s.node_position[i][1]), "node position is not finite",
-                      i);
-    }
-    for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        check.require(all_below(s.element_nodes[e], s.n_nodes()), "element names a node that does not exist", e);
-        check.require(all_below(std::array{s.element_grain[e]}, s.n_grains()), "element names a grain that does not exist", e);
-        check.require(signed_area(s, s.element_nodes[e]) > 0, "element is not counter-clockwise or has no area", e);
-        check.require(e == 0 ? s.element_grain[e] == 0
-                             : s.element_grain[e] == s.element_grain[e - 1] || s.element_grain[e] == s.element_grain[e - 1] + 1,
-                      "elements must be sorted by grain, every grain with at least one", e);
-    }
-    check.require(s.element_grain.back() + 1 == static_cast<std::int32_t>(s.n_grains()), "a grain has no element");
-    std::vector<std::int32_t> owner(s.n_nodes(), -1);
-    for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        for (const std::int32_t node : s.element_nodes[e]) {
-            check.require(owner[node] < 0 || owner[node] == s.element_grain[e],
-                          "a node belongs to two grains; grains share no nodes", e);
-            owner[node] = s.element_grain[e];
-        }
-    }
-    for (std::size_t g = 0; g < s.n_grains(); ++g) {
-        check.require(s.grain_area[g] > 0 && std::isfinite(s.grain_area[g]), "area of a grain must be positive and finite", g);
-        check.require(s.grain_phase[g] < s.phase_names.size(), "grain names a phase that does not exist", g);
-    }
-}
-
-/// The declared size must be that of the mesh: platens, strains and stresses go by it. The outline of a disc is straight
-/// between its nodes: it is off its circle, inwards or outwards, by at most the rise of its longest edge at either side.
-void check_size(const Specimen& s, const Checker& check) {
-    constexpr double tolerance = 0.01;  // of a size: the strength is off by as much
-    double longest = 0;
-    for (const auto& [i, j] : s.boundary_edges) {
-        longest = std::max(
-            longest, std::hypot(s.node_position[i][0] - s.node_position[j][0], s.node_position[i][1] - s.node_position[j][1]));
-    }
-    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-        const auto [low, high] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
-                                                     [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-        const double extent = (*high)[axis] - (*low)[axis];
-        const double declared = axis == 0 ? s.width : s.height;
-        const double rise = s.shape == "rectangle" ? 0 : longest * longest / (2 * declared);
-        check.require(extent - rise <= (1 + tolerance) * declared && extent + rise >= (1 - tolerance) * declared,
-                      axis == 0 ? "width is more than 1 % off the extent of the nodes along x"
-                                : "height is more than 1 % off the extent of the nodes along y");
-    }
-}
-
-/// Sides of the elements from node to node, counter-clockwise, sorted.
-using Sides = std::vector<std::array<std::int32_t, 2>>;
-Sides element_sides(const Specimen& s) {
-    Sides sides;
-    sides.reserve(3 * s.n_elements());
-    for (const auto& [i, j, k] : s.element_nodes) {
-        sides.insert(sides.end(), {{i, j}, {j, k}, {k, i}});
-    }
-    std::sort(sides.begin(), sides.end());
-    return sides;
-}
-bool has_side(const Sides& sides, std::int32_t from, std::int32_t to) {
-    return std::binary_search(sides.begin(), sides.end(), std::array{from, to});
-}
-
-void check_contacts(const Specimen& s, const Sides& sides, const Checker& check) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(s);
-    const double tolerance = conformity * std::max(s.width, s.height);
-    const auto apart = [&s](std::int32_t i, std::int32_t j) {
-        return std::hypot(s.node_position[i][0] - s.node_position[j][0], s.node_position[i][1] - s.node_position[j][1]);
-    };
-    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
-        const auto& [a1, a2, b1, b2] = s.contact_nodes[c];
-        check.require(all_below(s.contact_nodes[c], s.n_nodes()), "contact names a node that does not exist", c);
-        check.require(grain[a1] == grain[a2] && grain[b1] == grain[b2] && grain[a1] < grain[b1],
-                      "contact must join an edge of grain a to one of grain b > a", c);
-        check.require(a1 != a2 && apart(a1, b1) <= tolerance && apart(a2, b2) <= tolerance && apart(a1, a2) > tolerance,
-                      "contact edges do not conform: a1 must lie on b1 and a2 on b2", c);
-        check.require(has_side(sides, a1, a2) && has_side(sides, b2, b1),
-                      "a1 to a2 must be the side of an element counter-clockwise around grain a, b2 to b1 one around b", c);
-        check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::pre_existing_crack), "unknown kind of contact",
-                      c);
-    }
-}
-
-void check_boundary(const Specimen& s, const Sides& sides, const Checker& check) {
-    for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
-        check.require(all_below(s.boundary_edges[b], s.n_nodes()), "boundary edge names a node that does not exist", b);
-        check.require(has_side(sides, s.boundary_edges[b][0], s.boundary_edges[b][1]),
-                      "boundary edge is no side of an element with the solid on its left", b);
-        check.require(s.boundary_part[b] < s.part_names.size(), "boundary edge names a part that does not exist", b);
-    }
 }
 
 struct StatisticAttribute {
@@ -248,14 +107,24 @@ std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
     return grain;
 }
 
-void validate(const Specimen& specimen, const std::string& where) {
-    const Checker check(where);
-    check_sizes(specimen, check);
-    check_elements(specimen, check);
-    const Sides sides = element_sides(specimen);
-    check_contacts(specimen, sides, check);
-    check_boundary(specimen, sides, check);
-    check_size(specimen, check);
+std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names) {
+    std::vector<std::string> names;
+    for (std::size_t high = 0; high < phase_names.size(); ++high) {
+        for (std::size_t low = 0; low <= high; ++low) {
+            names.push_back(phase_names[low] + "-" + phase_names[high]);
+        }
+    }
+    return names;
+}
+
+std::vector<std::uint8_t> contact_classes(const Specimen& s) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    std::vector<std::uint8_t> classes;
+    for (const auto& nodes : s.contact_nodes) {
+        classes.push_back(
+            static_cast<std::uint8_t>(contact_class(s.grain_phase[grain[nodes[0]]], s.grain_phase[grain[nodes[2]]])));
+    }
+    return classes;
 }
 
 void write_specimen(H5Output& file, const Specimen& s) {
@@ -282,6 +151,13 @@ void write_specimen(H5Output& file, const Specimen& s) {
     write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
     write_column(file, schema::contact_kind, s.contact_kind);
     file.attribute(schema::contact_kind.path, "names", std::vector<std::string>{"grain boundary", "pre-existing crack"});
+    if (s.phase_names.size() > 1) {
+        write_column(file, schema::contact_class, contact_classes(s));
+        file.attribute(schema::contact_class.path, "names", contact_class_names(s.phase_names));
+    }
+    if (!s.contact_strength_factor.empty()) {
+        write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
+    }
     write_rows(file, schema::boundary_edges, s.boundary_edges);
     write_column(file, schema::boundary_part, s.boundary_part);
     file.attribute(schema::boundary_part.path, "names", s.part_names);
@@ -313,7 +189,15 @@ Specimen read_specimen(const H5Input& file) {
     s.boundary_edges = table_of<std::int32_t, 2>(file, schema::boundary_edges);
     s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path, {s.n_boundary_edges()});
     s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
+    if (file.has(schema::contact_strength_factor.path)) {
+        s.contact_strength_factor = file.read<double>(schema::contact_strength_factor.path, {s.n_contacts()});
+    }
     validate(s, file.name());
+    if (file.has(schema::contact_class.path) &&
+        file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()}) != contact_classes(s)) {
+        throw InputError(fmt::format("{}: {} is not the pair of the phases of the two grains of each contact", file.name(),
+                                     schema::contact_class.path));
+    }
     return s;
 }
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 
 #include "share/error.hpp"
 #include "share/units.hpp"
@@ -29,9 +30,36 @@ TomlValue value_of(const toml::node& node, const std::string& file, std::string_
                                                    : "date or time"));
 }
 
+constexpr std::size_t max_nesting = 200;  // of keys by dots; ours are three deep
+
+/// The parser nests tables by the dots of a key, and what frees them needs stack for each.
+/// \throws InputError for a key with more dots than that
+void require_shallow_keys(const std::string& text, const std::string& file) {
+    int line = 1;
+    std::size_t dots = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '\n') ++line;
+        if (c == '"' || c == '\'') {  // what stands in quotes has no part in it
+            std::size_t end = at + 1;
+            while (end < text.size() && text[end] != c && text[end] != '\n') end += c == '"' && text[end] == '\\' ? 2 : 1;
+            at = end < text.size() && text[end] == '\n' ? end - 1 : end;
+        } else if (c == '\n' || std::string_view("=,[]{}").find(c) != std::string_view::npos) {
+            dots = 0;
+        } else if (c == '.' && ++dots > max_nesting) {
+            throw InputError(
+                fmt::format("{}: line {}: a key has more than {} dots; none here has more than two", file, line, max_nesting));
+        }
+    }
+}
+
 void flatten(const toml::table& table, const std::vector<std::string>& section, TomlFile& out) {
     for (const auto& [key, node] : table) {
         const std::string name(key.str());
+        if (section.size() > max_nesting) {
+            throw InputError(fmt::format("{}: line {}: tables are nested deeper than {}; two are enough for all that is read",
+                                         out.file, line_of(node), max_nesting));
+        }
         if (const auto* sub = node.as_table()) {
             std::vector<std::string> below = section;
             below.push_back(name);
@@ -70,6 +98,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 TomlFile parse_toml(const std::string& text, const std::string& name) {
     TomlFile out;
     out.file = name;
+    require_shallow_keys(text, name);
     try {
         const toml::table table = toml::parse(text, name);
         flatten(table, {}, out);

@@ -292,6 +292,12 @@ std::string format_number(double value, int digits) {
     return fmt::format("{:.{}g}", value, std::max(digits, 1));
 }
 
+double rounded(double value, int digits) {
+    const std::string text = format_number(value, digits);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
 std::string format_quantity(double value, Dimension dimension, int digits) {
     if (dimension == Dimension::one) return format_number(value, digits);
     const DisplayUnits shown = display_units(dimension);

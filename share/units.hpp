@@ -44,6 +44,8 @@ double in_unit(double value, Dimension dimension, std::string_view unit);
 std::string format_number(double value);
 /// Text with a given count of significant digits, without locale ("%.{digits}g").
 std::string format_number(double value, int digits);
+/// The number that a text of so many significant digits spells.
+double rounded(double value, int digits);
 
 /// A value in the largest common unit that keeps it readable: 0.004 m → "4 mm", 2.58e10 Pa → "25.8 GPa".
 std::string format_quantity(double value, Dimension dimension, int digits = 4);

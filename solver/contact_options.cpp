@@ -10,46 +10,42 @@
 namespace graincrack {
 namespace {
 
+/// Names of the laws that fulfil a condition, "combined, consistent".
+template <class Condition>
+std::string laws_that(const Condition& condition) {
+    std::string names;
+    for (const LawDescription& law : all_contact_laws()) {
+        if (condition(law)) names += (names.empty() ? "" : ", ") + std::string(law.name);
+    }
+    return names;
+}
+auto read_by(const ContactParameter& row) {
+    return [&row](const LawDescription& law) { return row.every_law || law.reads(row.value); };
+}
+
+bool is_fracture_energy(const ContactParameter& row) { return row.value == &ContactParameters::fracture_energy; }
+
 void add_parameters(CLI::App& command, ContactOptions& o) {
-    add_quantity(command, "--contact-normal-stiffness", o.normal_stiffness, quantity::contact_normal_stiffness,
-                 "normal stiffness kt of the contacts instead of the derived one");
-    add_quantity(command, "--contact-shear-stiffness", o.shear_stiffness, quantity::contact_shear_stiffness,
-                 "shear stiffness ks of the contacts instead of the derived one");
-    add_quantity(command, "--contact-tensile-strength", o.tensile_strength, quantity::contact_tensile_strength,
-                 "tensile strength tc of the contacts instead of the material's");
-    add_quantity(command, "--contact-cohesion", o.cohesion, quantity::contact_cohesion,
-                 "cohesion cc of the contacts instead of the material's");
-    add_quantity(command, "--contact-friction-angle", o.friction_angle, quantity::contact_friction_angle,
-                 "friction angle of the contacts instead of the material's");
-    add_quantity(command, "--contact-open-shear-strength", o.open_shear_strength, quantity::contact_open_shear_strength,
-                 "consistent, cohesive-frictional: shear strength while open; tc sqrt(ks/kt) unless given");
-    add_quantity(command, "--contact-residual-tensile-strength", o.residual_tensile_strength,
-                 quantity::contact_residual_tensile_strength, "coulomb-slip: tensile strength after failure; 0 unless given");
-    add_quantity(command, "--contact-residual-cohesion", o.residual_cohesion, quantity::contact_residual_cohesion,
-                 "coulomb-slip: cohesion after failure; 0 unless given");
-    add_quantity(
-        command, "--contact-residual-friction-angle", o.residual_friction_angle, quantity::contact_residual_friction_angle,
-        "coulomb-slip, combined, cohesive-frictional: friction angle when cohesion is lost; that of the contacts unless given");
-    add_fracture_energy(
-        command, o.fracture_energy,
-        "fracture energy of the contacts: mixed (Eq 32), mode-i (K_IC^2/E~) or a value; mode-i unless the material has one");
-    add_quantity(command, "--mode-ii-fracture-energy", o.mode_ii_fracture_energy, quantity::mode_ii_fracture_energy,
-                 "combined, cohesive-frictional: fracture energy in sliding; K_IIC^2/E~ unless given");
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const std::string usual = row.is_needed() ? "the material's" : fmt::format("the material's, else {}", row.usual);
+        if (is_fracture_energy(row)) {
+            add_fracture_energy(
+                command, o.fracture_energy,
+                fmt::format("{}: mixed (Eq 32), mode-i (K_IC^2/E~) or a value; default: {}", row.quantity.meaning, usual));
+            continue;
+        }
+        const std::string laws = row.every_law ? "" : laws_that(read_by(row)) + ": ";
+        add_quantity(command, row.option(), o.given.*row.given, row.quantity,
+                     fmt::format("{}{}; default: {}", laws, row.quantity.meaning, usual));
+    }
 }
 
 /// Refuses an option that is given and that the law has no use for.
-void require_use(bool is_given, const char* option, LawVariant law, bool LawDescription::*uses) {
-    if (!is_given || description_of(law).*uses) {
-        return;
-    }
-    std::string others;
-    for (const LawDescription& other : all_contact_laws()) {
-        if (other.*uses) {
-            others += (others.empty() ? "" : ", ") + std::string(other.name);
-        }
-    }
+template <class Condition>
+void require_use(const std::string& option, LawVariant law, const Condition& uses) {
+    if (uses(description_of(law))) return;
     throw UsageError(fmt::format("{}: the contact law {} does not use it; leave it out, or choose one that does: {}", option,
-                                 name_of(law), others));
+                                 name_of(law), laws_that(uses)));
 }
 
 void require_energy(const char* option, double value, double least, LawVariant law) {
@@ -61,18 +57,15 @@ void require_energy(const char* option, double value, double least, LawVariant l
 }
 
 void check_use(const ContactOptions& o) {
-    const auto residual = &LawDescription::residual_strength;
-    require_use(o.coupling == Coupling::none, "--coupling none", o.law, &LawDescription::coupling);
-    require_use(o.fracture_energy.has_value(), "--fracture-energy", o.law, &LawDescription::fracture_energy);
-    require_use(o.mode_ii_fracture_energy.has_value(), "--mode-ii-fracture-energy", o.law,
-                &LawDescription::mode_ii_fracture_energy);
-    require_use(o.open_shear_strength.has_value(), "--contact-open-shear-strength", o.law, &LawDescription::open_shear_strength);
-    require_use(o.residual_tensile_strength.has_value(), "--contact-residual-tensile-strength", o.law, residual);
-    require_use(o.residual_cohesion.has_value(), "--contact-residual-cohesion", o.law, residual);
-    require_use(o.residual_friction_angle.has_value(), "--contact-residual-friction-angle", o.law,
-                &LawDescription::residual_friction);
+    if (o.coupling == Coupling::none) {
+        require_use("--coupling none", o.law, [](const LawDescription& law) { return law.coupling; });
+    }
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const bool is_given = is_fracture_energy(row) ? o.fracture_energy.has_value() : (o.given.*row.given).has_value();
+        if (is_given) require_use(row.option(), o.law, read_by(row));
+    }
     const bool mixed = o.fracture_energy && o.fracture_energy->kind == FractureEnergyChoice::Kind::mixed;
-    if (mixed && description_of(o.law).mode_ii_fracture_energy) {
+    if (mixed && description_of(o.law).reads(&ContactParameters::mode_ii_fracture_energy)) {
         throw UsageError(fmt::format("--fracture-energy: the contact law {} has an energy for each mode; mode-i or a value fits",
                                      name_of(o.law)));
     }
@@ -82,25 +75,6 @@ void check_energies(const ContactParameters& p, LawVariant law) {
     const FractureEnergies least = min_fracture_energies(make_contact_law(p, law, Coupling::full));
     require_energy("--fracture-energy", p.fracture_energy, least.opening, law);
     require_energy("--mode-ii-fracture-energy", p.mode_ii_fracture_energy, least.sliding, law);
-}
-
-Material material_of(const ContactOptions& o) {
-    Material material = read_material(o.material);
-    ContactMaterial& contact = material.contact;
-    const auto replace = [](auto& value, const auto& given) {
-        if (given) value = *given;
-    };
-    replace(contact.normal_stiffness, o.normal_stiffness);
-    replace(contact.shear_stiffness, o.shear_stiffness);
-    replace(contact.tensile_strength, o.tensile_strength);
-    replace(contact.cohesion, o.cohesion);
-    replace(contact.friction_angle, o.friction_angle);
-    replace(contact.open_shear_strength, o.open_shear_strength);
-    replace(contact.residual_tensile_strength, o.residual_tensile_strength);
-    replace(contact.residual_cohesion, o.residual_cohesion);
-    replace(contact.residual_friction_angle, o.residual_friction_angle);
-    replace(contact.mode_ii_fracture_energy, o.mode_ii_fracture_energy);
-    return material;
 }
 
 }  // namespace
@@ -125,10 +99,11 @@ void apply_contact_options(const ContactOptions& o, SimulationRequest& request) 
     const bool brazilian = request.loading.test == TestKind::brazilian;
     request.plane = o.plane.empty() ? (brazilian ? PlaneCondition::stress : PlaneCondition::strain)
                                     : (o.plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain);
-    request.material = material_of(o);
+    request.material = read_material(o.material);
+    request.material.contact = overlay(o.given, request.material.contact);
     request.contact = contact_parameters(request.material, request.plane, o.fracture_energy);
     check_energies(request.contact, o.law);
-    request.fracture_energy_choice = description_of(o.law).fracture_energy
+    request.fracture_energy_choice = description_of(o.law).reads(&ContactParameters::fracture_energy)
                                          ? name_of(effective_fracture_energy(request.material, o.fracture_energy).kind)
                                          : std::string_view("none");
 }

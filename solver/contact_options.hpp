@@ -15,11 +15,8 @@ struct ContactOptions {
     std::string plane;  ///< "strain", "stress" or empty: strain, but stress for brazilian
     LawVariant law = SimulationRequest{}.law;
     Coupling coupling = Coupling::full;
-    std::optional<double> normal_stiffness, shear_stiffness, tensile_strength, cohesion, friction_angle;
-    std::optional<double> open_shear_strength;
-    std::optional<double> residual_tensile_strength, residual_cohesion, residual_friction_angle;
-    std::optional<FractureEnergyChoice> fracture_energy;
-    std::optional<double> mode_ii_fracture_energy;
+    GivenContact given;                                   ///< in place of the material's; its fracture energy is the next
+    std::optional<FractureEnergyChoice> fracture_energy;  ///< --fracture-energy
 };
 
 void add_contact_options(CLI::App& command, ContactOptions& options);

@@ -93,7 +93,7 @@ void print_summary(const SimulationSummary& s) {
 /// Says so where the fracture energy in sliding leaves no softening.
 void note_sudden_loss(const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
-    if (description_of(law.variant).mode_ii_fracture_energy && !law.softens_in_shear) {
+    if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
         fmt::print(stderr,
                    "{}: note: G_II, {:.4g} J/m2, is no more than the {:.4g} J/m2 that a closed contact takes to its peak: its "
                    "cohesion is lost at once\n",

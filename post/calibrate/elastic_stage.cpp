@@ -6,6 +6,7 @@
 
 #include "post/calibrate/elasticity.hpp"
 #include "share/error.hpp"
+#include "share/units.hpp"
 
 namespace graincrack::calibrate {
 
@@ -59,7 +60,7 @@ void find_elasticity(Progress& progress) {
         progress.note("first guess", label_of(p, *base[p]), std::string(row_of(p).symbol) + ": " + row_of(p).first_guess);
     }
     for (int attempt = 0; attempt < 4; ++attempt) {
-        WantedRun run{"uniaxial", 0, 0, base, std::stod(fmt::format("{:.5g}", limit)), "E and ν of assemblages of such grains"};
+        WantedRun run{"uniaxial", 0, 0, base, graincrack::rounded(limit, 5), "E and ν of assemblages of such grains"};
         run.point[Parameter::young_modulus] = point[Parameter::young_modulus];
         run.point[Parameter::poisson_ratio] = point[Parameter::poisson_ratio];
         const auto [measured, predicted] = measured_and_predicted(progress.get(run, seeds::near, progress.study().elastic));

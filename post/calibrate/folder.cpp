@@ -131,27 +131,21 @@ Material read_rock(const std::string& name_or_file) {
                                  fmt::join(rock.missing, ", ")));
 }
 
+/// [contact] at a point, of which `at` is the material: what a calibration may change in the units of its tables.
 std::string contact_text(const Material& at, const Point& point) {
     std::string text = "\n[contact]\n";
-    for (const ParameterRow& row : parameters()) {
-        const std::string key = row.key;
-        if (!key.starts_with("contact.") || !point[row.parameter]) continue;
-        const std::string unit = row.parameter == Parameter::friction_angle    ? "deg"
-                                 : row.parameter == Parameter::fracture_energy ? "J/m2"
-                                                                               : row.unit;
-        text += fmt::format("{} = {}\n", key.substr(8), si_text(*point[row.parameter], row.si, unit));
+    for (const ContactParameter& contact : all_contact_parameters()) {
+        const std::optional<double>& value = at.contact.*contact.given;
+        if (!value) continue;
+        double si = 1;
+        std::string unit;
+        for (const ParameterRow& row : parameters()) {
+            if (row.contact != &contact || !point[row.parameter]) continue;
+            si = row.si;
+            unit = std::string_view(row.column).substr(std::string_view(row.column).rfind('_') + 1);
+        }
+        text += fmt::format("{} = {}\n", contact.key(), si_text(*value, si, unit));
     }
-    const auto other = [&](const char* key, const std::optional<double>& value, const std::string& unit) {
-        if (value) text += fmt::format("{} = {}\n", key, si_text(*value, 1, unit));
-    };
-    other("normal_stiffness", at.contact.normal_stiffness, "");
-    other("shear_stiffness", at.contact.shear_stiffness, "");
-    if (!point[Parameter::fracture_energy]) other("fracture_energy", at.contact.fracture_energy, "");
-    if (!point[Parameter::open_shear_strength]) other("open_shear_strength", at.contact.open_shear_strength, "");
-    other("mode_ii_fracture_energy", at.contact.mode_ii_fracture_energy, "");
-    other("residual_tensile_strength", at.contact.residual_tensile_strength, "");
-    other("residual_cohesion", at.contact.residual_cohesion, "");
-    other("residual_friction_angle", at.contact.residual_friction_angle, "");
     return text;
 }
 
@@ -185,7 +179,7 @@ Study read_study(const Material& rock, const std::vector<std::string>& settings)
     const auto ucs = rock.laboratory.find("compressive_strength");
     const auto e = rock.laboratory.find("young_modulus");
     if (ucs != rock.laboratory.end() && e != rock.laboratory.end())
-        study.max_strain = std::stod(fmt::format("{:.2g}", 0.015 * (ucs->second / e->second) / (122e6 / 25.8e9)));
+        study.max_strain = graincrack::rounded(0.015 * (ucs->second / e->second) / (122e6 / 25.8e9), 2);
     auto keys = study_keys(study);
     const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
         const auto key = keys.find(name);

@@ -33,15 +33,17 @@ const std::array<ParameterRow, n_parameters>& parameters() {
         {P::poisson_ratio, "rock.poisson_ratio", "grain_poisson_ratio", "ν of the grains", "", 1, "poisson_ratio",
          "ν of the rock", "0.01 to 0.45"},
         {P::tensile_strength, "contact.tensile_strength", "contact_tensile_strength_MPa", "tc", "MPa", MPa, "tensile_strength",
-         "2 K_IC/√(π dp), Eq 40", "0.3 to 3 times the first guess"},
+         "2 K_IC/√(π dp), Eq 40", "0.3 to 3 times the first guess", &contact_parameter(&ContactParameters::tensile_strength)},
         {P::cohesion, "contact.cohesion", "contact_cohesion_MPa", "cc", "MPa", MPa, "compressive_strength, confined_strength",
-         "UCS/2", "0.05 to 3 UCS"},
+         "UCS/2", "0.05 to 3 UCS", &contact_parameter(&ContactParameters::cohesion)},
         {P::friction_angle, "contact.friction_angle", "contact_friction_angle_deg", "φc", "°", degree, "confined_strength",
-         "0.7 φ: specimens are rougher than their contacts", "5° to 75°"},
+         "0.7 φ: specimens are rougher than their contacts", "5° to 75°", &contact_parameter(&ContactParameters::friction_angle)},
         {P::fracture_energy, "contact.fracture_energy", "contact_fracture_energy_J/m2", "Gf", "J/m²", 1, "tensile_strength",
-         "K_IC²/Ẽ, plane stress", "a tenth of the first guess to Eq 32, plane stress"},
+         "K_IC²/Ẽ, plane stress", "a tenth of the first guess to Eq 32, plane stress",
+         &contact_parameter(&ContactParameters::fracture_energy)},
         {P::open_shear_strength, "contact.open_shear_strength", "contact_open_shear_strength_MPa",
-         "shear strength of open contacts", "MPa", MPa, "tensile_strength", "tc √(ks/kt)", "a fifth of the first guess to cc"},
+         "shear strength of open contacts", "MPa", MPa, "tensile_strength", "tc √(ks/kt)", "a fifth of the first guess to cc",
+         &contact_parameter(&ContactParameters::open_shear_strength)},
     }};
     return table;
 }
@@ -61,16 +63,11 @@ double rounded(Parameter parameter, double value) {
 
 Material material_at(const Material& rock, const Point& point) {
     Material material = rock;
-    const auto take = [&](Parameter p, double& target) {
-        if (point[p]) target = *point[p];
-    };
-    take(Parameter::young_modulus, material.rock.young_modulus);
-    take(Parameter::poisson_ratio, material.rock.poisson_ratio);
-    take(Parameter::tensile_strength, material.contact.tensile_strength);
-    take(Parameter::cohesion, material.contact.cohesion);
-    take(Parameter::friction_angle, material.contact.friction_angle);
-    if (point[Parameter::fracture_energy]) material.contact.fracture_energy = point[Parameter::fracture_energy];
-    if (point[Parameter::open_shear_strength]) material.contact.open_shear_strength = point[Parameter::open_shear_strength];
+    if (point[Parameter::young_modulus]) material.rock.young_modulus = *point[Parameter::young_modulus];
+    if (point[Parameter::poisson_ratio]) material.rock.poisson_ratio = *point[Parameter::poisson_ratio];
+    for (const ParameterRow& row : parameters()) {
+        if (row.contact != nullptr && point[row.parameter]) material.contact.*row.contact->given = point[row.parameter];
+    }
     return material;
 }
 
@@ -80,8 +77,11 @@ std::array<double, n_parameters> effective_values(const Material& rock, const Po
     bare.contact = rock.contact;
     const Material material = material_at(bare, point);
     const ContactParameters contact = contact_parameters(material, plane, std::nullopt);
-    return {material.rock.young_modulus, material.rock.poisson_ratio, contact.tensile_strength,   contact.cohesion,
-            contact.friction_angle,      contact.fracture_energy,     contact.open_shear_strength};
+    std::array<double, n_parameters> values{material.rock.young_modulus, material.rock.poisson_ratio};
+    for (const ParameterRow& row : parameters()) {
+        if (row.contact != nullptr) values[static_cast<std::size_t>(row.parameter)] = contact.*row.contact->value;
+    }
+    return values;
 }
 
 double first_guess(Parameter parameter, const Material& rock, const Point& point, double edge) {
@@ -113,7 +113,8 @@ Range range_of(Parameter parameter, const Material& rock, const Point& point, do
             const Rock grains = material_at(rock, point).rock;
             return {0.1 * guess, fpz::mixed_mode_fracture_energy(grains, PlaneCondition::stress)};
         }
-        case Parameter::open_shear_strength: return {0.2 * guess, point[Parameter::cohesion].value_or(rock.contact.cohesion)};
+        case Parameter::open_shear_strength:
+            return {0.2 * guess, point[Parameter::cohesion].value_or(rock.contact.cohesion.value_or(0))};
     }
     return {};
 }

@@ -24,14 +24,15 @@ inline constexpr std::size_t n_parameters = 7;
 
 struct ParameterRow {
     Parameter parameter;
-    const char* key;          ///< in a material file: "contact.cohesion"
-    const char* column;       ///< in wanted.tsv: "contact_cohesion_MPa"
-    const char* symbol;       ///< in reports
-    const char* unit;         ///< of the column and in reports
-    double si;                ///< that unit in SI
-    const char* moves;        ///< the targets that it moves
-    const char* first_guess;  ///< with its source
-    const char* range;        ///< bounds, with their source
+    const char* key;                            ///< in a material file: "contact.cohesion"
+    const char* column;                         ///< in wanted.tsv: "contact_cohesion_MPa"
+    const char* symbol;                         ///< in reports
+    const char* unit;                           ///< of the column and in reports
+    double si;                                  ///< that unit in SI
+    const char* moves;                          ///< the targets that it moves
+    const char* first_guess;                    ///< with its source
+    const char* range;                          ///< bounds, with their source
+    const ContactParameter* contact = nullptr;  ///< its row of the contact parameters; null for one of the grains
 };
 const std::array<ParameterRow, n_parameters>& parameters();
 const ParameterRow& row_of(Parameter parameter);

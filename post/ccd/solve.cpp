@@ -1,6 +1,5 @@
 #include "post/ccd/solve.hpp"
 
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_multimin.h>
 
@@ -222,7 +221,7 @@ ConfidenceRegion::ConfidenceRegion(std::vector<Model> models, std::vector<double
         }
     }
     const double factor = static_cast<double>(q) * freedom / second;
-    limit_ = factor * gsl_cdf_fdist_Pinv(0.95, static_cast<double>(q), second);
+    limit_ = factor * f_quantile(0.05, static_cast<int>(q), second);
 }
 
 double ConfidenceRegion::operator()(const Place& coded) const {

@@ -2,7 +2,6 @@
 
 #include <fmt/ostream.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -169,12 +168,8 @@ std::vector<double> edges_of(const FpzOptions& options, const Material& material
 /// \param notes gets a sentence for each value that was not measured
 KnownRock known_rock(const FpzOptions& options, std::vector<std::string>& notes) {
     const IncompleteMaterial read = read_incomplete_material(options.material);
-    const auto known = [&](const char* key, double value) {
-        const bool missing = std::find(read.missing.begin(), read.missing.end(), key) != read.missing.end();
-        return missing ? std::nullopt : std::optional(value);
-    };
-    KnownRock rock{rock_of_laboratory(read, notes), known("contact.tensile_strength", read.material.contact.tensile_strength),
-                   known("contact.cohesion", read.material.contact.cohesion), edges_of(options, read.material)};
+    const GivenContact& contact = read.material.contact;
+    KnownRock rock{rock_of_laboratory(read, notes), contact.tensile_strength, contact.cohesion, edges_of(options, read.material)};
     if (!rock.contact_tensile_strength) {
         notes.emplace_back("contact.tensile_strength is not there: quantities that follow from it are left out");
     }

@@ -41,7 +41,6 @@ Estimate NonlinearFit::estimate(std::size_t parameter) const {
 
 std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vector<double> start, std::size_t n_residuals) {
     const std::size_t p = start.size();
-    gsl_set_error_handler_off();
     gsl_multifit_nlinear_fdf problem{};
     problem.f = call_residuals;
     problem.n = n_residuals;

@@ -102,6 +102,18 @@ double f_tail(double f, int numerator_freedom, int denominator_freedom) {
     return gsl_cdf_fdist_Q(f, numerator_freedom, denominator_freedom);
 }
 
+// By bisection: GSL's own search (gsl_cdf_fdist_Qinv) does not converge for one in some hundred degrees of freedom.
+double f_quantile(double tail, int numerator_freedom, int denominator_freedom) {
+    const auto exceeds = [&](double f) { return f_tail(f, numerator_freedom, denominator_freedom) > tail; };
+    double high = 1;
+    while (exceeds(high)) high *= 2;
+    double low = 0;
+    for (double middle = high / 2; low < middle && middle < high; middle = low + (high - low) / 2) {
+        (exceeds(middle) ? low : high) = middle;
+    }
+    return high;
+}
+
 double t_tail(double t, int freedom) { return 2 * gsl_cdf_tdist_Q(std::abs(t), freedom); }
 
 }  // namespace graincrack

@@ -47,6 +47,8 @@ std::optional<LackOfFit> lack_of_fit(const std::vector<std::vector<double>>& pla
 
 /// P(F > f) of Fisher's distribution.
 double f_tail(double f, int numerator_freedom, int denominator_freedom);
+/// The f that is exceeded with the probability `tail`.
+double f_quantile(double tail, int numerator_freedom, int denominator_freedom);
 /// P(|t| > …) of Student's distribution.
 double t_tail(double t, int freedom);
 

@@ -21,20 +21,11 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
         a.rock.density != b.rock.density) {
         return "the rock";
     }
-    const ContactParameters& p = a.contact;
-    const ContactParameters& q = b.contact;
-    if (p.tensile_strength != q.tensile_strength || p.cohesion != q.cohesion || p.friction_angle != q.friction_angle ||
-        differs(p.open_shear_strength, q.open_shear_strength)) {
-        return "the contact parameters";
-    }
-    if (p.residual_tensile_strength != q.residual_tensile_strength || p.residual_cohesion != q.residual_cohesion ||
-        p.residual_friction_angle != q.residual_friction_angle) {
-        return "the residual strengths of the contacts";
-    }
-    if (a.plane == b.plane &&
-        (p.normal_stiffness != q.normal_stiffness || p.shear_stiffness != q.shear_stiffness ||
-         p.fracture_energy != q.fracture_energy || p.mode_ii_fracture_energy != q.mode_ii_fracture_energy)) {
-        return "the stiffness or fracture energy of the contacts";
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (row.follows_plane && a.plane != b.plane) continue;
+        if (differs(a.contact.*row.value, b.contact.*row.value)) {
+            return row.follows_plane ? "the stiffness or fracture energy of the contacts" : "the contact parameters";
+        }
     }
     return "";
 }

@@ -30,6 +30,7 @@
 #include "post/report/test_report.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
+#include "solver/law/table.hpp"
 
 namespace graincrack {
 
@@ -210,7 +211,7 @@ std::string envelope_section(const Content& content) {
 
 std::string parameter_table(const RunHeader& h) {
     html::Table table({"parameter", "value"});
-    const auto add = [&](const char* label, double value, Dimension dimension) {
+    const auto add = [&](const std::string& label, double value, Dimension dimension) {
         table.row({label, format_quantity(value, dimension)});
     };
     add("E of the grains", h.rock.young_modulus, Dimension::stress);
@@ -219,12 +220,12 @@ std::string parameter_table(const RunHeader& h) {
     add("K_IC", h.rock.mode_i_toughness, Dimension::toughness);
     add("K_IIC", h.rock.mode_ii_toughness, Dimension::toughness);
     add("tensile strength of the rock", h.rock.tensile_strength, Dimension::stress);
-    add("contact tensile strength tc", h.contact.tensile_strength, Dimension::stress);
-    add("contact cohesion cc", h.contact.cohesion, Dimension::stress);
-    add("contact friction angle φc", h.contact.friction_angle, Dimension::angle);
-    add("contact normal stiffness kt", h.contact.normal_stiffness, Dimension::stiffness);
-    add("contact shear stiffness ks", h.contact.shear_stiffness, Dimension::stiffness);
-    add("fracture energy Gf", h.contact.fracture_energy, Dimension::fracture_energy);
+    const auto& laws = all_contact_laws();
+    const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == h.contact_law; });
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (!row.every_law && law != laws.end() && !law->reads(row.value)) continue;
+        add(std::string(row.quantity.meaning), h.contact.*row.value, row.quantity.dimension);
+    }
     add("critical opening δct", h.contact.critical_opening, Dimension::length);
     add("critical sliding δcs", h.contact.critical_sliding, Dimension::length);
     add("ultimate opening δut", h.contact.ultimate_opening, Dimension::length);

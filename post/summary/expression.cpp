@@ -9,6 +9,7 @@
 
 #include "post/table/condition.hpp"
 #include "share/error.hpp"
+#include "share/printable.hpp"
 
 namespace graincrack::summary {
 
@@ -43,6 +44,8 @@ Expression<Argument> combine(char sign, Expression<Argument> a, Expression<Argum
     };
 }
 
+constexpr std::size_t max_atoms = 1000;  // of an expression; each nests a function in another
+
 class Parser {
 public:
     Parser(const std::string& text, const JoinedRows& rows) : text_(text), rows_(&rows) {}
@@ -55,7 +58,9 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& needed) const {
-        throw UsageError(fmt::format("{}: at \"{}\": {}", text_, text_.substr(std::min(at_, text_.size())), needed));
+        constexpr std::size_t shown = 200;  // bytes of the text
+        throw UsageError(fmt::format("{}: at \"{}\": {}", shortened(text_, shown),
+                                     shortened(text_.substr(std::min(at_, text_.size())), shown), needed));
     }
     char next() {
         while (at_ < text_.size() && text_[at_] == ' ') ++at_;
@@ -101,6 +106,7 @@ private:
     }
     template <class Argument>
     Expression<Argument> atom() {
+        if (++atoms_ > max_atoms) fail(fmt::format("more than {} numbers, columns and parentheses", max_atoms));
         if (take('(')) {
             Expression<Argument> inner = sum<Argument>();
             need(')');
@@ -200,6 +206,7 @@ private:
     std::string text_;
     const JoinedRows* rows_;
     std::size_t at_ = 0;
+    std::size_t atoms_ = 0;  ///< so far
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ import numpy as np
 
 __all__ = ["FormatError", "Group", "Run", "Specimen", "Table"]
 
-SCHEMA_VERSION = 3  # as share/h5_file.hpp has it
+SCHEMA_VERSION = 4  # as share/h5_file.hpp has it
 
 
 class FormatError(ValueError):

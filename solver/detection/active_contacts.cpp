@@ -25,6 +25,8 @@ struct Lanes {
     alignas(64) double force_x[3][max_contacts], force_y[3][max_contacts];
     alignas(64) double live[max_contacts], area[max_contacts], initial_overlap[max_contacts];
     alignas(64) double overlap[max_contacts], elastic_slip[max_contacts], release_correction[max_contacts];
+    alignas(64) double normal_stiffness[max_contacts], shear_stiffness[max_contacts];
+    alignas(64) double cohesion[max_contacts], tan_friction[max_contacts];
     alignas(64) double friction[max_contacts];
 };
 
@@ -55,6 +57,10 @@ void gather(const Assemblage& a, const State& s, double time_step, Range contact
     std::copy_n(&active.initial_overlap[contacts.begin], contacts.size(), b.initial_overlap);
     std::copy_n(&active.overlap[contacts.begin], contacts.size(), b.overlap);
     std::copy_n(&active.elastic_slip[contacts.begin], contacts.size(), b.elastic_slip);
+    std::copy_n(&active.normal_stiffness[contacts.begin], contacts.size(), b.normal_stiffness);
+    std::copy_n(&active.shear_stiffness[contacts.begin], contacts.size(), b.shear_stiffness);
+    std::copy_n(&active.cohesion[contacts.begin], contacts.size(), b.cohesion);
+    std::copy_n(&active.tan_friction[contacts.begin], contacts.size(), b.tan_friction);
 }
 
 GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
@@ -70,13 +76,13 @@ GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
 
 /// A contact ends when its node is outside and there is no overlap left. Its last force is the correction of its energy
 /// (`NodeEdgeContact::release_correction`).
-GRAINCRACK_INLINE void move(const ContactLaw& constants, std::int32_t count, Lanes& b) {
-    const ContactLaw law = constants;
+GRAINCRACK_INLINE void move(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 t{b.tangent_x[i], b.tangent_y[i]};
         const PairGeometry g{t, {t.y, -t.x}, b.inv_length[i], b.place[i], b.depth[i]};
         const double sliding =
             sliding_along(g, {b.node_x[i], b.node_y[i]}, {b.first_x[i], b.first_y[i]}, {b.second_x[i], b.second_y[i]});
+        const FrictionLaw law{b.normal_stiffness[i], b.shear_stiffness[i], b.cohesion[i], b.tan_friction[i]};
         const NodeEdgeResponse r = move_node_edge_contact(
             law, {true, true, b.area[i], b.initial_overlap[i], b.overlap[i], b.elastic_slip[i], 0}, g, sliding);
         const double live = b.live[i];
@@ -122,7 +128,7 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
         gather(a, s, parameters.time_step, contacts, b);
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
             find_geometry(contacts.size(), b);
-            move(parameters.law, contacts.size(), b);
+            move(contacts.size(), b);
         });
         scatter(contacts, b, active);
         s.contact_pairs.friction[chunk] += sum_values_by_lanes(contacts.size(), b.friction);
@@ -142,10 +148,10 @@ void store_active(std::int32_t chunk, ContactPairList& list) {
     }
 }
 
-void append_active(const GrainSurface& surface, std::int32_t chunk, std::int32_t index, ContactPairList& list) {
+void append_active(const Assemblage& a, const ContactLaws& laws, std::int32_t chunk, std::int32_t index, ContactPairList& list) {
     ActiveContacts& active = list.active;
     const std::int32_t at = list.first_watched(chunk) + active.count[chunk]++;
-    const auto& [first, second] = surface.edges[list.pairs[index].edge].nodes;
+    const auto& [first, second] = a.surface.edges[list.pairs[index].edge].nodes;
     const NodeEdgeContact& contact = list.contacts[index];
     active.changed[chunk] = active.changed[chunk] != 0 || active.pair[at] != index ? 1 : 0;
     active.pair[at] = index;
@@ -157,15 +163,25 @@ void append_active(const GrainSurface& surface, std::int32_t chunk, std::int32_t
     active.elastic_slip[at] = contact.elastic_slip;
     active.release_correction[at] = contact.release_correction;
     active.place[at] = contact.near_first ? 0 : 1;
+    const FrictionLaw law = friction_law(a, laws, list.pairs[index]);
+    active.normal_stiffness[at] = law.normal_stiffness;
+    active.shear_stiffness[at] = law.shear_stiffness;
+    active.cohesion[at] = law.cohesion;
+    active.tan_friction[at] = law.tan_friction;
     std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &active.forces[3 * static_cast<std::size_t>(at)]);
 }
 
-double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& list) {
+double stored_in_active_contacts(const Assemblage& a, const ContactLaws& laws, const ContactPairList& list) {
     double energy = 0;
-    list.for_active([&](std::int32_t i) {
-        const NodeEdgeContact& contact = list.contacts[list.active.pair[i]];
-        energy += contact.active ? node_edge_energy(law, contact) : 0;
-    });
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
+        double of_chunk = 0;
+        list.for_active_of(chunk, [&](std::int32_t i) {
+            const std::int32_t pair = list.active.pair[i];
+            const NodeEdgeContact& contact = list.contacts[pair];
+            of_chunk += contact.active ? node_edge_energy(friction_law(a, laws, list.pairs[pair]), contact) : 0;
+        });
+        energy += of_chunk;
+    }
     return energy;
 }
 
@@ -177,8 +193,9 @@ void clear_active(ContactPairList& list) {
     const std::size_t n = list.watched.size();
     active.pair.assign(n, -1);
     active.nodes.resize(n);
-    for (auto* values : {&active.live, &active.area, &active.initial_overlap, &active.overlap, &active.elastic_slip,
-                         &active.release_correction, &active.place}) {
+    for (auto* values :
+         {&active.live, &active.area, &active.initial_overlap, &active.overlap, &active.elastic_slip, &active.release_correction,
+          &active.place, &active.normal_stiffness, &active.shear_stiffness, &active.cohesion, &active.tan_friction}) {
         values->resize(n);
     }
     active.forces.resize(3 * n);
@@ -188,27 +205,27 @@ void clear_active(ContactPairList& list) {
 
 }  // namespace
 
-void load_active(const Assemblage& a, ContactPairList& list) {
+void load_active(const Assemblage& a, const ContactLaws& laws, ContactPairList& list) {
     clear_active(list);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
         const std::int32_t end = list.watched_groups[list.chunks[chunk].end - 1].end;
         for (std::int32_t i = list.first_watched(chunk); i < end; ++i) {
             const NodeEdgeContact& contact = list.contacts[list.watched[i]];
             if (contact.active || contact.release_correction != 0) {
-                append_active(a.surface, chunk, list.watched[i], list);
+                append_active(a, laws, chunk, list.watched[i], list);
             }
         }
     }
     index_node_forces(a, list);
 }
 
-void resume_active(const Assemblage& a, ContactPairList& list) {
+void resume_active(const Assemblage& a, const ContactLaws& laws, ContactPairList& list) {
     const std::vector<std::int32_t> pairs = list.active.pair;
     const std::vector<std::int32_t> counts = list.active.count;
     clear_active(list);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
         for (std::int32_t i = 0; i < counts[chunk]; ++i) {
-            append_active(a.surface, chunk, pairs[list.first_watched(chunk) + i], list);
+            append_active(a, laws, chunk, pairs[list.first_watched(chunk) + i], list);
         }
     }
     index_node_forces(a, list);

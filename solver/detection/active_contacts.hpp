@@ -17,19 +17,20 @@ void move_active_contacts(const Assemblage& assemblage, const StepParameters& pa
 void store_active(std::int32_t chunk, ContactPairList& list);
 
 /// Makes the contacts of the list active ones, after an update or where a run continues from a saved state.
-void load_active(const Assemblage& assemblage, ContactPairList& list);
+void load_active(const Assemblage& assemblage, const ContactLaws& laws, ContactPairList& list);
 
 /// The same of a saved state, in which the active contacts have an order: forces and friction are summed in it. `active.pair` and
 /// `active.count` must be as they were saved.
-void resume_active(const Assemblage& assemblage, ContactPairList& list);
+void resume_active(const Assemblage& assemblage, const ContactLaws& laws, ContactPairList& list);
 
 /// Builds the index by which nodes find the forces of active contacts; needed after every detection that has changed them.
 void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 
 /// Adds a pair of the list to the active ones of its chunk.
-void append_active(const GrainSurface& surface, std::int32_t chunk, std::int32_t index, ContactPairList& list);
+void append_active(const Assemblage& assemblage, const ContactLaws& laws, std::int32_t chunk, std::int32_t index,
+                   ContactPairList& list);
 
-/// Stored in all node–edge contacts, J.
-double stored_in_active_contacts(const ContactLaw& law, const ContactPairList& list);
+/// Stored in all node–edge contacts, J, summed by chunk.
+double stored_in_active_contacts(const Assemblage& assemblage, const ContactLaws& laws, const ContactPairList& list);
 
 }  // namespace graincrack

@@ -129,7 +129,8 @@ void clear(NodePairs& pairs, std::int32_t i) {
 
 /// Ends a contact as its node slips off; the energy of its springs is lost and booked as friction.
 void end_contact(NodePairs& pairs, std::int32_t i) {
-    pairs.data.friction += node_edge_energy(pairs.data.parameters.law, pairs.contact(i));
+    const FrictionLaw law = friction_law(pairs.data.assemblage, pairs.data.parameters.laws, pairs.pair(i));
+    pairs.data.friction += node_edge_energy(law, pairs.contact(i));
     clear(pairs, i);
 }
 
@@ -164,7 +165,8 @@ std::int32_t continue_contact(NodePairs& pairs, std::int32_t i) {
 }
 
 void append_active(NodePairs& pairs, std::int32_t i) {
-    append_active(pairs.data.assemblage.surface, pairs.data.chunk, pairs.index_in_list(i), pairs.data.state.contact_pairs);
+    append_active(pairs.data.assemblage, pairs.data.parameters.laws, pairs.data.chunk, pairs.index_in_list(i),
+                  pairs.data.state.contact_pairs);
 }
 
 /// Decides how the contacts of a node continue; those that do become active. Those of before are noted first, as one that is
@@ -230,7 +232,7 @@ bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, c
 }
 
 /// Half of the two outline edges of a node (1 m thick), less the points of its contacts that have not been released and what
-/// node–edge contacts occupy.
+/// node–edge contacts occupy; below 0 where they take more.
 double available_area(const Assemblage& a, const ContactPairList& list, std::int32_t node) {
     const GrainSurface& surface = a.surface;
     double area = 2 * surface.tributary[node] - list.occupied_area[node];
@@ -280,28 +282,39 @@ void find_occupied_area(const Assemblage& a, ContactPairList& list) {
     });
 }
 
+/// Each new contact wants the tributary area of its node. All that want area of one node get the same share of it.
 void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
-    bool has_new = false;
-    for_occupied(list, [&](std::int32_t i, std::int32_t /*node*/, std::int32_t /*end*/) {
-        has_new = has_new || list.active.area[i] == area_not_found;
+    std::vector<NewContact> contacts;
+    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
+        if (list.active.area[i] == area_not_found) {
+            contacts.push_back({i, list.pairs[list.active.pair[i]], {node, end}, a.surface.tributary[node]});
+        }
     });
-    if (!has_new) {
+    if (contacts.empty()) {
         return;
     }
     find_occupied_area(a, list);
-    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
-        if (list.active.area[i] != area_not_found) {
-            return;
+    std::vector<double> wanted(a.position.size(), 0.0);
+    for (const NewContact& contact : contacts) {
+        for (const std::int32_t node : contact.occupied) {
+            wanted[node] += contact.area;
         }
-        const double tributary = a.surface.tributary[node];
-        const double available = std::min(available_area(a, list, node), available_area(a, list, end));
-        const double of_bonds = std::clamp(available, min_area * tributary, tributary);
-        const double area = take_stable_area(a, parameters, list.pairs[list.active.pair[i]], of_bonds, s);
-        list.active.area[i] = list.contacts[list.active.pair[i]].area = area;
-        list.occupied_area[node] += area;
-        list.occupied_area[end] += area;
-    });
+    }
+    for (NewContact& contact : contacts) {
+        double share = 1;
+        for (const std::int32_t node : contact.occupied) {
+            share = std::min(share, available_area(a, list, node) / wanted[node]);
+        }
+        contact.area *= std::max(share, min_area);
+    }
+    limit_new_areas(a, parameters, contacts, s);
+    for (const NewContact& contact : contacts) {
+        list.active.area[contact.active] = list.contacts[list.active.pair[contact.active]].area = contact.area;
+        for (const std::int32_t node : contact.occupied) {
+            list.occupied_area[node] += contact.area;
+        }
+    }
 }
 
 void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {

@@ -59,15 +59,26 @@ struct NodeEdgeResponse {
     double friction = 0;  ///< dissipated since the last update, J
 };
 
-/// Stored in the springs of a node–edge contact, J.
-inline double node_edge_energy(const ContactLaw& law, const NodeEdgeContact& contact) {
-    return 0.5 * contact.area *
-           (law.kt * contact.overlap * contact.overlap + law.ks * contact.elastic_slip * contact.elastic_slip);
+/// The law of a node–edge contact is the residual one of the class of its two grains.
+inline FrictionLaw friction_law(const ContactLaw& law) { return {law.kt, law.ks, law.residual_cc, law.residual_tan_phi}; }
+inline FrictionLaw friction_law(const Assemblage& a, const ContactLaws& laws, const CandidatePair& pair) {
+    return friction_law(laws[class_between(a, pair.node, a.surface.edges[pair.edge].nodes[0])]);
+}
+/// Largest frictional traction under a pressure (Pa), Pa.
+GRAINCRACK_INLINE double friction_limit(const FrictionLaw& law, double pressure) {
+    return law.cohesion + pressure * law.tan_friction;
 }
 
-GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const ContactLaw& law, const NodeEdgeContact& contact, const PairGeometry& g) {
-    const double pressure = contact.area * law.kt * (contact.overlap - contact.release_correction);
-    const double friction = contact.area * law.ks * contact.elastic_slip;
+/// Stored in the springs of a node–edge contact, J.
+inline double node_edge_energy(const FrictionLaw& law, const NodeEdgeContact& contact) {
+    return 0.5 * contact.area *
+           (law.normal_stiffness * contact.overlap * contact.overlap +
+            law.shear_stiffness * contact.elastic_slip * contact.elastic_slip);
+}
+
+GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const FrictionLaw& law, const NodeEdgeContact& contact, const PairGeometry& g) {
+    const double pressure = contact.area * law.normal_stiffness * (contact.overlap - contact.release_correction);
+    const double friction = contact.area * law.shear_stiffness * contact.elastic_slip;
     const Vector2 on_node = pressure * g.normal - friction * g.tangent;
     const Vector2 couple = (friction * g.depth * g.inv_length) * g.normal;
     return {on_node, -(1 - g.place) * on_node - couple, -g.place * on_node + couple};
@@ -76,7 +87,7 @@ GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const ContactLaw& law, const N
 /// Moves an active contact to a new position.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
-GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law, const NodeEdgeContact& old,
+GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const FrictionLaw& law, const NodeEdgeContact& old,
                                                           const PairGeometry& g, double sliding) {
     NodeEdgeResponse r{old, {}, 0};
     NodeEdgeContact& contact = r.contact;
@@ -86,11 +97,12 @@ GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const ContactLaw& law,
     const double past = old.initial_overlap - g.depth;
     const bool ends = (past > 0) & (old.overlap > 0);  // no branch: contacts are moved side by side
     contact.release_correction = ends ? 0.5 * old.overlap * past / (ends ? old.overlap + past : 1.0) : 0.0;
-    const double pressure = law.kt * contact.overlap;
-    const double limit = (contact.overlap > 0 ? contact_law::residual_limit(law, pressure) : 0.0) / law.ks;
+    const double pressure = law.normal_stiffness * contact.overlap;
+    const double limit = (contact.overlap > 0 ? friction_limit(law, pressure) : 0.0) / law.shear_stiffness;
     const double trial = old.elastic_slip + sliding;
     contact.elastic_slip = std::clamp(trial, -limit, limit);
-    r.friction = 0.5 * contact.area * law.ks * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);
+    r.friction =
+        0.5 * contact.area * law.shear_stiffness * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);
     r.forces = node_edge_forces(law, contact, g);
     return r;
 }

@@ -23,15 +23,15 @@ std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairLis
         }
         return i;
     };
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+    for_each_contact(a, [&](std::int32_t c, std::int32_t /*contact_class*/) {
         for (std::size_t p = 0; p < 2; ++p) {
-            if (list.debonded[2 * c + p] == 0) {
+            if (list.debonded[2 * static_cast<std::size_t>(c) + p] == 0) {
                 const std::int32_t i = find(a.contacts[c].nodes[p]);
                 const std::int32_t j = find(a.contacts[c].nodes[2 + p]);
                 root[std::max(i, j)] = std::min(i, j);
             }
         }
-    }
+    });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(root.size()); ++i) {
         root[i] = find(i);
     }

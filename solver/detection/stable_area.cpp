@@ -18,11 +18,12 @@ constexpr double share_of_new_contact = 0.125;
 /// What a contact of unit area adds to the loads of the clusters of its nodes.
 struct UnitLoads {
     std::array<std::int32_t, 3> cluster;
-    std::array<double, 3> load{};  ///< |a_C| Σ_D |a_D|; 0 where the cluster is that of a node before
+    std::array<double, 3> load{};  ///< kt |a_C| Σ_D |a_D|, Pa/m; 0 where the cluster is that of a node before
 };
-UnitLoads unit_loads(const Assemblage& a, const MassScaling& scaling, const CandidatePair& pair, double place) {
+UnitLoads unit_loads(const Assemblage& a, const StepParameters& p, const CandidatePair& pair, const State& state) {
+    const MassScaling& scaling = p.mass_scaling;
     const auto [first, second] = a.surface.edges[pair.edge].nodes;
-    const double s = std::clamp(place, 0.0, 1.0);
+    const double s = std::clamp(pair_geometry(a, state, pair).place, 0.0, 1.0);
     const std::array<double, 3> shares{1, -(1 - s), -s};
     UnitLoads loads{{scaling.cluster_of_node[pair.node], scaling.cluster_of_node[first], scaling.cluster_of_node[second]}};
     std::array<double, 3> sum{};  // a_C
@@ -30,16 +31,16 @@ UnitLoads unit_loads(const Assemblage& a, const MassScaling& scaling, const Cand
         const auto same = std::find(loads.cluster.begin(), loads.cluster.end(), loads.cluster[k]);
         sum[static_cast<std::size_t>(same - loads.cluster.begin())] += shares[k];
     }
-    const double all = std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2]);
+    const double all = friction_law(a, p.laws, pair).normal_stiffness * (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2]));
     for (std::size_t k = 0; k < 3; ++k) {
         loads.load[k] = std::abs(sum[k]) * all;
     }
     return loads;
 }
 
-/// Largest load of a cluster, m².
+/// Largest load of a cluster, N/m.
 double max_load(const StepParameters& p, std::int32_t cluster) {
-    return stiffness_share * p.mass_scaling.cluster_mass[cluster] / (p.law.kt * p.time_step * p.time_step);
+    return stiffness_share * p.mass_scaling.cluster_mass[cluster] / (p.time_step * p.time_step);
 }
 
 void add_load(const UnitLoads& unit, double area, std::vector<double>& cluster_load) {
@@ -83,35 +84,44 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
     list.cluster_load.assign(p.mass_scaling.clusters.size(), 0.0);
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) {
-            add_load(unit_loads(a, p.mass_scaling, list.pairs[i], pair_geometry(a, s, list.pairs[i]).place),
-                     list.contacts[i].area, cluster_load);
+            add_load(unit_loads(a, p, list.pairs[i], s), list.contacts[i].area, cluster_load);
         }
     }
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) {
-            const UnitLoads unit = unit_loads(a, p.mass_scaling, list.pairs[i], pair_geometry(a, s, list.pairs[i]).place);
+            const UnitLoads unit = unit_loads(a, p, list.pairs[i], s);
             reduce_area(share_left(p, unit, cluster_load), i, list);
             add_load(unit, list.contacts[i].area, list.cluster_load);
         }
     }
 }
 
-double take_stable_area(const Assemblage& a, const StepParameters& p, const CandidatePair& pair, double wanted, State& s) {
+void limit_new_areas(const Assemblage& a, const StepParameters& p, std::vector<NewContact>& contacts, State& s) {
     if (!p.mass_scaling.is_on()) {
-        return wanted;
+        return;
     }
     std::vector<double>& cluster_load = s.contact_pairs.cluster_load;
-    const UnitLoads unit = unit_loads(a, p.mass_scaling, pair, pair_geometry(a, s, pair).place);
-    double area = wanted;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (unit.load[k] > 0) {
-            const double most = max_load(p, unit.cluster[k]);
-            const double left = std::max(most - cluster_load[unit.cluster[k]], share_of_new_contact * most);
-            area = std::min(area, left / unit.load[k]);
-        }
+    std::vector<double> wanted(cluster_load.size(), 0.0);
+    std::vector<UnitLoads> units;
+    for (const NewContact& contact : contacts) {
+        units.push_back(unit_loads(a, p, contact.pair, s));
+        add_load(units.back(), contact.area, wanted);
     }
-    add_load(unit, area, cluster_load);
-    return area;
+    const auto left = [&](std::int32_t cluster) {
+        const double most = max_load(p, cluster);
+        return std::max(most - cluster_load[cluster], share_of_new_contact * most);
+    };
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        double share = 1;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t cluster = units[i].cluster[k];
+            share = units[i].load[k] > 0 ? std::min(share, left(cluster) / wanted[cluster]) : share;
+        }
+        contacts[i].area *= share;
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        add_load(units[i], contacts[i].area, cluster_load);
+    }
 }
 
 }  // namespace graincrack

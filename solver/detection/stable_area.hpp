@@ -5,9 +5,9 @@
 // cluster is that of the bonds it replaces: contact_detection.cpp limits the areas of a node to those of its bonds.) For all
 // contacts i together and any motion v of clusters
 //
-//   Σ_i kt A_i (Σ_C a_iC v_C)² ≤ Σ_C v_C² kt L_C,   L_C = Σ_i A_i |a_iC| Σ_D |a_iD|
+//   Σ_i kt_i A_i (Σ_C a_iC v_C)² ≤ Σ_C v_C² L_C,   L_C = Σ_i kt_i A_i |a_iC| Σ_D |a_iD|
 //
-// by the Cauchy–Schwarz inequality. The load L_C of each cluster is kept below η M_C/(kt Δt²), M_C its mass, so that node–edge
+// by the Cauchy–Schwarz inequality. The load L_C of each cluster is kept below η M_C/Δt², M_C its mass, so that node–edge
 // contacts add at most η to ω² Δt², which the fraction of the stable step keeps below 2 (4 is the limit without damping). A
 // contact beside the vertex it came from has small a_C and keeps all of its area; one that has slid to another vertex becomes
 // softer.
@@ -16,7 +16,9 @@
 // 1/√c, so that the stored energy ½ A (kt e² + ks q²) stays as it is; forces fall by √c, and the limit of friction with them.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "solver/detection/node_edge_contact.hpp"
 #include "solver/model/contact_pairs.hpp"
@@ -29,9 +31,17 @@ namespace graincrack {
 /// mass scaling it does nothing.
 void limit_contact_areas(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
-/// Area of a new contact, at most `wanted` (m²), beside those that were there at the last update or began since; its load is
-/// added to those of its clusters. Without mass scaling it is `wanted`.
-double take_stable_area(const Assemblage& assemblage, const StepParameters& parameters, const CandidatePair& pair, double wanted,
-                        State& state);
+/// A node–edge contact that has begun and has no area yet.
+struct NewContact {
+    std::int32_t active;  ///< its place among the active contacts
+    CandidatePair pair;
+    std::array<std::int32_t, 2> occupied;  ///< the nodes whose area it occupies
+    double area;                           ///< m²
+};
+
+/// Reduces the areas of new contacts to what those that were there at the last update, or began since, leave of the load of each
+/// cluster, in equal shares; adds their loads. Without mass scaling it does nothing.
+void limit_new_areas(const Assemblage& assemblage, const StepParameters& parameters, std::vector<NewContact>& contacts,
+                     State& state);
 
 }  // namespace graincrack

@@ -48,7 +48,7 @@ inline double energy_of_fall(const ContactLaw& law, const IntactPoint& p, double
     return 0.25 * (cohesive_form(law, p.old_opening, p.old_sliding) + cohesive_form(law, p.opening, p.sliding)) * fall;
 }
 /// Damage before the peak, on either branch.
-inline IntactResponse damage_before_peak(const ContactLaw& law, const IntactPoint& p) {
+GRAINCRACK_INLINE IntactResponse damage_before_peak(const ContactLaw& law, const IntactPoint& p) {
     const double load = cohesive_load(law, p.opening, p.sliding);
     const double integrity = std::min(p.integrity, exp_of_minus(load));
     return {(p.opening >= 0 ? integrity : 1.0) * law.kt * p.opening, integrity * law.ks * p.sliding,

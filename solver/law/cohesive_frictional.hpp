@@ -25,14 +25,13 @@
 namespace graincrack::contact_law {
 
 struct CohesiveFrictional {
-    static constexpr LawDescription description{.variant = LawVariant::cohesive_frictional,
-                                                .name = "cohesive-frictional",
-                                                .meaning = "friction beside a cohesion that softens over G_II",
-                                                .potential = true,
-                                                .fracture_energy = true,
-                                                .mode_ii_fracture_energy = true,
-                                                .open_shear_strength = true,
-                                                .residual_friction = true};
+    static constexpr LawDescription description{
+        .variant = LawVariant::cohesive_frictional,
+        .name = "cohesive-frictional",
+        .meaning = "friction beside a cohesion that softens over G_II",
+        .potential = true,
+        .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
+                       &ContactParameters::open_shear_strength, &ContactParameters::residual_friction_angle}};
     static constexpr bool damages_intact = true;
     static constexpr bool remembers_largest = false;
     static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }

@@ -42,13 +42,13 @@ inline double munjiza_softening(double damage) {
 }
 
 struct Combined {
-    static constexpr LawDescription description{.variant = LawVariant::combined,
-                                                .name = "combined",
-                                                .meaning = "softening of FEM/DEM codes with G_I and G_II",
-                                                .potential = true,
-                                                .fracture_energy = true,
-                                                .mode_ii_fracture_energy = true,
-                                                .residual_friction = true};
+    static constexpr LawDescription description{
+        .variant = LawVariant::combined,
+        .name = "combined",
+        .meaning = "softening of FEM/DEM codes with G_I and G_II",
+        .potential = true,
+        .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
+                       &ContactParameters::residual_friction_angle}};
     static constexpr bool damages_intact = false;
     static constexpr bool remembers_largest = true;
     /// The areas to the peaks.

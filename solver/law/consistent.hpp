@@ -24,12 +24,12 @@
 namespace graincrack::contact_law {
 
 struct Consistent {
-    static constexpr LawDescription description{.variant = LawVariant::consistent,
-                                                .name = "consistent",
-                                                .meaning = "one damage variable, an energy everywhere",
-                                                .potential = true,
-                                                .fracture_energy = true,
-                                                .open_shear_strength = true};
+    static constexpr LawDescription description{
+        .variant = LawVariant::consistent,
+        .name = "consistent",
+        .meaning = "one damage variable, an energy everywhere",
+        .potential = true,
+        .parameters = {&ContactParameters::fracture_energy, &ContactParameters::open_shear_strength}};
     static constexpr bool damages_intact = true;
     static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }
     static void complete(ContactLaw& law) {

@@ -13,11 +13,21 @@
 // from a peak as fracture, slip against friction as friction. Where a law has no potential, the difference between the work done
 // on a point and the change of its energy and dissipation is booked as non-conservative work.
 //
+// Strength factor. A contact whose strengths (and cohesion) are s times those of its class, its fracture energies s² times and
+// its stiffnesses the same, has displacements of peak and of loss that are s times as large. Its law is similar to that of its
+// class:
+//
+//   σ_s(δ) = s σ_1(δ/s),  ψ_s(δ) = s² ψ_1(δ/s)                    the length E G/t² of the process zone stays
+//
+// So its points are advanced with the constants of the class at motions over s; tractions are then times s, energies times s².
+// `State` keeps motions and slips over s.
+//
 // Valid for |δ| small against the contact's length.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "share/material.hpp"
 #include "solver/law/table.hpp"
@@ -37,9 +47,10 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     law.g2 = p.mode_ii_fracture_energy;
     law.open_shear_strength = p.open_shear_strength;
     const LawDescription& description = description_of(variant);
-    law.residual_tc = description.residual_strength ? p.residual_tensile_strength : 0;
-    law.residual_cc = description.residual_strength ? p.residual_cohesion : 0;
-    law.residual_tan_phi = description.residual_friction ? std::tan(p.residual_friction_angle) : law.tan_phi;
+    law.residual_tc = description.reads(&ContactParameters::residual_tensile_strength) ? p.residual_tensile_strength : 0;
+    law.residual_cc = description.reads(&ContactParameters::residual_cohesion) ? p.residual_cohesion : 0;
+    law.residual_tan_phi =
+        description.reads(&ContactParameters::residual_friction_angle) ? std::tan(p.residual_friction_angle) : law.tan_phi;
     law.dct = p.critical_opening;
     law.dcs = p.critical_sliding;
     law.dut = p.ultimate_opening;
@@ -47,6 +58,24 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     law.inv_dcs = 1 / law.dcs;
     contact_law::with_law(variant, [&law](auto kind) { decltype(kind)::complete(law); });
     return law;
+}
+
+/// The law of each class of contacts: one variant, with constants of their own.
+struct ContactLaws {
+    std::vector<ContactLaw> of_class;
+    ContactLaws() = default;
+    /// One class. (Implicit: a single law stands for the laws of a specimen of one phase.)
+    ContactLaws(const ContactLaw& law) : of_class{law} {}  // NOLINT(google-explicit-constructor)
+    [[nodiscard]] const ContactLaw& operator[](std::int32_t contact_class) const { return of_class[contact_class]; }
+    [[nodiscard]] LawVariant variant() const { return of_class.front().variant; }
+};
+/// \param contacts parameters by class
+inline ContactLaws make_contact_laws(const std::vector<ContactParameters>& contacts, LawVariant variant, Coupling coupling) {
+    ContactLaws laws;
+    for (const ContactParameters& contact : contacts) {
+        laws.of_class.push_back(make_contact_law(contact, variant, coupling));
+    }
+    return laws;
 }
 
 /// The least fracture energies with which a law works: the energies up to its peaks.

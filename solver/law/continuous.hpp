@@ -54,7 +54,7 @@ struct Continuous : PaperLaw<Continuous> {
                                                 .name = "continuous",
                                                 .meaning = "single-valued before damage; shear strength c_c while open",
                                                 .coupling = true,
-                                                .fracture_energy = true};
+                                                .parameters = {&ContactParameters::fracture_energy}};
     static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }
 
     static void advance_open(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {

@@ -21,12 +21,13 @@
 namespace graincrack::contact_law {
 
 struct CoulombSlip {
-    static constexpr LawDescription description{.variant = LawVariant::coulomb_slip,
-                                                .name = "coulomb-slip",
-                                                .meaning = "UDEC's Coulomb slip with residual strength",
-                                                .potential = true,
-                                                .residual_strength = true,
-                                                .residual_friction = true};
+    static constexpr LawDescription description{
+        .variant = LawVariant::coulomb_slip,
+        .name = "coulomb-slip",
+        .meaning = "UDEC's Coulomb slip with residual strength",
+        .potential = true,
+        .parameters = {&ContactParameters::residual_tensile_strength, &ContactParameters::residual_cohesion,
+                       &ContactParameters::residual_friction_angle}};
     static constexpr bool damages_intact = false;
     static FractureEnergies min_energies(const ContactLaw& /*law*/) { return {}; }
     static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }

@@ -75,7 +75,7 @@ struct Literal : Effective {
                                                 .name = "literal",
                                                 .meaning = "the text as printed",
                                                 .coupling = true,
-                                                .fracture_energy = true};
+                                                .parameters = {&ContactParameters::fracture_energy}};
     static void complete(ContactLaw& law) {
         law.w = 1;
         law.stiffest_shear = std::max(law.ks, law.kt);
@@ -86,7 +86,7 @@ struct Scaled : Effective {
                                                 .name = "scaled",
                                                 .meaning = "the text with sliding weighted by ks/kt",
                                                 .coupling = true,
-                                                .fracture_energy = true};
+                                                .parameters = {&ContactParameters::fracture_energy}};
     static void complete(ContactLaw& law) {
         law.w = law.ks / law.kt;
         law.stiffest_shear = std::max(law.ks, law.w * law.kt);

@@ -19,8 +19,8 @@ namespace graincrack::contact_law {
 
 /// Largest frictional traction of the friction angle φc at a closed motion, Pa.
 inline double friction_limit(const ContactLaw& law, const ContactMotion& m) { return -law.kt * m.opening * law.tan_phi; }
-/// Largest shear traction of a closed point on which nothing but friction is left, and of a node–edge contact: c_r + p tan φ_r,
-/// Pa. \param pressure p, Pa
+/// Largest shear traction of a closed point on which nothing but friction is left: c_r + p tan φ_r, Pa.
+/// \param pressure p, Pa
 inline double residual_limit(const ContactLaw& law, double pressure) { return law.residual_cc + pressure * law.residual_tan_phi; }
 
 /// The state of a frictional point after a motion.

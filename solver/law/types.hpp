@@ -3,11 +3,13 @@
 // Signs: opening δn > 0 and tension σn > 0; sliding δs and shear traction τ are signed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <string_view>
 
+#include "share/contact_parameters.hpp"
 #include "share/contact_state.hpp"
 
 namespace graincrack {
@@ -30,13 +32,12 @@ struct LawDescription {
     std::string_view name;     ///< as options and files spell it
     std::string_view meaning;  ///< in a few words
     bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
-    // What it uses beyond stiffnesses, tensile strength, cohesion and friction angle:
-    bool coupling = false;                 ///< --coupling; a law without couples the modes by nature
-    bool fracture_energy = false;          ///< Gf, or G_I where there is a G_II
-    bool mode_ii_fracture_energy = false;  ///< G_II
-    bool open_shear_strength = false;      ///< shear strength while open
-    bool residual_strength = false;        ///< residual tensile strength and cohesion
-    bool residual_friction = false;        ///< residual friction angle
+    bool coupling = false;     ///< --coupling; a law without couples the modes by nature
+    std::array<ContactValue, 6> parameters{};  ///< contact parameters it reads beside those that every law reads
+
+    [[nodiscard]] constexpr bool reads(ContactValue parameter) const {
+        return std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
+    }
 };
 
 /// Constants of a law. Symbols as in the paper. \see make_contact_law

@@ -50,6 +50,7 @@ public:
     [[nodiscard]] double longest_time() const;
 
     [[nodiscard]] double speed() const { return speed_; }                        ///< of each, approach positive, m/s
+    [[nodiscard]] double transit_time() const { return transit_time_; }          ///< of a bar wave through the specimen, s
     [[nodiscard]] double mean_compression() const { return mean_compression_; }  ///< over about a transit, Pa
     [[nodiscard]] double mean_speed(double time) const;                          ///< since the motion was set, m/s
     /// Time from which on the function of a motion changes no more, s.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int rest_rows = 5;           // in succession that must be at rest: one may be so by chance
 constexpr double history_rows = 8000;  // of the longest time
+constexpr double wave_transits = 2;    // of a wave, to the other platen and back
 constexpr std::int64_t min_steps = 10;
 
 double last(const StageFeedback& f, HistoryColumn column) { return f.history[column].back(); }
@@ -243,6 +244,18 @@ bool StageController::is_at_rest(const StageFeedback& f, double tolerance) {
     return rows_at_rest_ >= rest_rows;
 }
 
+// Without damping waves do not die out: what one of them takes from the load, less than its way to and fro, is no fall.
+bool StageController::has_fallen_below(double stress, const History& history) const {
+    const std::vector<double>& time = history[HistoryColumn::time];
+    const bool is_damped = history[HistoryColumn::energy_damping].back() > 0;
+    const double since = time.back() - (is_damped ? 0 : wave_transits * platens_.transit_time());
+    std::size_t row = history.size() - 1;
+    while (row > 0 && time[row] > since && std::abs(history[HistoryColumn::axial_stress][row]) < stress) {
+        --row;
+    }
+    return std::abs(history[HistoryColumn::axial_stress][row]) < stress;
+}
+
 std::string StageController::end_reason(const StageFeedback& f) {
     const Stage& stage = now();
     for (std::size_t i = 0; i < stage.until.size(); ++i) {
@@ -255,7 +268,7 @@ std::string StageController::end_reason(const StageFeedback& f) {
     if (last(f, HistoryColumn::tensile_cracks) + last(f, HistoryColumn::shear_cracks) > 0) {
         highest_ = std::max(highest_, stress);
     }
-    if (stage.peak_drop && stress < (1 - *stage.peak_drop) * highest_) {
+    if (stage.peak_drop && has_fallen_below((1 - *stage.peak_drop) * highest_, f.history)) {
         return "peak_drop";
     }
     if (stage.rest && is_at_rest(f, *stage.rest)) {

@@ -95,6 +95,9 @@ private:
     [[nodiscard]] int number_of(const Stage& stage) const { return static_cast<int>(&stage - program_.stages.data()); }
     void note(const StageFeedback& feedback);
     void start_stage(const StageFeedback& feedback);
+    /// Whether the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
+    /// it.
+    [[nodiscard]] bool has_fallen_below(double stress, const History& history) const;
     [[nodiscard]] std::string end_reason(const StageFeedback& feedback);
     [[nodiscard]] bool is_at_rest(const StageFeedback& feedback, double tolerance);
     [[noreturn]] void refuse_end(const StageFeedback& feedback, const std::string& reason) const;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "share/fabric.hpp"
 #include "share/fracture_process_zone.hpp"
 #include "share/specimen.hpp"
 #include "solver/model/element.hpp"
@@ -31,6 +32,14 @@ struct ContactGeometry {
     std::array<std::int32_t, 4> nodes;  ///< a1 a2 b1 b2
     Vector2 edge;                       ///< a1 → a2 in the reference, m
     double point_area;                  ///< of one of its two points: half the edge × 1 m, m²
+    double strength = 1;                ///< s: factor on the strengths of its class (solver/law/contact_law.hpp)
+};
+
+/// Contacts of one class that a thread works on at a time. Chunk k has the places from k · `contacts_per_chunk` on; the places
+/// behind its last contact are empty.
+struct ContactChunk {
+    Range contacts;
+    std::int32_t contact_class;
 };
 
 /// Slots of contact forces lie by chunk: [chunk][a1 a2 b1 b2][x y][contacts_per_chunk]. A slot is named by where its x is in
@@ -39,6 +48,20 @@ inline constexpr std::int32_t slot_stride = 8 * contacts_per_chunk;
 inline std::int32_t slot_of(std::int32_t contact, std::int32_t node) {
     return contact / contacts_per_chunk * slot_stride + 2 * node * contacts_per_chunk + contact % contacts_per_chunk;
 }
+
+/// Elasticity of all triangles, side by side.
+struct ElasticityTable {
+    std::vector<double> c11, c12, mu, czz;  ///< as in `PlaneElasticity`
+    PlaneElasticity operator[](std::size_t e) const { return {c11[e], c12[e], mu[e], czz[e]}; }
+    void push_back(const PlaneElasticity& c) {
+        c11.push_back(c.c11);
+        c12.push_back(c.c12);
+        mu.push_back(c.mu);
+        czz.push_back(c.czz);
+    }
+};
+/// Bytes of its arrays.
+std::size_t memory_of(const ElasticityTable& table);
 
 /// Geometry of all triangles, side by side.
 struct TriangleTable {
@@ -70,21 +93,26 @@ struct GrainChunk {
     Range further_slots;
 };
 
-/// Constant data of a run. Node order: by grain, within a grain as in the specimen.
+/// Constant data of a run. Node order: by grain, within a grain as in the specimen. Contact order: by class, within a class as in
+/// the specimen, with empty places at the ends of chunks.
 struct Assemblage {
-    PlaneElasticity elasticity;
     std::vector<Vector2> position;                           ///< [n] reference, m
     std::vector<double> mass;                                ///< [n] kg per metre of thickness
     std::vector<double> inverse_mass;                        ///< [n]
     std::vector<double> rock_mass;                           ///< [n] what gravity pulls: without mass that scaling adds
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e]
     TriangleTable element_geometry;                          ///< [e]
-    std::vector<ContactGeometry> contacts;                   ///< [c]
+    ElasticityTable elasticity;                              ///< [e]
+    std::vector<double> element_mass;                        ///< [e] of rock, kg per metre of thickness
+    std::vector<ContactGeometry> contacts;                   ///< [c] by place; empty places have no area
     std::vector<std::array<std::int32_t, 2>> slots;  ///< [n] the contact forces on a node: a slot of zero where there is none
     std::vector<FurtherSlot> further_slots;          ///< ascending by node
     std::vector<GrainChunk> grain_chunks;
-    std::vector<Range> contact_chunks;
-    std::vector<std::int32_t> node_of_specimen;  ///< [n] internal index of a node of the specimen
+    std::vector<ContactChunk> contact_chunks;
+    std::vector<std::int32_t> node_of_specimen;     ///< [n] internal index of a node of the specimen
+    std::vector<std::int32_t> contact_of_specimen;  ///< place of a contact of the specimen
+    std::vector<std::int32_t> specimen_contact;     ///< [c] contact of the specimen at a place, −1 if it is empty
+    std::vector<std::uint8_t> phase_of_node;        ///< [n]
     GrainSurface surface;
     double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
@@ -92,14 +120,60 @@ struct Assemblage {
     /// Of contact forces: all chunks, and a slot that stays zero.
     [[nodiscard]] std::size_t n_slot_values() const { return contact_chunks.size() * slot_stride + 2UL * contacts_per_chunk; }
     [[nodiscard]] std::int32_t n_nodes() const { return static_cast<std::int32_t>(position.size()); }
-    [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contacts.size()); }
+    /// Without empty places.
+    [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contact_of_specimen.size()); }
     [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const Assemblage& assemblage);
 
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
+/// \param phases by index of the specimen's phases
+Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& phases, PlaneCondition plane);
+/// All grains are of the rock.
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);
+
+/// Calls `act` with the place and the class of each contact.
+template <class Act>
+void for_each_contact(const Assemblage& a, const Act& act) {
+    for (const ContactChunk& chunk : a.contact_chunks) {
+        for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
+            act(c, chunk.contact_class);
+        }
+    }
+}
+/// Σ `of_item(i)` over the items of a range.
+template <class OfItem>
+auto sum_over(Range range, const OfItem& of_item) {
+    decltype(of_item(0)) sum{};
+    for (std::int32_t i = range.begin; i < range.end; ++i) {
+        sum += of_item(i);
+    }
+    return sum;
+}
+/// The same over ranges, one a chunk: first within each, then over them in their order. All sums of a run are made so, whoever
+/// works on which chunk.
+template <class OfItem>
+auto sum_over(const std::vector<Range>& ranges, const OfItem& of_item) {
+    decltype(of_item(0)) total{};
+    for (const Range& range : ranges) {
+        total += sum_over(range, of_item);
+    }
+    return total;
+}
+/// Σ `of_node(i)` over all nodes, by chunk of grains.
+template <class OfNode>
+auto sum_over_nodes(const Assemblage& a, const OfNode& of_node) {
+    decltype(of_node(0)) total{};
+    for (const GrainChunk& chunk : a.grain_chunks) {
+        total += sum_over(chunk.nodes, of_node);
+    }
+    return total;
+}
+/// Class of contacts between two nodes.
+inline std::int32_t class_between(const Assemblage& a, std::int32_t node, std::int32_t other) {
+    return static_cast<std::int32_t>(contact_class(a.phase_of_node[node], a.phase_of_node[other]));
+}
 
 /// Ranges of items sorted by node that fall into the node range of each chunk of grains.
 template <class Item, class NodeOf>

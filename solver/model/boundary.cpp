@@ -34,7 +34,7 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
     b.platens = platens;
     const SpecimenFaces boundary = specimen_faces(a, s);
     // What stands upright or inside can be met only later, by a corner: it stands for half a mean contact on either side.
-    const double corner_tributary = a.contacts.empty() ? 0 : a.contact_length / static_cast<double>(a.contacts.size());
+    const double corner_tributary = a.n_contacts() == 0 ? 0 : a.contact_length / static_cast<double>(a.n_contacts());
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         for (std::int32_t p = 0; p < 2; ++p) {
             const double gap = platens[p].side * (a.position[i].y - platens[p].position);

@@ -13,10 +13,10 @@ ContactPairList make_contact_pair_list(const Assemblage& a) {
 }
 
 std::size_t memory_of(const ActiveContacts& active) {
-    const auto& [pair, nodes, live, area, initial_overlap, overlap, elastic_slip, release_correction, place, forces, count,
-                 changed] = active;
-    return memory_of_all(pair, nodes, live, area, initial_overlap, overlap, elastic_slip, release_correction, place, forces,
-                         count, changed);
+    const auto& [pair, nodes, live, area, initial_overlap, overlap, elastic_slip, release_correction, normal_stiffness,
+                 shear_stiffness, cohesion, tan_friction, place, forces, count, changed] = active;
+    return memory_of_all(pair, nodes, live, area, initial_overlap, overlap, elastic_slip, release_correction, normal_stiffness,
+                         shear_stiffness, cohesion, tan_friction, place, forces, count, changed);
 }
 
 std::size_t memory_of(const ContactPairList& list) {

@@ -18,6 +18,13 @@
 
 namespace graincrack {
 
+/// Constants of a node–edge contact.
+struct FrictionLaw {
+    double normal_stiffness, shear_stiffness;  ///< Pa/m
+    double cohesion;                           ///< c_r, Pa
+    double tan_friction;                       ///< of φ_r
+};
+
 /// The state of a node–edge contact.
 struct NodeEdgeContact {
     bool active = false;
@@ -49,6 +56,7 @@ struct ActiveContacts {
     std::vector<std::array<std::int32_t, 3>> nodes;  ///< the node, first and second of the edge
     std::vector<double> live;                        ///< 1; 0 from the step on in which it ends
     std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction;  ///< as in `NodeEdgeContact`
+    std::vector<double> normal_stiffness, shear_stiffness, cohesion, tan_friction;         ///< as in `FrictionLaw`
     std::vector<double> place;                                                             ///< as in `PairGeometry`
     std::vector<Vector2> forces;                                                           ///< [3] on the nodes, N
     std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
@@ -79,18 +87,23 @@ struct ContactPairList {
     bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search
     double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
     std::vector<double> occupied_area;  ///< [n] area of a node that contacts occupied when one began, or at the last update, m²
-    std::vector<double> cluster_load;   ///< [clusters] L_C likewise (stable_area.hpp), m²; empty without mass scaling
+    std::vector<double> cluster_load;   ///< [clusters] L_C likewise (stable_area.hpp), N/m; empty without mass scaling
     std::int64_t next_update = 0;       ///< step before which the list is updated again
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
-    /// Calls `visit` with the index of each active contact in `active`.
+    /// Calls `visit` with the index of each active contact of a chunk in `active`.
     template <class Visit>
-    void for_active(Visit&& visit) const {
+    void for_active_of(std::int32_t chunk, const Visit& visit) const {
+        const std::int32_t begin = first_watched(chunk);
+        for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
+            visit(i);
+        }
+    }
+    /// The same of all chunks.
+    template <class Visit>
+    void for_active(const Visit& visit) const {
         for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(chunks.size()); ++chunk) {
-            const std::int32_t begin = first_watched(chunk);
-            for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
-                visit(i);
-            }
+            for_active_of(chunk, visit);
         }
     }
 };

@@ -20,14 +20,15 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.residual.resize(2 * a.contacts.size());
     s.next_mark.assign(2 * a.contacts.size(), cohesion_mark(0));
     s.integrity.assign(2 * a.contacts.size(), 1);
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (specimen.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
-            for (const std::size_t point : {2 * c, 2 * c + 1}) {
+    for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
+        const std::uint8_t kind = specimen.contact_kind[a.specimen_contact[place]];
+        for (const std::size_t point : points_of(place)) {
+            if (kind == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
                 store_point(broken_contact(), false, point, s);  // residual from the first step on, when the law has seen it
                 s.next_mark[point] = 0;
             }
         }
-    }
+    });
     s.fracture_energy.resize(2 * a.contacts.size());
     s.contact_pairs = make_contact_pair_list(a);
     s.platen_points = boundary.platen_points;
@@ -37,6 +38,9 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.grain_sums.resize(a.grain_chunks.size());
     s.contact_sums.resize(a.contact_chunks.size());
     s.events.resize(a.contact_chunks.size());
+    for (std::vector<ContactEvent>& of_chunk : s.events) {
+        of_chunk.reserve(max_events_per_chunk);
+    }
     return s;
 }
 

@@ -1,6 +1,7 @@
 // Everything that changes during a run.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,9 @@ struct ContactEvent {
     Vector2 tangent;
     Vector2 position;  ///< middle of the half-edge the point stands for
 };
+
+/// Every event of a point happens once: a buffer of this size, reserved before the first step, never grows during one.
+inline constexpr std::size_t max_events_per_chunk = 5UL * 2 * contacts_per_chunk;
 
 /// Energies summed over the contacts of a chunk since the start, J.
 struct ContactSums {
@@ -93,8 +97,8 @@ struct State {
     std::vector<Vector2> damping_force;     ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t> near_platen;  ///< [n] 1 + the platen within `platen_reach` of it, else 0; scratch of the node stage
     std::vector<double> contact_force;      ///< slots (`slot_of`), N, at `time`
-    std::vector<double> opening;            ///< [2 c] m, at `time`
-    std::vector<double> sliding;            ///< [2 c] m, at `time`
+    std::vector<double> opening;            ///< [2 c] over the strength factor of the contact, m, at `time`; as all motions here
+    std::vector<double> sliding;            ///< [2 c] likewise
     std::vector<double> integrity;          ///< [2 c] β of each point; stays 1 if the law has none
     std::vector<double> slip;               ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;       ///< [2 c] 1 once the point has passed its peak
@@ -106,7 +110,7 @@ struct State {
     std::vector<PlatenPoint> platen_points;
     std::vector<GrainSums> grain_sums;              ///< by chunk of grains
     std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
-    std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected
+    std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected; see `max_events_per_chunk`
     StepLoading loading;                            ///< at `time`
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
@@ -114,6 +118,11 @@ struct State {
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const State& state);
+
+/// Indices of the two points of the contact at a place.
+constexpr std::array<std::size_t, 2> points_of(std::int32_t contact) {
+    return {2 * static_cast<std::size_t>(contact), 2 * static_cast<std::size_t>(contact) + 1};
+}
 
 /// Time of a step, s.
 inline double time_of(const State& state, std::int64_t step, double time_step) {

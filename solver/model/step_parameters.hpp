@@ -12,7 +12,7 @@
 namespace graincrack {
 
 struct StepParameters {
-    ContactLaw law;
+    ContactLaws laws;
     double time_step = 0;  ///< s
     double damping = 0;    ///< α
     DampingForm damping_form = DampingForm::combined;
@@ -21,8 +21,8 @@ struct StepParameters {
 };
 /// Bytes of its arrays.
 inline std::size_t memory_of(const StepParameters& parameters) {
-    const auto& [law, time_step, damping, damping_form, mass_scaling] = parameters;
-    return memory_of_all(mass_scaling);
+    const auto& [laws, time_step, damping, damping_form, mass_scaling] = parameters;
+    return memory_of_all(laws.of_class, mass_scaling);
 }
 
 }  // namespace graincrack

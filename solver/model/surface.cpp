@@ -30,7 +30,8 @@ void link(std::vector<SurfaceEdge>& edges, std::size_t n_nodes) {
 
 }  // namespace
 
-GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& node_of_specimen) {
+GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& node_of_specimen,
+                          const std::vector<std::int32_t>& contact_of_specimen) {
     GrainSurface o;
     const std::size_t n = s.n_nodes();
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
@@ -53,8 +54,8 @@ GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& no
     };
     for (std::size_t c = 0; c < s.n_contacts(); ++c) {
         const auto& nodes = s.contact_nodes[c];
-        add(nodes[0], nodes[1], static_cast<std::int32_t>(c));
-        add(nodes[3], nodes[2], static_cast<std::int32_t>(c));
+        add(nodes[0], nodes[1], contact_of_specimen[c]);
+        add(nodes[3], nodes[2], contact_of_specimen[c]);
     }
     for (const auto& edge : s.boundary_edges) {
         add(edge[0], edge[1], none);

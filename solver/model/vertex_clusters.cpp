@@ -27,13 +27,14 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
 std::vector<std::int32_t> vertex_of_nodes(const Assemblage& a) {
     std::vector<std::int32_t> parent(a.position.size());
     std::iota(parent.begin(), parent.end(), 0);
-    for (const ContactGeometry& g : a.contacts) {
+    for_each_contact(a, [&](std::int32_t c, std::int32_t /*contact_class*/) {
+        const auto& nodes = a.contacts[c].nodes;
         for (std::size_t p = 0; p < 2; ++p) {
-            const std::int32_t i = root_of(parent, g.nodes[p]);
-            const std::int32_t j = root_of(parent, g.nodes[2 + p]);
+            const std::int32_t i = root_of(parent, nodes[p]);
+            const std::int32_t j = root_of(parent, nodes[2 + p]);
             parent[std::max(i, j)] = std::min(i, j);
         }
-    }
+    });
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         parent[i] = root_of(parent, i);
     }

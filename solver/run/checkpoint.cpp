@@ -16,27 +16,23 @@ volatile std::sig_atomic_t is_requested = 0;
 /// Options of a test as its header tells them, as words. Numbers with all their digits.
 std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) {
     const auto number = [](double value) { return fmt::format("{}", value); };
-    return {{"the test", h.test},
-            {"--material", h.material},
-            {"--contact-law", h.contact_law},
-            {"--coupling", h.coupling},
-            {"--contact-tensile-strength", number(h.contact.tensile_strength)},
-            {"--contact-cohesion", number(h.contact.cohesion)},
-            {"--contact-friction-angle", number(h.contact.friction_angle)},
-            {"--contact-open-shear-strength", number(h.contact.open_shear_strength)},
-            {"the contacts' normal stiffness", number(h.contact.normal_stiffness)},
-            {"the contacts' shear stiffness", number(h.contact.shear_stiffness)},
-            {"--fracture-energy", number(h.contact.fracture_energy)},
-            {"the fracture energy in shear", number(h.contact.mode_ii_fracture_energy)},
-            {"--confining-pressure", number(h.confining_pressure)},
-            {"--platen-friction", number(h.platen_friction)},
-            {"--rate", h.rate},
-            {"--rate-tolerance", number(h.rate_tolerance)},
-            {"--rate-share", number(h.rate_share)},
-            {"the speed of the platens", number(h.platen_speed)},
-            {"--damping", number(h.damping)},
-            {"--damping-form", h.damping_form},
-            {"the time step", number(h.time_step)}};
+    std::vector<std::pair<std::string, std::string>> options{{"the test", h.test},
+                                                             {"--material", h.material},
+                                                             {"--contact-law", h.contact_law},
+                                                             {"--coupling", h.coupling},
+                                                             {"--confining-pressure", number(h.confining_pressure)},
+                                                             {"--platen-friction", number(h.platen_friction)},
+                                                             {"--rate", h.rate},
+                                                             {"--rate-tolerance", number(h.rate_tolerance)},
+                                                             {"--rate-share", number(h.rate_share)},
+                                                             {"the speed of the platens", number(h.platen_speed)},
+                                                             {"--damping", number(h.damping)},
+                                                             {"--damping-form", h.damping_form},
+                                                             {"the time step", number(h.time_step)}};
+    for (const ContactParameter& row : all_contact_parameters()) {
+        options.emplace_back(row.option(), number(h.contact.*row.value));
+    }
+    return options;
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ void note_later_event(const ContactEvent& event, double time, Crack& crack) {
 void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
     std::vector<ContactEvent> events;
     for (std::vector<ContactEvent>& block : state.events) {
+        for (ContactEvent& event : block) {
+            event.contact = a.specimen_contact[event.contact];
+        }
         events.insert(events.end(), block.begin(), block.end());
         block.clear();
     }
@@ -61,7 +64,7 @@ void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
             continue;
         }
         crack_of_point_[point] = static_cast<std::int32_t>(cracks_.size());
-        cracks_.push_back(make_crack(event, a.contacts[event.contact].point_area, time));
+        cracks_.push_back(make_crack(event, a.contacts[a.contact_of_specimen[event.contact]].point_area, time));
         tensile_ += event.mode == CrackMode::tensile ? 1 : 0;
     }
 }
@@ -74,10 +77,10 @@ void CrackLog::restore(const std::vector<Crack>& rows) {
     }
 }
 
-std::vector<Crack> CrackLog::rows(const State& state) const {
+std::vector<Crack> CrackLog::rows(const Assemblage& a, const State& state) const {
     std::vector<Crack> rows = cracks_;
     for (Crack& crack : rows) {
-        crack.energy_released = state.fracture_energy[2 * static_cast<std::size_t>(crack.contact) + crack.point];
+        crack.energy_released = state.fracture_energy[points_of(a.contact_of_specimen[crack.contact])[crack.point]];
     }
     return rows;
 }

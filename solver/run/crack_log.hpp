@@ -12,19 +12,19 @@ namespace graincrack {
 class CrackLog {
 public:
     explicit CrackLog(std::size_t n_points) : crack_of_point_(n_points, -1) {}
-    /// Takes the events of all blocks, in the order of step, contact and point, and clears them.
+    /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them.
     void collect(const Assemblage& assemblage, double time_step, State& state);
     /// Goes on from the rows of an earlier run.
     void restore(const std::vector<Crack>& rows);
     /// The rows, with the energy each point has released so far.
-    [[nodiscard]] std::vector<Crack> rows(const State& state) const;
+    [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const State& state) const;
     [[nodiscard]] std::size_t tensile_points() const { return tensile_; }
     [[nodiscard]] std::size_t shear_points() const { return cracks_.size() - tensile_; }
     [[nodiscard]] bool empty() const { return cracks_.empty(); }
 
 private:
     std::vector<Crack> cracks_;
-    std::vector<std::int32_t> crack_of_point_;  ///< row of a contact point, −1 for none
+    std::vector<std::int32_t> crack_of_point_;  ///< row of a point of a contact of the specimen, −1 for none
     std::size_t tensile_ = 0;
 };
 

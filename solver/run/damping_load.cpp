@@ -1,19 +1,18 @@
 #include "solver/run/damping_load.hpp"
 
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 
 namespace graincrack {
 
-void follow_damping_load(const State& s, double platen_power, double time_constant, DampingLoad& load) {
+void follow_damping_load(const Assemblage& a, const State& s, double platen_power, double time_constant, DampingLoad& load) {
     const double share = -std::expm1(-(s.time - load.time) / time_constant);
     load.time = s.time;
-    double power = 0;
-    for (std::size_t i = 0; i < s.displacement.size(); ++i) {
+    const double power = -sum_over_nodes(a, [&](std::int32_t i) {
         const Vector2 lag = s.displacement[i] - load.mean_displacement[i];
         load.mean_displacement[i] += share * lag;
-        power -= dot(s.damping_force[i], lag);
-    }
+        return dot(s.damping_force[i], lag);
+    });
     load.damping_power += share * (power / time_constant - load.damping_power);
     load.platen_power += share * (platen_power - load.platen_power);
 }

@@ -26,12 +26,12 @@ void FrameOutput::go_on(const FrameProgress& progress, const RunReader& checkpoi
     thin_if_too_many();
 }
 
-FrameProgress FrameOutput::save(const Assemblage& a, const ContactLaw& law, const State& state, RunWriter& checkpoint) const {
+FrameProgress FrameOutput::save(const Assemblage& a, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const {
     checkpoint.add_frames(writer_);
     if (peak_) {
         checkpoint.add_frame(*peak_, FrameRole::peak_so_far);
     }
-    checkpoint.add_frame(make_frame(a, law, state), FrameRole::present);
+    checkpoint.add_frame(make_frame(a, laws, state), FrameRole::present);
     return {next_, interval_, regular_, checkpoint.frame_roles()};
 }
 
@@ -43,33 +43,33 @@ void FrameOutput::thin_if_too_many() {
     }
 }
 
-void FrameOutput::regular(double strain, const Assemblage& a, const ContactLaw& law, const State& state) {
+void FrameOutput::regular(double strain, const Assemblage& a, const ContactLaws& laws, const State& state) {
     if (wanted_ == 0 || strain < next_) {
         return;
     }
-    writer_.add_frame(make_frame(a, law, state), FrameRole::regular);
+    writer_.add_frame(make_frame(a, laws, state), FrameRole::regular);
     ++regular_;
     thin_if_too_many();
     next_ = interval_ * (std::floor(strain / interval_) + 1);
 }
 
-void FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaw& law, const State& state) {
+void FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaws& laws, const State& state) {
     if (wanted_ == 0) {
         return;
     }
     if (is_highest) {
-        peak_ = make_frame(a, law, state);
+        peak_ = make_frame(a, laws, state);
     } else if (has_fallen && peak_) {
         writer_.add_frame(*peak_, FrameRole::kept);
         peak_.reset();
     }
 }
 
-void FrameOutput::last(const Assemblage& a, const ContactLaw& law, const State& state) {
+void FrameOutput::last(const Assemblage& a, const ContactLaws& laws, const State& state) {
     if (peak_ && peak_->step < state.step) {
         writer_.add_frame(*peak_, FrameRole::kept);
     }
-    writer_.add_frame(make_frame(a, law, state), FrameRole::kept);
+    writer_.add_frame(make_frame(a, laws, state), FrameRole::kept);
 }
 
 }  // namespace graincrack

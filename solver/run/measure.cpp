@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "solver/detection/active_contacts.hpp"
+#include "solver/detection/node_edge_contact.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
@@ -28,13 +29,18 @@ Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int3
     for (const std::int32_t i : nodes) {
         square += (coordinate(i) - mean) * (coordinate(i) - mean);
     }
-    Gauge gauge{along_y, {}};
+    Gauge gauge{along_y, {}, {}};
     if (square > 0) {
         for (const std::int32_t i : nodes) {
             gauge.terms.push_back({i, (coordinate(i) - mean) / square});
         }
     }
     return gauge;
+}
+
+void cut_terms(const Assemblage& a, Gauge& gauge) {
+    std::sort(gauge.terms.begin(), gauge.terms.end(), [](const Gauge::Term& l, const Gauge::Term& r) { return l.node < r.node; });
+    gauge.of_chunk = ranges_by_chunk(a, gauge.terms, [](const Gauge::Term& term) { return term.node; });
 }
 
 /// Nodes of the lateral boundary: side −1 left, +1 right.
@@ -70,47 +76,48 @@ void find_damping_forces(const Assemblage& a, const StepParameters& parameters, 
     }
 }
 
-double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s, double& unbalanced) {
-    double energy = 0;
-    for (const GrainChunk& block : a.grain_chunks) {
-        double sum = 0;
-        for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            const Vector2 next = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * (s.force[i] + s.damping_force[i]);
-            sum += a.mass[i] * dot(s.velocity[i], next);
-            unbalanced += length(s.force[i]);
-        }
-        energy += 0.5 * sum;
-    }
-    return energy;
+double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s) {
+    return 0.5 * sum_over_nodes(a, [&](std::int32_t i) {
+               const Vector2 force = s.force[i] + s.damping_force[i];
+               return a.mass[i] * dot(s.velocity[i], s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * force);
+           });
 }
 
 double damping_half_work(const Assemblage& a, const StepParameters& parameters, const State& s) {
-    double absorbed = 0;
-    for (const GrainChunk& block : a.grain_chunks) {
-        for (std::int32_t i = block.nodes.begin; i < block.nodes.end; ++i) {
-            absorbed -= dot(s.damping_force[i], s.velocity[i]);
-        }
-    }
-    return 0.5 * parameters.time_step * absorbed;
+    return -0.5 * parameters.time_step *
+           sum_over_nodes(a, [&](std::int32_t i) { return dot(s.damping_force[i], s.velocity[i]); });
 }
 
-double strain_energy(const Assemblage& a, const State& s, double& element_force) {
-    double energy = 0;
-    for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
-        const auto [n0, n1, n2] = a.element_nodes[e];
-        const TriangleGeometry& g = a.element_geometry[e];
-        const TriangleState t =
-            triangle_state(g, a.elasticity, s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0]);
-        energy += triangle_energy(g, t);
-        const TriangleForces f = triangle_forces(g, t);
-        element_force += length(f.on_node0()) + length(f.on_node1) + length(f.on_node2);
-    }
-    return energy;
+TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
+    const auto [n0, n1, n2] = a.element_nodes[e];
+    return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
+                          s.displacement[n2] - s.displacement[n0]);
 }
 
-void add_contact_energies(const Assemblage& a, const ContactLaw& law, const State& s, Energies& energies) {
-    add_stored_in_contacts(a, law, s, energies.contact);
-    energies.contact += stored_in_active_contacts(law, s.contact_pairs);
+/// Strain energy (J) and Σ |force on a node| over the nodes (N) of elements.
+struct ElementSums {
+    double energy = 0, force = 0;
+    ElementSums& operator+=(const ElementSums& other) {
+        energy += other.energy;
+        force += other.force;
+        return *this;
+    }
+};
+ElementSums sum_over_elements(const Assemblage& a, const State& s) {
+    ElementSums total;
+    for (const GrainChunk& chunk : a.grain_chunks) {
+        total += sum_over(chunk.elements, [&](std::int32_t e) {
+            const TriangleGeometry g = a.element_geometry[e];
+            const TriangleState t = element_state(a, e, s);
+            const TriangleForces f = triangle_forces(g, t);
+            return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+        });
+    }
+    return total;
+}
+
+void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const State& s, Energies& energies) {
+    energies.contact += stored_in_contacts(a, laws, s);
     energies.friction +=
         std::accumulate(s.contact_pairs.friction.begin(), s.contact_pairs.friction.end(), s.contact_pairs.friction_before);
     for (const ContactSums& sums : s.contact_sums) {
@@ -121,16 +128,34 @@ void add_contact_energies(const Assemblage& a, const ContactLaw& law, const Stat
     }
 }
 
+/// What the platens do: energy they keep (J), work of the last half step (J), power (W), forces along y (N).
+struct PlatenSums {
+    double energy = 0, half_work = 0, power = 0;
+    std::array<double, 2> force{};
+    PlatenSums& operator+=(const PlatenSums& other) {
+        energy += other.energy;
+        half_work += other.half_work;
+        power += other.power;
+        force[bottom_platen] += other.force[bottom_platen];
+        force[top_platen] += other.force[top_platen];
+        return *this;
+    }
+};
 void add_platen_energies(const Boundary& boundary, double time_step, const State& s, Measurement& m) {
-    for (const PlatenPoint& point : s.platen_points) {
+    const PlatenSums sums = sum_over(boundary.platen_points_of_chunk, [&](std::int32_t i) {
+        const PlatenPoint& point = s.platen_points[i];
         const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
                                                  s.loading.platen_displacement[point.platen]);
-        m.energies.platen += r.stored + r.friction;
         const double increment = s.loading.increment_before[point.platen];
-        m.energies.external += 0.5 * r.force.y * increment;
-        m.platen_power += r.force.y * increment / time_step;
-        (static_cast<std::size_t>(point.platen) == top_platen ? m.force_top : m.force_bottom) += r.force.y;
-    }
+        PlatenSums of_point{r.stored + r.friction, 0.5 * r.force.y * increment, r.force.y * increment / time_step};
+        of_point.force[point.platen] = r.force.y;
+        return of_point;
+    });
+    m.energies.platen += sums.energy;
+    m.energies.external += sums.half_work;
+    m.platen_power += sums.power;
+    m.force_bottom += sums.force[bottom_platen];
+    m.force_top += sums.force[top_platen];
 }
 
 void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
@@ -142,42 +167,43 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
         m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
-    for (const double pressing : s.prescribed.pressing) {
-        m.membrane_force += std::abs(pressing);  // two ends an edge, two sides: the mean of the sides
-    }
+    // Two ends an edge, two sides: the mean of the sides.
+    m.membrane_force += sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) { return std::abs(s.prescribed.pressing[i]); });
 }
 
 /// Motions, tractions, damage and states of all contact points, into a frame.
 template <class Law>
-void add_contacts(const Assemblage& a, const ContactLaw& law, const State& s, Frame& frame) {
+void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, Frame& frame) {
     for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) {
-        pairs->resize(a.contacts.size());
+        pairs->resize(a.n_contacts());
     }
-    frame.traction.resize(a.contacts.size());
-    frame.state.resize(a.contacts.size());
-    for (std::size_t point = 0; point < 2 * a.contacts.size(); ++point) {
-        const std::size_t c = point / 2;
-        const std::size_t end = point % 2;
-        const ContactHistory h = point_history(s, point);
-        const bool released = s.contact_pairs.released[c] != 0;  // node–edge contacts carry its load
-        const ContactTraction t = released ? ContactTraction{} : contact_law::update<Law>(law, h.motion, h).traction;
-        frame.opening[c][end] = h.motion.opening;
-        frame.sliding[c][end] = h.motion.sliding;
-        frame.traction[c][2 * end] = t.normal;
-        frame.traction[c][2 * end + 1] = t.shear;
-        frame.damage[c][end] = contact_law::damage<Law>(law, h);
-        frame.state[c][end] = static_cast<std::uint8_t>(point_state(h));
-    }
+    frame.traction.resize(a.n_contacts());
+    frame.state.resize(a.n_contacts());
+    for_each_contact(a, [&](std::int32_t place, std::int32_t contact_class) {
+        const ContactLaw& law = laws[contact_class];
+        const std::int32_t c = a.specimen_contact[place];
+        const double strength = a.contacts[place].strength;
+        const bool released = s.contact_pairs.released[place] != 0;  // node–edge contacts carry its load
+        for (std::size_t end = 0; end < 2; ++end) {
+            const ContactHistory h = point_history(s, points_of(place)[end]);
+            const ContactTraction t = released ? ContactTraction{} : contact_law::update<Law>(law, h.motion, h).traction;
+            frame.opening[c][end] = strength * h.motion.opening;
+            frame.sliding[c][end] = strength * h.motion.sliding;
+            frame.traction[c][2 * end] = strength * t.normal;
+            frame.traction[c][2 * end + 1] = strength * t.shear;
+            frame.damage[c][end] = contact_law::damage<Law>(law, h);
+            frame.state[c][end] = static_cast<std::uint8_t>(point_state(h));
+        }
+    });
 }
 
 }  // namespace
 
 double Gauge::strain(const std::vector<Vector2>& displacement) const {
-    double sum = 0;
-    for (const Term& term : terms) {
-        sum += term.weight * (along_y ? displacement[term.node].y : displacement[term.node].x);
-    }
-    return sum;
+    return sum_over(of_chunk, [&](std::int32_t i) {
+        const Vector2& u = displacement[terms[i].node];
+        return terms[i].weight * (along_y ? u.y : u.x);
+    });
 }
 
 Gauges make_gauges(const Assemblage& a, const Specimen& s) {
@@ -188,12 +214,15 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
             central.push_back(i);
         }
     }
-    Gauges gauges{slope_gauge(a, true, central), slope_gauge(a, false, central), {false, {}}};
+    Gauges gauges{slope_gauge(a, true, central), slope_gauge(a, false, central), {}};
     for (const double side : {-1.0, 1.0}) {
         const std::vector<std::int32_t> nodes = lateral_nodes(a, s, side);
         for (const std::int32_t i : nodes) {
             gauges.widening.terms.push_back({i, side / (static_cast<double>(nodes.size()) * s.width)});
         }
+    }
+    for (Gauge* gauge : {&gauges.axial, &gauges.lateral, &gauges.widening}) {
+        cut_terms(a, *gauge);
     }
     return gauges;
 }
@@ -203,11 +232,11 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
         sum_nodal_forces(a, boundary, s.loading, block, s);
     }
-    double unbalanced = 0;
-    double element_force = 0;
-    m.energies.strain = strain_energy(a, s, element_force);
+    const ElementSums elements = sum_over_elements(a, s);
+    m.energies.strain = elements.energy;
     find_damping_forces(a, parameters, s);
-    m.own_kinetic = kinetic_energy(a, parameters, s, unbalanced);
+    m.own_kinetic = kinetic_energy(a, parameters, s);
+    const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.chunks.size()); ++block) {
@@ -218,8 +247,8 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
         m.energies.numerical += sums.platen_loss;
         m.energies.external += sums.platen_work;
     }
-    m.unbalanced_ratio = element_force > 0 ? unbalanced / element_force : 0;
-    add_contact_energies(a, parameters.law, s, m.energies);
+    m.unbalanced_ratio = elements.force > 0 ? unbalanced / elements.force : 0;
+    add_contact_energies(a, parameters.laws, s, m.energies);
     add_platen_energies(boundary, parameters.time_step, s, m);
     add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
     for (const GrainSums& sums : s.grain_sums) {
@@ -230,47 +259,57 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     return m;
 }
 
-void add_stored_in_contacts(const Assemblage& a, const ContactLaw& law, const State& s, double& energy) {
-    contact_law::with_law(law.variant, [&](auto kind) {
-        for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-            if (s.contact_pairs.released[c] != 0) {
-                continue;
-            }
-            double of_points = 0;  // per area
-            for (const std::size_t point : {2 * c, 2 * c + 1}) {
-                of_points += decltype(kind)::stored_energy(law, point_history(s, point));
-            }
-            energy += a.contacts[c].point_area * of_points;
+double stored_in_contacts(const Assemblage& a, const ContactLaws& laws, const State& s) {
+    double energy = stored_in_active_contacts(a, laws, s.contact_pairs);
+    contact_law::with_law(laws.variant(), [&](auto kind) {
+        for (const ContactChunk& chunk : a.contact_chunks) {
+            const ContactLaw& law = laws[chunk.contact_class];
+            energy += sum_over(chunk.contacts, [&](std::int32_t c) {
+                const auto [first, second] = points_of(c);
+                const double of_points = decltype(kind)::stored_energy(law, point_history(s, first)) +
+                                         decltype(kind)::stored_energy(law, point_history(s, second));  // per area, over s²
+                const double strength = a.contacts[c].strength;
+                return s.contact_pairs.released[c] != 0 ? 0 : strength * strength * a.contacts[c].point_area * of_points;
+            });
         }
     });
+    return energy;
 }
 
-double near_failure(const Assemblage& a, const ContactLaw& law, const State& s) {
+double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s) {
     std::size_t near = 0;
-    contact_law::with_law(law.variant, [&](auto kind) {
-        for (std::size_t i = 0; i < 2 * a.contacts.size(); ++i) {
-            const double opening = s.opening[i];
-            const double sliding = s.sliding[i];
-            if (s.failed[i] == 0) {
-                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
-                near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
-            } else if (law.softens_in_shear && s.residual[i] == 0) {
-                near += 1;  // it loses cohesion as it slides on
-            } else if (opening < 0 && s.contact_pairs.released[i / 2] == 0) {
-                const double limit = contact_law::residual_limit(law, -law.kt * opening);
-                near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
+    contact_law::with_law(laws.variant(), [&](auto kind) {
+        for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
+            const ContactLaw& law = laws[contact_class];
+            for (const std::size_t i : points_of(c)) {
+                const double opening = s.opening[i];
+                const double sliding = s.sliding[i];
+                if (s.failed[i] == 0) {
+                    const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
+                    near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+                } else if (law.softens_in_shear && s.residual[i] == 0) {
+                    near += 1;  // it loses cohesion as it slides on
+                } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
+                    const double limit = contact_law::residual_limit(law, -law.kt * opening);
+                    near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
+                }
             }
-        }
+        });
     });
-    for (const NodeEdgeContact& contact : s.contact_pairs.contacts) {
-        const double limit = contact_law::residual_limit(law, law.kt * contact.overlap);
-        near += contact.active && contact.overlap > 0 && std::abs(law.ks * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
+    const ContactPairList& list = s.contact_pairs;
+    for (std::size_t i = 0; i < list.contacts.size(); ++i) {
+        const NodeEdgeContact& contact = list.contacts[i];
+        if (contact.active && contact.overlap > 0) {
+            const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
+            const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
+            near += std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
+        }
     }
-    const double half_a_line = 0.5 * std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(a.contacts.size(), 1)));
+    const double half_a_line = 0.5 * std::sqrt(2.0 * std::max(a.n_contacts(), 1));
     return std::min(1.0, static_cast<double>(near) / half_a_line);
 }
 
-Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
+Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s) {
     Frame frame;
     frame.time = s.time;
     frame.step = s.step;
@@ -279,12 +318,9 @@ Frame make_frame(const Assemblage& a, const ContactLaw& law, const State& s) {
         frame.velocity.push_back({s.velocity[i].x, s.velocity[i].y});
     }
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
-        const auto [n0, n1, n2] = a.element_nodes[e];
-        frame.element_stress.push_back(triangle_stress(
-            a.elasticity, triangle_state(a.element_geometry[e], a.elasticity, s.displacement[n1] - s.displacement[n0],
-                                         s.displacement[n2] - s.displacement[n0])));
+        frame.element_stress.push_back(triangle_stress(a.elasticity[e], element_state(a, e, s)));
     }
-    contact_law::with_law(law.variant, [&](auto kind) { add_contacts<decltype(kind)>(a, law, s, frame); });
+    contact_law::with_law(laws.variant(), [&](auto kind) { add_contacts<decltype(kind)>(a, laws, s, frame); });
     return frame;
 }
 

@@ -1,4 +1,5 @@
-// What a run measures at an instant: energies, forces of the platens, strains. Serial, in fixed order.
+// What a run measures at an instant: energies, forces of the platens, strains. Sums are made by chunk and totalled in the order
+// of chunks.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,8 @@ struct Gauge {
         double weight;  ///< 1/m
     };
     bool along_y = false;
-    std::vector<Term> terms;
+    std::vector<Term> terms;      ///< ascending by node
+    std::vector<Range> of_chunk;  ///< by chunk of grains: its terms
     [[nodiscard]] double strain(const std::vector<Vector2>& displacement) const;
 };
 
@@ -60,16 +62,16 @@ struct Measurement {
 /// `state.force` is used as scratch.
 Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
 
-/// Adds to `energy` what is stored in the contacts that have not been released to node–edge contacts, J, contact by contact.
-void add_stored_in_contacts(const Assemblage& assemblage, const ContactLaw& law, const State& state, double& energy);
+/// Stored in contacts and in node–edge contacts, J.
+double stored_in_contacts(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
 
 /// How much of a line across the specimen is near failure or slides, 0 to 1: contact points that would fail if their jumps grew
 /// by a quarter, closed failed ones whose friction has reached half its limit, and node–edge contacts of which that is true; over
 /// half the root of the number of contact points, about as many as stand on half a line across. A line is what it takes: one
 /// joint that slides lets the whole specimen move. Pure.
-double near_failure(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
 
 /// The state as a frame of the run file, in the specimen's own order.
-Frame make_frame(const Assemblage& assemblage, const ContactLaw& law, const State& state);
+Frame make_frame(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
 
 }  // namespace graincrack

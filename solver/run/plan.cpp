@@ -25,9 +25,9 @@ std::size_t size_of_frame(const Frame& frame) {
 std::size_t size_of_arrays(const Specimen& specimen) {
     const auto& [shape, width, height, tessellation, seed, elements_per_edge, loading_arc, statistics, node_position,
                  element_nodes, element_grain, grain_phase, grain_area, contact_nodes, contact_grain_boundary, contact_kind,
-                 boundary_edges, boundary_part, phase_names, part_names] = specimen;
+                 contact_strength_factor, boundary_edges, boundary_part, phase_names, part_names] = specimen;
     return memory_of_all(node_position, element_nodes, element_grain, grain_phase, grain_area, contact_nodes,
-                         contact_grain_boundary, contact_kind, boundary_edges, boundary_part);
+                         contact_grain_boundary, contact_kind, contact_strength_factor, boundary_edges, boundary_part);
 }
 
 /// The specimen once more as VTK reads it: points, connectivity, offsets and types of its cells, and their three numbers.
@@ -79,10 +79,10 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     const LoadingLength length = driver.longest(plan.time_step);
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     plan.rows = length.rows;
-    const std::size_t points = state.failed.size();
+    const std::size_t points = 2 * specimen.n_contacts();
     plan.file.specimen = size_of_arrays(specimen) + size_of_vtk_view(specimen);
     plan.file.row = history_datasets.size() * sizeof(double) + driver.size_of_row();
-    plan.file.frame = size_of_frame(make_frame(setup.assemblage, setup.parameters.law, state));
+    plan.file.frame = size_of_frame(make_frame(setup.assemblage, setup.parameters.laws, state));
     plan.file.crack = size_of_crack();
     plan.file.saved_state = request.save_state ? size_of_saved_state(state) : 0;
     plan.file_size = plan.file.total(plan.rows, FrameOutput::max_frames(std::abs(request.frames)), points);

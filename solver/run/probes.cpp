@@ -29,44 +29,69 @@ Vector2 centre_of(const Assemblage& a, std::int32_t element) {
     return (1.0 / 3) * (a.position[n0] + a.position[n1] + a.position[n2]);
 }
 
-Vector2 mean_displacement(const std::vector<std::int32_t>& nodes, const State& s) {
-    Vector2 sum;
-    for (const std::int32_t i : nodes) {
-        sum += s.displacement[i];
+/// Σ `of_item(index)` over ascending indices of nodes or elements, by the chunk of grains they belong to.
+/// \param of_chunk member of `GrainChunk` with the indices of a chunk
+template <class OfItem>
+auto sum_over_listed(const Assemblage& a, const std::vector<std::int32_t>& indices, Range GrainChunk::*of_chunk,
+                     const OfItem& of_item) {
+    decltype(of_item(0)) total{};
+    std::size_t at = 0;
+    for (const GrainChunk& chunk : a.grain_chunks) {
+        decltype(of_item(0)) sum{};
+        for (; at < indices.size() && indices[at] < (chunk.*of_chunk).end; ++at) {
+            sum += of_item(indices[at]);
+        }
+        total += sum;
     }
-    return (1 / static_cast<double>(nodes.size())) * sum;
+    return total;
+}
+
+Vector2 mean_displacement(const Assemblage& a, const std::vector<std::int32_t>& nodes, const State& s) {
+    return (1 / static_cast<double>(nodes.size())) *
+           sum_over_listed(a, nodes, &GrainChunk::nodes, [&](std::int32_t i) { return s.displacement[i]; });
 }
 
 Vector2 force_of_control(std::int32_t condition, const PrescribedConditions& prescribed, const State& s) {
-    Vector2 force;
-    for (std::size_t i = 0; i < prescribed.nodes.size(); ++i) {
+    const Vector2 on_nodes = sum_over(prescribed.nodes_of_chunk, [&](std::int32_t i) {
         const PrescribedState::Node& node = s.prescribed.nodes[i];
-        force += {prescribed.nodes[i].condition[0] == condition ? node.reaction.x : 0,
-                  prescribed.nodes[i].condition[1] == condition ? node.reaction.y : 0};
-    }
-    for (std::size_t i = 0; i < prescribed.edges.size(); ++i) {
-        force += prescribed.edges[i].condition == condition ? 2.0 * s.prescribed.load[i] : Vector2{};
-    }
-    return force;
+        return Vector2{prescribed.nodes[i].condition[0] == condition ? node.reaction.x : 0,
+                       prescribed.nodes[i].condition[1] == condition ? node.reaction.y : 0};
+    });
+    return on_nodes + sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) {
+               return prescribed.edges[i].condition == condition ? 2.0 * s.prescribed.load[i] : Vector2{};
+           });
 }
 
-std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
-    std::vector<double> sum(4, 0.0);
+/// Integral of the stress of elements (xx yy xy zz) and their area.
+struct StressSum {
+    std::array<double, 4> stress{};
     double area = 0;
-    for (const std::int32_t e : elements) {
-        const auto [n0, n1, n2] = a.element_nodes[e];
-        const TriangleGeometry& g = a.element_geometry[e];
-        const auto stress = triangle_stress(a.elasticity, triangle_state(g, a.elasticity, s.displacement[n1] - s.displacement[n0],
-                                                                         s.displacement[n2] - s.displacement[n0]));
-        for (std::size_t k = 0; k < 4; ++k) {
-            sum[k] += g.area * stress[k];
+    StressSum& operator+=(const StressSum& other) {
+        for (std::size_t k = 0; k < stress.size(); ++k) {
+            stress[k] += other.stress[k];
         }
-        area += g.area;
+        area += other.area;
+        return *this;
     }
-    for (double& component : sum) {
-        component /= area;
+};
+std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
+    const StressSum sum = sum_over_listed(a, elements, &GrainChunk::elements, [&](std::int32_t e) {
+        const auto [n0, n1, n2] = a.element_nodes[e];
+        const TriangleGeometry g = a.element_geometry[e];
+        const PlaneElasticity c = a.elasticity[e];
+        StressSum of_element{triangle_stress(c, triangle_state(g, c, s.displacement[n1] - s.displacement[n0],
+                                                               s.displacement[n2] - s.displacement[n0])),
+                             g.area};
+        for (double& component : of_element.stress) {
+            component *= g.area;
+        }
+        return of_element;
+    });
+    std::vector<double> mean(sum.stress.begin(), sum.stress.end());
+    for (double& component : mean) {
+        component /= sum.area;
     }
-    return sum;
+    return mean;
 }
 
 ProbeHistory empty_history(const std::string& name, const std::vector<ProbeColumn>& columns) {
@@ -126,7 +151,7 @@ void Probes::push(std::size_t probe, const std::vector<double>& row) {
 void Probes::record(const Assemblage& a, const Boundary& boundary, const State& s) {
     std::size_t probe = 0;
     for (std::size_t c = 0; c < nodes_of_boundary_.size(); ++c) {
-        const Vector2 u = mean_displacement(nodes_of_boundary_[c], s);
+        const Vector2 u = mean_displacement(a, nodes_of_boundary_[c], s);
         const Vector2 force = force_of_control(static_cast<std::int32_t>(c), boundary.prescribed, s);
         push(probe++, {u.x, u.y, force.x, force.y});
     }

@@ -196,7 +196,7 @@ void read_array(const H5Input& file, const std::string& name, std::optional<std:
 
 bool same_mesh(const Specimen& a, const Specimen& b) {
     return a.node_position == b.node_position && a.element_nodes == b.element_nodes && a.contact_nodes == b.contact_nodes &&
-           a.element_grain == b.element_grain;
+           a.element_grain == b.element_grain && a.grain_phase == b.grain_phase;
 }
 
 /// Arrays that have as many rows as their lists are long; all others have those that they have in a new state.
@@ -211,7 +211,6 @@ bool is_list(std::string_view name) {
 /// \throws InputError where a state cannot go on as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
     const RunHeader& old = run.header();
-    const Rock& rock = request.material.rock;
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
     if (!run.file().has(schema::state_group)) {
         refuse("keeps no state to start from; make it with --save-state or --checkpoint-every");
@@ -219,9 +218,8 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     if (!same_mesh(run.specimen(), specimen)) {
         refuse("is a run of another specimen; give the one it was made from, or itself");
     }
-    if (old.plane != request.plane || old.rock.young_modulus != rock.young_modulus ||
-        old.rock.poisson_ratio != rock.poisson_ratio || old.rock.density != rock.density) {
-        refuse("has another rock or plane condition; they must stay what they are");
+    if (old.plane != request.plane || old.fabric.phases != setup.fabric.phases) {
+        refuse("has other phases, another rock or plane condition; they must stay what they are");
     }
     if (old.contact_law != name_of(request.law)) {
         refuse(fmt::format("has the contact law {}, not {}, whose histories are others; --contact-law {} fits", old.contact_law,
@@ -256,20 +254,14 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
     }
 }
 
-double stored_in_contacts(const Assemblage& a, const ContactLaw& law, const State& s) {
-    double energy = stored_in_active_contacts(law, s.contact_pairs);
-    add_stored_in_contacts(a, law, s, energy);
-    return energy;
-}
-
 /// Other contact values change what is stored: that is work from outside.
 void book_change(const std::string& name, const RunHeader& old, const Setup& setup, State& s) {
     const auto& laws = all_contact_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
-    const ContactLaw before =
-        make_contact_law(old.contact, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
+    const ContactLaws before =
+        make_contact_laws(old.fabric.contacts, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
     const double change =
-        stored_in_contacts(setup.assemblage, setup.parameters.law, s) - stored_in_contacts(setup.assemblage, before, s);
+        stored_in_contacts(setup.assemblage, setup.parameters.laws, s) - stored_in_contacts(setup.assemblage, before, s);
     if (!std::isfinite(change)) {
         throw InputError(name + ": its contact values store no energy that is a number: the file is damaged");
     }
@@ -386,7 +378,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     complete_cluster_state(setup.parameters.mass_scaling, s);
-    resume_active(setup.assemblage, s.contact_pairs);
+    resume_active(setup.assemblage, setup.parameters.laws, s.contact_pairs);
     const RunHeader& old = run.header();
     if (old.time_step != setup.parameters.time_step) {
         s.origin_step = s.step;

@@ -52,6 +52,7 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.plane = r.plane;
     h.rock = r.material.rock;
     h.contact = r.contact;
+    h.fabric = setup.fabric;
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
     h.rate = r.loading.test == TestKind::program ? "program" : name_of(r.loading.rate);
@@ -83,7 +84,7 @@ public:
           transit_time_(bar_transit_time(specimen, request.material.rock)),
           driver_(program_, request.loading.test, assemblage_, specimen, request.material.rock),
           state_(make_state(assemblage_, boundary_, specimen)),
-          crack_log_(state_.failed.size()),
+          crack_log_(2 * specimen.n_contacts()),
           header_(make_header(request, program_, setup_)),
           progress_(label, verbosity),
           verbosity_(verbosity),
@@ -142,13 +143,13 @@ public:
 
     /// Completes the file.
     void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
-        frames_->last(assemblage_, parameters_.law, state_);
+        frames_->last(assemblage_, parameters_.laws, state_);
         append_rows();
         driver_.write(writer_->file());
         if (request_.save_state) {
             write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_balance_error_);
         }
-        writer_->finish(header_, crack_log_.rows(state_), provenance, sensitivity);
+        writer_->finish(header_, crack_log_.rows(assemblage_, state_), provenance, sensitivity);
         if (!checkpoint_.empty()) {
             std::remove(checkpoint_.c_str());  // of this run, or of one before that was stopped
         }
@@ -189,7 +190,7 @@ private:
         writer.append_history(history_);
         driver_.append(writer.file(), 0);
         driver_.write(writer.file());
-        const FrameProgress frames = frames_->save(assemblage_, parameters_.law, state_, writer);
+        const FrameProgress frames = frames_->save(assemblage_, parameters_.laws, state_, writer);
         write_saved_state(writer.file(), state_, driver_.saved(state_.time), largest_balance_error_);
         write_frame_progress(writer.file(), frames);
         RunHeader header = header_;
@@ -201,7 +202,7 @@ private:
         provenance.tool = "graincrack-solve";
         provenance.threads = team_.size();
         provenance.vector_target = name_of(assemblage_.vector_target);
-        writer.finish(header, crack_log_.rows(state_), provenance);
+        writer.finish(header, crack_log_.rows(assemblage_, state_), provenance);
     }
 
     /// Goes on where this very run was, after its last row.
@@ -240,7 +241,7 @@ private:
         const Measurement m = measure(assemblage_, boundary_, parameters_, state_);
         check_stability(m.energies);
         last_axial_stress_ = axial_stress(specimen_, -m.force_bottom, m.force_top);
-        follow_damping_load(state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
+        follow_damping_load(assemblage_, state_, m.platen_power, mean_transits * transit_time_, state_.damping_load);
         push_row(m);
         rate_ = rate_measures(m);
         driver_.note(view());
@@ -248,9 +249,9 @@ private:
         const bool is_highest = counts && absolute_stress() > peak_;
         peak_ = is_highest ? absolute_stress() : peak_;
         if (writer_) {
-            frames_->peak(is_highest, counts && absolute_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.law,
+            frames_->peak(is_highest, counts && absolute_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.laws,
                           state_);
-            frames_->regular(driver_.progress(view()), assemblage_, parameters_.law, state_);
+            frames_->regular(driver_.progress(view()), assemblage_, parameters_.laws, state_);
             if (history_.size() % 500 == 0) {
                 append_rows();
             }
@@ -273,7 +274,7 @@ private:
         rate.unbalanced_ratio = m.unbalanced_ratio;
         rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
         rate.damping_load = state_.damping_load.share();
-        rate.near_failure = near_failure(assemblage_, parameters_.law, state_);
+        rate.near_failure = near_failure(assemblage_, parameters_.laws, state_);
         return rate;
     }
 

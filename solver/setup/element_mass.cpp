@@ -26,11 +26,11 @@ double largest_eigenvalue(const Matrix6& m) {
 }
 
 /// Largest ω² of each element, 1/s².
-std::vector<double> squared_frequencies(const Assemblage& a, double density) {
+std::vector<double> squared_frequencies(const Assemblage& a) {
     std::vector<double> squared;
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
         const TriangleGeometry g = a.element_geometry[e];
-        squared.push_back(largest_eigenvalue(stiffness_of(g, a.elasticity)) / (density * g.area / 3));
+        squared.push_back(largest_eigenvalue(stiffness_of(g, a.elasticity[e])) / (a.element_mass[e] / 3));
     }
     return squared;
 }
@@ -38,14 +38,13 @@ std::vector<double> squared_frequencies(const Assemblage& a, double density) {
 /// The ω² that no element is above once `share` of all mass has been added to those that were.
 double level(const Assemblage& a, const std::vector<double>& squared, double share) {
     const auto added = [&](double wanted) {
-        double area = 0;
+        double mass = 0;
         double sum = 0;
         for (std::size_t e = 0; e < squared.size(); ++e) {
-            const double own = a.element_geometry[e].area;
-            area += own;
-            sum += (std::max(1.0, squared[e] / wanted) - 1) * own;
+            mass += a.element_mass[e];
+            sum += (std::max(1.0, squared[e] / wanted) - 1) * a.element_mass[e];
         }
-        return sum / area;
+        return sum / mass;
     };
     double high = *std::max_element(squared.begin(), squared.end());
     double low = high / (1 + share);  // which adds no more than that
@@ -62,16 +61,16 @@ double level(const Assemblage& a, const std::vector<double>& squared, double sha
 
 }  // namespace
 
-double scale_mass_of_stiffest_elements(Assemblage& a, double density, double share) {
+double scale_mass_of_stiffest_elements(Assemblage& a, double share) {
     if (a.element_nodes.empty() || share <= 0) {
         return 0;
     }
-    const std::vector<double> squared = squared_frequencies(a, density);
+    const std::vector<double> squared = squared_frequencies(a);
     const double common = level(a, squared, share);
     double before = 0;
     double added = 0;
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
-        const double mass = density * a.element_geometry[e].area / 3;
+        const double mass = a.element_mass[e] / 3;
         const double more = (std::max(1.0, squared[e] / common) - 1) * mass;
         for (const std::int32_t node : a.element_nodes[e]) {
             a.mass[node] += more;

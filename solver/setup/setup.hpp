@@ -9,6 +9,7 @@
 namespace graincrack {
 
 struct Setup {
+    Fabric fabric;
     Assemblage assemblage;
     Boundary boundary;
     StepParameters parameters;

@@ -23,7 +23,7 @@ void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vecto
         const double exx = d1.x * g.gradient1.x + d2.x * g.gradient2.x;
         const double eyy = d1.y * g.gradient1.y + d2.y * g.gradient2.y;
         const double gxy = d1.x * g.gradient1.y + d2.x * g.gradient2.y + d1.y * g.gradient1.x + d2.y * g.gradient2.x;
-        const PlaneElasticity& c = a.elasticity;
+        const PlaneElasticity c = a.elasticity[e];
         const TriangleState unrotated{1,         0, exx, eyy, 0.5 * gxy, c.c11 * exx + c.c12 * eyy, c.c12 * exx + c.c11 * eyy,
                                       c.mu * gxy};
         const TriangleForces forces = triangle_forces(g, unrotated);
@@ -33,8 +33,10 @@ void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vecto
     }
 }
 
-void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
-    for (const ContactGeometry& g : a.contacts) {
+void add_contacts(const Assemblage& a, const ContactLaws& laws, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
+    for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
+        const ContactGeometry& g = a.contacts[c];
+        const ContactLaw& law = laws[contact_class];
         const Vector2 t = (1 / (2 * g.point_area)) * g.edge;
         const Vector2 n{t.y, -t.x};
         for (int p = 0; p < 2; ++p) {
@@ -46,12 +48,31 @@ void add_contacts(const Assemblage& a, const ContactLaw& law, const std::vector<
             y[on_b] += force;
             y[on_a] -= force;
         }
+    });
+}
+
+/// Largest stiffnesses of the contacts that grains of a phase can have, Pa/m.
+struct ContactStiffness {
+    double normal = 0, shear = 0;
+};
+std::vector<ContactStiffness> stiffest_by_phase(const ContactLaws& laws) {
+    std::vector<ContactStiffness> stiffest;
+    for (std::size_t high = 0; contact_class(high, 0) < laws.of_class.size(); ++high) {
+        stiffest.emplace_back();
+        for (std::size_t low = 0; low <= high; ++low) {
+            const ContactLaw& law = laws.of_class[contact_class(high, low)];
+            for (const std::size_t phase : {low, high}) {
+                stiffest[phase] = {std::max(stiffest[phase].normal, law.kt), std::max(stiffest[phase].shear, law.ks)};
+            }
+        }
     }
+    return stiffest;
 }
 
 /// A free face may be touched by another grain, if there is one: by as much as a bond would hold it.
-void add_free_faces(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,
+void add_free_faces(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, const std::vector<Vector2>& x,
                     std::vector<Vector2>& y) {
+    const std::vector<ContactStiffness> stiffest = stiffest_by_phase(laws);
     std::vector<bool> has_platen(a.position.size(), false);
     for (const PlatenPoint& point : boundary.platen_points) {
         has_platen[point.node] = has_platen[point.node] || point.on_boundary;
@@ -70,7 +91,8 @@ void add_free_faces(const Assemblage& a, const Boundary& boundary, const Contact
         const Vector2 n{t.y, -t.x};
         for (const std::int32_t node : edge.nodes) {
             if (!has_platen[node]) {
-                y[node] += (half * law.kt * dot(x[node], n)) * n + (half * law.ks * dot(x[node], t)) * t;
+                const ContactStiffness& k = stiffest[a.phase_of_node[node]];
+                y[node] += (half * k.normal * dot(x[node], n)) * n + (half * k.shear * dot(x[node], t)) * t;
             }
         }
     }
@@ -86,12 +108,8 @@ void add_platens(const Boundary& boundary, const std::vector<Vector2>& x, std::v
     }
 }
 
-double dot(const std::vector<Vector2>& a, const std::vector<Vector2>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        sum += graincrack::dot(a[i], b[i]);
-    }
-    return sum;
+double dot(const Assemblage& a, const std::vector<Vector2>& x, const std::vector<Vector2>& y) {
+    return sum_over_nodes(a, [&](std::int32_t i) { return graincrack::dot(x[i], y[i]); });
 }
 
 /// A start vector with a part in every mode: a fixed sequence without pattern.
@@ -111,11 +129,11 @@ std::vector<Vector2> start_vector(std::size_t n) {
 
 }  // namespace
 
-void apply_stiffness(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, const std::vector<Vector2>& x,
+void apply_stiffness(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, const std::vector<Vector2>& x,
                      std::vector<Vector2>& y) {
     std::fill(y.begin(), y.end(), Vector2{});
     add_elements(a, x, y);
-    add_contacts(a, law, x, y);
+    add_contacts(a, laws, x, y);
     add_platens(boundary, x, y);
 }
 
@@ -134,7 +152,7 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
     std::vector<Vector2> next(n);
     std::vector<double> diagonal;
     std::vector<double> beside;
-    double beta = std::sqrt(dot(current, current));
+    double beta = std::sqrt(dot(a, current, current));
     for (Vector2& x : current) {
         x = (1 / beta) * x;
     }
@@ -148,11 +166,11 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
         for (std::size_t i = 0; i < n; ++i) {
             next[i] = root[i] * next[i] - beta * previous[i];
         }
-        diagonal.push_back(dot(next, current));
+        diagonal.push_back(dot(a, next, current));
         for (std::size_t i = 0; i < n; ++i) {
             next[i] -= diagonal.back() * current[i];
         }
-        beta = std::sqrt(dot(next, next));
+        beta = std::sqrt(dot(a, next, next));
         const bool exhausted = beta <= 1e-12 * diagonal.front() || k == static_cast<int>(2 * n);
         if (k % check_every == 0 || exhausted) {
             Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
@@ -177,9 +195,9 @@ double stiffest_grain(const Assemblage& a) {
     return largest_eigenvalue(a, [&](const std::vector<Vector2>& x, std::vector<Vector2>& y) { add_elements(a, x, y); });
 }
 
-double stiffest_contact(const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {
+double stiffest_contact(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws) {
     return largest_eigenvalue(a, [&](const std::vector<Vector2>& x, std::vector<Vector2>& y) {
-        add_contacts(a, law, x, y);
+        add_contacts(a, laws, x, y);
         add_platens(boundary, x, y);
     });
 }
@@ -193,25 +211,25 @@ double stiffest_contact(const Assemblage& a, const Boundary& boundary, const Con
 // with the stiffness K_g of grains and K_c of contacts and platens, so ω² ≤ max((1 + ε) ω_g², [(1 + 1/ε) ω_g² + ω_c²]/(1 + β)),
 // least where the two are equal. It holds for any groups, and contacts that are gone only take from K_c.
 
-double stable_time_step(const Assemblage& a, const Boundary& boundary, const ContactLaw& law, double mass_scaling_factor) {
+double stable_time_step(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, double mass_scaling_factor) {
     if (mass_scaling_factor == 0) {
         return 2 / std::sqrt(largest_eigenvalue(a, [&](const std::vector<Vector2>& x, std::vector<Vector2>& y) {
                    add_elements(a, x, y);
-                   add_contacts(a, law, x, y);
-                   add_free_faces(a, boundary, law, x, y);
+                   add_contacts(a, laws, x, y);
+                   add_free_faces(a, boundary, laws, x, y);
                    add_platens(boundary, x, y);
                }));
     }
     const double beta = mass_scaling_factor;
     const double grain = stiffest_grain(a);
-    const double p = beta - stiffest_contact(a, boundary, law) / grain;
+    const double p = beta - stiffest_contact(a, boundary, laws) / grain;
     const double epsilon = (std::sqrt(p * p + 4 * (1 + beta)) - p) / (2 * (1 + beta));
     return 2 / std::sqrt((1 + epsilon) * grain);
 }
 
-double sufficient_mass_scaling(const Assemblage& a, const Boundary& boundary, const ContactLaw& law) {
+double sufficient_mass_scaling(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws) {
     constexpr double epsilon = 0.1;
-    const double ratio = stiffest_contact(a, boundary, law) / stiffest_grain(a);
+    const double ratio = stiffest_contact(a, boundary, laws) / stiffest_grain(a);
     return (1 + 1 / epsilon + ratio) / (1 + epsilon) - 1;
 }
 

@@ -11,9 +11,12 @@ namespace {
 constexpr std::int32_t n = contacts_per_chunk;
 static_assert(n % sum_lanes == 0);
 
-/// A chunk's contacts side by side, and their points: 2 i + p.
+/// A chunk's contacts side by side, and their points: 2 i + p. Motions, tractions and energies of points are those of the law of
+/// the class (see `ContactGeometry::strength`): motions and tractions over s, energies over s².
 struct Lanes {
     alignas(64) double edge_x[n], edge_y[n], area[n];
+    alignas(64) double strength[n];                    ///< s
+    alignas(64) double force_area[n], energy_area[n];  ///< area times s and s²
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
     alignas(64) double jump_x[2 * n], jump_y[2 * n];
     alignas(64) double opening[2 * n], sliding[2 * n];
@@ -48,6 +51,7 @@ void gather(const Assemblage& a, const State& s, Range range, Lanes& b) {
         b.edge_x[i] = g.edge.x + turn.x;
         b.edge_y[i] = g.edge.y + turn.y;
         b.area[i] = g.point_area;
+        b.strength[i] = g.strength;
         b.jump_x[2 * i] = ub1.x - ua1.x;
         b.jump_x[2 * i + 1] = ub2.x - ua2.x;
         b.jump_y[2 * i] = ub1.y - ua1.y;
@@ -69,11 +73,11 @@ void prefetch(const T* data, std::size_t count) {
 void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t chunk) {
     const auto n_chunks = static_cast<std::int32_t>(a.contact_chunks.size());
     if (chunk + 2 < n_chunks) {
-        const Range later = a.contact_chunks[chunk + 2];
+        const Range later = a.contact_chunks[chunk + 2].contacts;
         prefetch(&a.contacts[later.begin], static_cast<std::size_t>(later.size()));
     }
     if (chunk + 1 < n_chunks) {
-        const Range next = a.contact_chunks[chunk + 1];
+        const Range next = a.contact_chunks[chunk + 1].contacts;
         const auto first = 2 * static_cast<std::size_t>(next.begin);
         for (const auto* values : {&s.opening, &s.sliding, &s.integrity, &s.fracture_energy}) {
             prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
@@ -150,8 +154,11 @@ GRAINCRACK_INLINE void find_motions(std::int32_t count, Lanes& b) {
     }
     for (std::int32_t i = 0; i < count; ++i) {
         // n = t turned by −90° = (ty, −tx)
-        const double tx = b.tangent_x[i];
-        const double ty = b.tangent_y[i];
+        const double per_strength = 1 / b.strength[i];
+        const double tx = b.tangent_x[i] * per_strength;
+        const double ty = b.tangent_y[i] * per_strength;
+        b.force_area[i] = b.area[i] * b.strength[i];
+        b.energy_area[i] = b.force_area[i] * b.strength[i];
         b.opening[2 * i] = b.jump_x[2 * i] * ty - b.jump_y[2 * i] * tx;
         b.opening[2 * i + 1] = b.jump_x[2 * i + 1] * ty - b.jump_y[2 * i + 1] * tx;
         b.sliding[2 * i] = b.jump_x[2 * i] * tx + b.jump_y[2 * i] * ty;
@@ -260,8 +267,8 @@ GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, cons
 /// What friction dissipates at the points of a chunk, J.
 GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
-        b.friction[2 * i] = b.area[i] * b.friction[2 * i];
-        b.friction[2 * i + 1] = b.area[i] * b.friction[2 * i + 1];
+        b.friction[2 * i] = b.energy_area[i] * b.friction[2 * i];
+        b.friction[2 * i + 1] = b.energy_area[i] * b.friction[2 * i + 1];
     }
     return sum_values_by_lanes(2 * count, b.friction);
 }
@@ -282,8 +289,8 @@ GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, L
                                      const IsTensile& is_tensile) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
-        b.fracture[2 * i] = b.area[i] * b.fracture[2 * i];
-        b.fracture[2 * i + 1] = b.area[i] * b.fracture[2 * i + 1];
+        b.fracture[2 * i] = b.energy_area[i] * b.fracture[2 * i];
+        b.fracture[2 * i + 1] = b.energy_area[i] * b.fracture[2 * i + 1];
     }
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         fracture_energy[k] += b.fracture[k];
@@ -324,7 +331,7 @@ void book_dissipation(const PointIndex& at, double area, const ContactResponse& 
     sums.non_conservative_work += area * r.dissipation.non_conservative_work;
 }
 
-/// An event of a point. Motion, tangent and position are those of the step in which it happens.
+/// An event of a point. Motion (over the strength factor), tangent and position are those of the step in which it happens.
 ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventKind kind, const ContactMotion& motion,
                         const Vector2& tangent, std::int64_t step, const State& s) {
     ContactEvent event;
@@ -332,7 +339,8 @@ ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventK
     event.contact = at.contact;
     event.point = static_cast<std::uint8_t>(at.end);
     event.kind = kind;
-    event.motion = motion;
+    const double strength = a.contacts[at.contact].strength;
+    event.motion = {strength * motion.opening, strength * motion.sliding};
     event.tangent = tangent;
     event.position = middle_of_point(a, at, s);
     return event;
@@ -359,7 +367,9 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
         const ContactHistory before = point_history(s, at.point());
         ContactEvent event = make_event(a, at, ContactEventKind::failure, now.motion, tangent, step, s);
         event.mode = now.first_mode;
-        event.peak_traction = contact_law::update<Law>(law, before.motion, before).traction;
+        const ContactTraction traction = contact_law::update<Law>(law, before.motion, before).traction;
+        const double strength = a.contacts[at.contact].strength;
+        event.peak_traction = {strength * traction.normal, strength * traction.shear};
         s.events[at.chunk].push_back(event);
     }
     const bool loses_cohesion =
@@ -374,7 +384,7 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
 
 /// The same of the softening points of a chunk on the vector path, where none fails or separates.
 void note_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
-    const Range range = a.contact_chunks[chunk];
+    const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.passes[k] != 0) {
             note_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
@@ -386,7 +396,7 @@ void note_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, 
 /// The full law at the points of a chunk that need it.
 template <class Law>
 void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
-    const Range range = a.contact_chunks[chunk];
+    const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.done[k] != 0) {
             continue;
@@ -394,7 +404,7 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
         const PointIndex at{chunk, range.begin + k / 2, k % 2};
         ContactResponse r{{}, point_history(s, at.point()), {}};
         contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
-        book_dissipation(at, b.area[k / 2], r, s);
+        book_dissipation(at, b.energy_area[k / 2], r, s);
         note_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         store_point(r.history, Law::is_residual(law, r.history), at.point(), s);
         b.normal_traction[k] = r.traction.normal;
@@ -406,8 +416,9 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
 template <class Law>
 std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s,
                                Lanes& b) {
-    const std::int32_t count = a.contact_chunks[chunk].size();
-    const std::size_t first = 2 * static_cast<std::size_t>(a.contact_chunks[chunk].begin);
+    const Range range = a.contact_chunks[chunk].contacts;
+    const std::int32_t count = range.size();
+    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     const Points points{&s.opening[first], &s.sliding[first],         &s.integrity[first],
                         &s.slip[first],    &s.fracture_energy[first], &s.next_mark[first]};
     ContactSums& sums = s.contact_sums[chunk];
@@ -427,7 +438,7 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
                 sums.friction += sum_friction(count, b);
             });
             if constexpr (Law::remembers_largest) {
-                store_largest(a.contact_chunks[chunk], b, s);
+                store_largest(range, b, s);
             }
             if (b.passing > 0) {
                 note_softening(a, chunk, step, s, b);
@@ -452,12 +463,12 @@ GRAINCRACK_INLINE void find_forces(std::int32_t count, const Lanes& b, double* _
     for (std::int32_t i = 0; i < count; ++i) {
         const double tx = b.tangent_x[i];
         const double ty = b.tangent_y[i];
-        const double n0 = b.area[i] * b.normal_traction[2 * i];
-        const double n1 = b.area[i] * b.normal_traction[2 * i + 1];
-        const double s0 = b.area[i] * b.shear_traction[2 * i];
-        const double s1 = b.area[i] * b.shear_traction[2 * i + 1];
-        const double moment =
-            (n0 * b.sliding[2 * i] - s0 * b.opening[2 * i]) + (n1 * b.sliding[2 * i + 1] - s1 * b.opening[2 * i + 1]);
+        const double n0 = b.force_area[i] * b.normal_traction[2 * i];
+        const double n1 = b.force_area[i] * b.normal_traction[2 * i + 1];
+        const double s0 = b.force_area[i] * b.shear_traction[2 * i];
+        const double s1 = b.force_area[i] * b.shear_traction[2 * i + 1];
+        const double moment = b.strength[i] * ((n0 * b.sliding[2 * i] - s0 * b.opening[2 * i]) +
+                                               (n1 * b.sliding[2 * i + 1] - s1 * b.opening[2 * i + 1]));
         const double couple = 0.5 * moment * b.inv_length[i];
         const double couple_x = couple * ty;
         const double couple_y = -couple * tx;
@@ -485,8 +496,9 @@ GRAINCRACK_INLINE void store_motions(std::int32_t count, const Lanes& b, double*
 
 }  // namespace
 
-void advance_contacts(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s) {
-    const Range range = a.contact_chunks[chunk];
+void advance_contacts(const Assemblage& a, const ContactLaws& laws, std::int32_t chunk, std::int64_t step, State& s) {
+    const Range range = a.contact_chunks[chunk].contacts;
+    const ContactLaw& law = laws[a.contact_chunks[chunk].contact_class];
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     Lanes b;
     gather(a, s, range, b);

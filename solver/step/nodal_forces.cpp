@@ -18,20 +18,23 @@ struct Lanes {
     alignas(64) double f1_x[max_lanes], f1_y[max_lanes], f2_x[max_lanes], f2_y[max_lanes];
 };
 
-/// Geometry of elements side by side.
+/// Geometry and elasticity of elements side by side.
 struct Triangles {
     const double *gradient1_x, *gradient1_y, *gradient2_x, *gradient2_y, *area;
+    const double *c11, *c12, *mu;
 };
-Triangles triangles_from(const TriangleTable& t, std::int32_t e) {
-    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e], &t.area[e]};
+Triangles triangles_from(const Assemblage& a, std::int32_t e) {
+    const TriangleTable& t = a.element_geometry;
+    const ElasticityTable& c = a.elasticity;
+    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e],
+            &t.area[e],        &c.c11[e],         &c.c12[e],         &c.mu[e]};
 }
 
-GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, const PlaneElasticity& elasticity, std::int32_t count,
-                                           Lanes& b) {
-    const PlaneElasticity c = elasticity;
+GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, std::int32_t count, Lanes& b) {
     const Triangles t = triangles;
     for (std::int32_t i = 0; i < count; ++i) {
         const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
+        const PlaneElasticity c{t.c11[i], t.c12[i], t.mu[i], 0};
         const TriangleForces f = triangle_forces(g, triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}));
         b.f1_x[i] = f.on_node1.x;
         b.f1_y[i] = f.on_node1.y;
@@ -56,8 +59,8 @@ void add_elements(const Assemblage& a, Range range, State& s) {
             b.b_x[i] = to2.x;
             b.b_y[i] = to2.y;
         }
-        const Triangles triangles = triangles_from(a.element_geometry, begin);
-        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, a.elasticity, count, b); });
+        const Triangles triangles = triangles_from(a, begin);
+        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, count, b); });
         Vector2* const force = s.force.data();
         for (std::int32_t i = 0; i < count; ++i) {
             const auto [n0, n1, n2] = nodes[i];

@@ -81,11 +81,9 @@ double load_half_work(const Assemblage& a, const PrescribedConditions& prescribe
 }
 
 double reaction_half_work(const PrescribedConditions& prescribed, double time_step, const State& s) {
-    double work = 0;
-    for (std::size_t i = 0; i < prescribed.nodes.size(); ++i) {
-        work += dot(s.prescribed.nodes[i].reaction, s.velocity[prescribed.nodes[i].node]);
-    }
-    return 0.5 * time_step * work;
+    return 0.5 * time_step * sum_over(prescribed.nodes_of_chunk, [&](std::int32_t i) {
+               return dot(s.prescribed.nodes[i].reaction, s.velocity[prescribed.nodes[i].node]);
+           });
 }
 
 void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {

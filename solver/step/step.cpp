@@ -89,7 +89,7 @@ private:
     /// Contacts and node–edge contacts at the new displacements.
     void advance_contact_forces(std::int64_t step, bool detects_contacts) {
         clock_.tick();
-        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.law, chunk, step, s_); });
+        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.laws, chunk, step, s_); });
         for_each_chunk(pairs_, [&](std::int32_t chunk) {
             (detects_contacts ? detect_contacts : move_active_contacts)(a_, parameters_, chunk, s_);
         });
@@ -161,7 +161,7 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
 
 void start(const Assemblage& a, const StepParameters& parameters, State& s) {
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.contact_chunks.size()); ++chunk) {
-        advance_contacts(a, parameters.law, chunk, s.step, s);
+        advance_contacts(a, parameters.laws, chunk, s.step, s);
     }
     s.clusters = make_cluster_state(parameters.mass_scaling);
     complete_cluster_state(parameters.mass_scaling, s);

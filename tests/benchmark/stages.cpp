@@ -27,7 +27,7 @@ void for_each_chunk(std::size_t n, Act&& act) {
 
 void contacts(LoadedSpecimen& l) {
     for_each_chunk(l.assemblage.contact_chunks.size(),
-                   [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.law, chunk, l.state.step, l.state); });
+                   [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.laws, chunk, l.state.step, l.state); });
 }
 void forces(LoadedSpecimen& l) {
     for_each_chunk(l.assemblage.grain_chunks.size(),
@@ -59,9 +59,9 @@ LoadedSpecimen::LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTa
       parameters{make_contact_law(test::augig_contact(), law, Coupling::full), 0, 0.8},
       boundary(test::boundary_of_test(assemblage, specimen, compression(), test::augig_contact())) {
     assemblage.vector_target = vector_target;
-    const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.law) : 0;
+    const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.laws) : 0;
     parameters.mass_scaling = make_mass_scaling(assemblage, factor);
-    parameters.time_step = 0.7 * stable_time_step(assemblage, boundary, parameters.law, factor);
+    parameters.time_step = 0.7 * stable_time_step(assemblage, boundary, parameters.laws, factor);
     state = make_state(assemblage, boundary, specimen);
     for (std::size_t i = 0; i < state.velocity.size(); ++i) {
         state.velocity[i] = {0, -2 * speed * assemblage.position[i].y / specimen.height};

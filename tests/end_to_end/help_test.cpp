@@ -3,6 +3,7 @@
 #include <regex>
 #include <vector>
 
+#include "share/contact_parameters.hpp"
 #include "share/option_variables.hpp"
 #include "tests/end_to_end/shell.hpp"
 
@@ -101,6 +102,19 @@ TEST(Help, EverySubcommandExplainsItself) {
         EXPECT_EQ(outcome.err, "") << command;
         EXPECT_NE(outcome.out.find("Usage: graincrack-"), std::string::npos) << command;
         EXPECT_EQ(examples_of(outcome.out).size(), 2u) << command;
+    }
+}
+
+TEST(Help, EveryContactParameterIsAnOptionAndSaysWhatItIsUnlessGiven) {
+    const Shell shell;
+    std::string help = shell.must("graincrack-solve uniaxial --help | tr -s ' \\n' ' '");
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const std::size_t at = help.find(row.option() + " ");
+        ASSERT_NE(at, std::string::npos) << row.option();
+        const std::string own = help.substr(at, help.find(" --", at + 1) - at);
+        EXPECT_NE(own.find(row.quantity.meaning), std::string::npos) << own;
+        EXPECT_NE(own.find(row.is_needed() ? "default: the material's [" : std::string("else ") + row.usual), std::string::npos)
+            << own;
     }
 }
 

@@ -4,8 +4,8 @@
 Usage: hostile_files.py BIN [--every N] [--seed S]
 
 BIN is the folder of the tools. A small specimen, a run and a checkpoint are made; each dataset and attribute of them is removed, emptied,
-made a scalar, given another type or length, or values that are no numbers, infinite, huge or negative; and groups are linked in a circle. Each
-damaged file is read by each tool that reads such files. Right is exit code 0 where the damage is none to that tool, or 3 with one line;
+made a scalar, given another type or length, or values that are no numbers, infinite, huge or negative; rows of groups are repeated, or
+exchanged; groups are linked in a circle; and bytes anywhere in the file are changed. Each damaged file is read by each tool that reads such files. Right is exit code 0 where the damage is none to that tool, or 3 with one line;
 4 with one line where a number can be right and leads a test astray. --every takes one in N of the cases, from the seed on.
 """
 import argparse
@@ -20,6 +20,7 @@ import h5py
 import numpy as np
 
 LIMIT_S = 60
+FLIPS = 1000
 TEST = "--material augig-granite --rate 400mm/s --max-strain 0.004 --quiet --frames 2".split()
 # What has no part in what is read back: any content of it is right.
 IDLE = ("/provenance", "/VTKHDF")
@@ -70,8 +71,58 @@ def declare(path, length):
     return act
 
 
+def edit_rows(group, rows):
+    """Replaces the datasets of a group by some of their rows."""
+    def act(file):
+        for name in list(file[group]):
+            values = file[group][name][()]
+            replace(file[group], name, values[rows(len(values))])
+    return act
+
+
+def row_damages():
+    """Specimens that mean nothing though their arrays fit each other."""
+    for group in ("contacts", "boundary", "elements", "grains"):
+        yield f"/{group} with its last row twice", edit_rows(group, lambda n: [*range(n), n - 1])
+        yield f"/{group} all twice", edit_rows(group, lambda n: [*range(n), *range(n)])
+        yield f"/{group} without the first row", edit_rows(group, lambda n: [*range(1, n)])
+        yield f"/{group} in reverse", edit_rows(group, lambda n: [*reversed(range(n))])
+
+    def shift(file):
+        file["nodes/position"][...] += 1e-2
+
+    def unused(file):
+        replace(file["nodes"], "position", np.concatenate([file["nodes/position"][()], [[0, 0]]]))
+
+    def inner(file):
+        file["boundary/edges"][0] = file["elements/nodes"][0][:2]
+
+    def area(file):
+        file["grains/area"][...] *= 2
+
+    def shape(file):
+        file["specimen"].attrs["shape"] = np.bytes_("hexagon")
+    for act in (shift, unused, inner, area, shape):
+        yield f"specimen: {act.__name__}", act
+
+
+def flips(name, count):
+    """Changes of one to four bytes."""
+    size = name.stat().st_size
+    for number in range(count):
+        chance = random.Random(number)
+        changes = [(chance.randrange(size), chance.randrange(256)) for _ in range(chance.choice((1, 1, 1, 2, 4)))]
+        def act(path, changes=changes):
+            with open(path, "r+b") as file:
+                for place, byte in changes:
+                    file.seek(place)
+                    file.write(bytes([byte]))
+        yield f"bytes {changes}", act
+
+
 def damages(name):
     """Of a file, (description, function of the open file)."""
+    yield from row_damages()
     with h5py.File(name) as file:
         objects = []
         file.visititems(lambda path, thing: objects.append(("/" + path, thing)))
@@ -142,14 +193,20 @@ def main():
                   [post, "cracks", damaged, "-o", folder / "cracks"], [post, "history", damaged]],
             kept: [[solve, "uniaxial", specimen, *TEST, "--restart", damaged, "-o", folder / "again.h5"], [post, "info", "--check", damaged]],
         }
-        cases = [(file, what, act) for file in readers for what, act in damages(file)]
+
+        def edited(act):
+            def on_path(path):
+                with h5py.File(path, "r+") as opened:
+                    act(opened)
+            return on_path
+        cases = [(file, what, edited(act)) for file in readers for what, act in damages(file)]
+        cases += [(file, what, act) for file in readers for what, act in flips(file, FLIPS)]
         random.Random(options.seed).shuffle(cases)
         wrong = tried = 0
         for file, what, act in cases[::options.every]:
             shutil.copy(file, damaged)
             try:
-                with h5py.File(damaged, "r+") as opened:
-                    act(opened)
+                act(damaged)
             except (TypeError, ValueError, KeyError, OSError, RuntimeError):
                 continue  # h5py cannot write it
             for command in readers[file]:

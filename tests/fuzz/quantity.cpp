@@ -1,20 +1,21 @@
 // Numbers with units: the first byte chooses the quantity, the rest is what a user wrote.
 #include <array>
 
+#include "share/contact_parameters.hpp"
 #include "share/quantities.hpp"
 #include "share/units.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace graincrack;
-    static constexpr std::array<Quantity, 8> quantities{quantity::grain_size,
-                                                        quantity::young_modulus,
-                                                        quantity::internal_friction_angle,
-                                                        quantity::mode_i_toughness,
-                                                        quantity::density,
-                                                        quantity::fracture_energy,
-                                                        quantity::damping,
-                                                        quantity::contact_normal_stiffness};
+    static const std::array<Quantity, 8> quantities{quantity::grain_size,
+                                                    quantity::young_modulus,
+                                                    quantity::internal_friction_angle,
+                                                    quantity::mode_i_toughness,
+                                                    quantity::density,
+                                                    contact_parameter(&ContactParameters::fracture_energy).quantity,
+                                                    quantity::damping,
+                                                    contact_parameter(&ContactParameters::normal_stiffness).quantity};
     if (size == 0) {
         return 0;
     }

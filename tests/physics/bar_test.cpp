@@ -144,7 +144,7 @@ TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
     const auto contact_stress = [&] {
         double sum = 0;
         for (std::size_t point = 0; point < 4; ++point) {
-            sum -= run.parameters.law.kt * std::min(0.0, run.state.opening[point]) / 4;
+            sum -= run.parameters.laws[0].kt * std::min(0.0, run.state.opening[point]) / 4;
         }
         return sum;
     };

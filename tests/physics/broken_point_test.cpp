@@ -142,7 +142,7 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
         for (std::size_t point = 0; point < expected.size(); ++point) {
             const ContactHistory now = point_history(run.state, point);
             if (run.state.fracture_energy[point] > released[point] || run.state.failed[point] != failed[point]) {
-                expected[point] = std::max(expected[point], count_marks_above(remaining_cohesion(run.parameters.law, now)));
+                expected[point] = std::max(expected[point], count_marks_above(remaining_cohesion(run.parameters.laws[0], now)));
             }
         }
         for (std::size_t point = 0; point < expected.size(); ++point) {

@@ -98,8 +98,9 @@ TEST(Moduli, OfRandomMeshes) {
         if (c.plane == PlaneCondition::strain) {
             m = {fpz::material_young_modulus(m.young_modulus, m.poisson_ratio), fpz::material_poisson_ratio(m.poisson_ratio)};
         }
-        const fpz::AssemblageModuli expected = fpz::assemblage_moduli(test::augig_granite().rock, c.plane, run.parameters.law.kt,
-                                                                      run.parameters.law.ks, contact_length_per_area(run));
+        const fpz::AssemblageModuli expected =
+            fpz::assemblage_moduli(test::augig_granite().rock, c.plane, run.parameters.laws[0].kt, run.parameters.laws[0].ks,
+                                   contact_length_per_area(run));
         const std::string what = std::to_string(c.grains) + " grains, plane " + std::string(name_of(c.plane));
         // The formula takes stress to be uniform, which on such meshes it is not by 8 %.
         verify("elements: random mesh, E, " + what + " (GPa)", m.young_modulus * 1e-9, expected.young_modulus * 1e-9, 5e-3,

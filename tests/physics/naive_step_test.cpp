@@ -6,6 +6,7 @@
 
 #include "mesher/specimen_maker.hpp"
 #include "tests/support/naive_step.hpp"
+#include "tests/support/phases.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
 
@@ -13,6 +14,7 @@ namespace graincrack {
 namespace {
 
 using test::NaiveRun;
+using test::PhasedSpecimen;
 using test::SmallRun;
 using test::verify;
 
@@ -27,13 +29,41 @@ double difference(const std::vector<Vector2>& fast, const std::vector<NaiveRun::
     return worst / largest;
 }
 
-/// A compressed, shaken rectangle after `n` steps by both. Both laws of platens stick and slide.
-void expect_equal_fields(const LawDescription& description, std::int64_t n, bool damaged, VectorTarget target, DampingForm form) {
+/// What grains and contacts are made of: one phase, or several whose values and strengths all differ.
+enum class Grains { of_one_phase, of_three_phases };
+
+PhasedSpecimen make(Grains grains) {
     mesher::SpecimenRequest request;
     request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
     request.grains = 80;
-    const ContactLaw law = test::augig_law(description.variant);
-    SmallRun run(mesher::make_specimen(request), law);
+    const Specimen s = mesher::make_specimen(request);
+    return grains == Grains::of_three_phases
+               ? test::varied_phases(s)
+               : PhasedSpecimen{s, uniform_fabric(test::augig_granite().rock, test::augig_contact(), 1)};
+}
+
+/// The law of each contact by place, made of its own values.
+std::vector<ContactLaw> laws_of_contacts(const PhasedSpecimen& made, const Assemblage& a, LawVariant variant) {
+    std::vector<ContactLaw> laws(a.contacts.size());
+    for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
+        const auto c = static_cast<std::size_t>(a.specimen_contact[static_cast<std::size_t>(place)]);
+        const auto phase_at = [&](std::size_t k) {
+            const auto node = static_cast<std::size_t>(made.specimen.contact_nodes[c][k]);
+            return made.specimen.grain_phase[static_cast<std::size_t>(grain_of_nodes(made.specimen)[node])];
+        };
+        const ContactParameters& of_class = made.fabric.contacts[contact_class(phase_at(0), phase_at(2))];
+        const auto& strength = made.specimen.contact_strength_factor;
+        laws[static_cast<std::size_t>(place)] =
+            make_contact_law(test::scaled_contact(of_class, strength.empty() ? 1 : strength[c]), variant, Coupling::full);
+    });
+    return laws;
+}
+
+/// A compressed, shaken rectangle after `n` steps by both. Both laws of platens stick and slide.
+void expect_equal_fields(const LawDescription& description, std::int64_t n, bool damaged, VectorTarget target, DampingForm form,
+                         Grains grains = Grains::of_one_phase) {
+    const PhasedSpecimen made = make(grains);
+    SmallRun run = made.run(description.variant);
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
@@ -42,7 +72,8 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     run.assemblage.vector_target = target;
     const double speed = damaged ? 5.0 : 0.5;
     run.set_velocity([&](const Vector2& x) { return Vector2{0.1 * std::sin(200 * x.y), -speed * x.y / 0.02}; });
-    NaiveRun naive(run.assemblage, run.boundary, law, run.parameters.time_step, run.parameters.damping, form);
+    NaiveRun naive(run.assemblage, run.boundary, laws_of_contacts(made, run.assemblage, description.variant),
+                   run.parameters.time_step, run.parameters.damping, form);
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
         naive.set_velocity(i, run.state.velocity[i]);
     }
@@ -56,7 +87,8 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     }
     EXPECT_EQ(naive.failed_points() > 0, damaged);
     const std::string name = std::string(description.name) + (damaged ? ", damaged, " : ", ") + std::string(name_of(target)) +
-                             ", damping " + std::string(name_of(form));
+                             ", damping " + std::string(name_of(form)) +
+                             (grains == Grains::of_three_phases ? ", three phases" : "");
     // Round-off of 1e-16 a step adds up over the steps; the issue asks for 1e-9 of the field's maximum.
     verify("elements: displacements of the fast step against a plain one, " + name,
            difference(run.state.displacement, naive.displacement()), 0, 1e-9, "the equations, one by one", 1);
@@ -87,6 +119,18 @@ TEST(NaiveStep, DamagedFieldsAgreeForLawsWithAnEnergy) {
         if (law != LawVariant::combined) {
             expect_equal_fields(description_of(law), 400, true, widest_vector_target(), DampingForm::combined);
         }
+    }
+}
+
+// Six classes of contacts, each with its own values, and a strength factor on every contact.
+TEST(NaiveStep, FieldsOfThreePhasesAgreeForEveryLaw) {
+    for (const LawDescription& description : all_contact_laws()) {
+        SCOPED_TRACE(description.name);
+        expect_equal_fields(description, 200, false, widest_vector_target(), DampingForm::local, Grains::of_three_phases);
+    }
+    for (const LawVariant law : {LawVariant::consistent, LawVariant::combined, LawVariant::cohesive_frictional}) {
+        expect_equal_fields(description_of(law), law == LawVariant::combined ? 800 : 400, true, widest_vector_target(),
+                            DampingForm::local, Grains::of_three_phases);
     }
 }
 

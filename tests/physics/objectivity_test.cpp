@@ -127,7 +127,7 @@ double tensile_strength(int seed, double angle) {
         for (const double opening : run.state.opening) {
             widest = std::max(widest, opening);
         }
-        if (widest > 5 * run.parameters.law.dut) {
+        if (widest > 5 * run.parameters.laws[0].dut) {
             return -pressure.present();
         }
     }

@@ -26,7 +26,7 @@ double worst_error(const SmallRun& run, const Eigen::VectorXd& u, const Tensor& 
 
 /// Mean elongation along y over that of the grains alone: above 1 by what the contacts give way.
 double compliance(const SmallRun& run, const Eigen::VectorXd& u, const Tensor& stress) {
-    const PlaneElasticity& c = run.assemblage.elasticity;
+    const PlaneElasticity c = run.assemblage.elasticity[0];
     return mean_strain(run, u).yy * (c.c11 * c.c11 - c.c12 * c.c12) / (c.c11 * stress.yy - c.c12 * stress.xx);
 }
 

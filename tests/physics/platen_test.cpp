@@ -143,7 +143,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     double area = 0;
     double xx = 0;
     double yy = 0;
-    const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
+    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
     for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {
         const double a = run.assemblage.element_geometry[e].area;
         area += a;

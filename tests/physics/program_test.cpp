@@ -176,7 +176,7 @@ double acceleration_down(double slope, double friction) {
                      law(sticks), PlaneCondition::strain, 0.8, 0.5);
     block.go(100);
     EXPECT_EQ(block.stage_controller.records().at(0).ended_by, "rest");
-    block.run.parameters.law = law(friction);
+    block.run.parameters.laws = law(friction);
     block.run.parameters.damping = 0;
     IntervalLoading loading;
     const std::vector<Amplitude> amplitudes(2, Amplitude{{}, 0, true});

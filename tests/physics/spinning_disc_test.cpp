@@ -48,7 +48,7 @@ std::vector<Vector2> spun(const SmallRun& run, const Vector2& centre) {
 /// Stress at the centre, from the mean of the inner quarter less what the closed form falls by there, Pa.
 double centre_stress(const SmallRun& run) {
     const double nu = test::augig_granite().rock.poisson_ratio;
-    const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
+    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
     double sum = 0;
     double area = 0;
     for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {

@@ -25,7 +25,7 @@ SmallRun crushed() {
     request.max_strain = 0.1;
     const Boundary boundary = test::boundary_of_test(run.assemblage, run.specimen, request, test::augig_contact());
     run.parameters.mass_scaling =
-        make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, boundary, run.parameters.law));
+        make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, boundary, run.parameters.laws));
     run.set_boundary(boundary, 0.7);
     run.parameters.damping = 0.8;
     run.begin();
@@ -57,7 +57,7 @@ double stiffness_of_contacts(const SmallRun& run) {
         for (Eigen::Index k = 0; k < n; ++k) {
             motion(k) /= std::sqrt(scaling.cluster_mass[static_cast<std::size_t>(k)]);
         }
-        stiffness += run.parameters.law.kt * list.contacts[i].area * motion * motion.transpose();
+        stiffness += run.parameters.laws[0].kt * list.contacts[i].area * motion * motion.transpose();
     }
     const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()(n - 1);
     return largest * run.parameters.time_step * run.parameters.time_step;
@@ -66,7 +66,7 @@ double stiffness_of_contacts(const SmallRun& run) {
 double energy_of(const SmallRun& run) {
     double energy = 0;
     for (const NodeEdgeContact& contact : run.state.contact_pairs.contacts) {
-        energy += contact.active ? node_edge_energy(run.parameters.law, contact) : 0;
+        energy += contact.active ? node_edge_energy(friction_law(run.parameters.laws[0]), contact) : 0;
     }
     return energy;
 }

@@ -7,6 +7,7 @@
 #include "share/h5_file.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
+#include "tests/support/phases.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -67,8 +68,8 @@ TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
 }
 
 /// A specimen crushed until grains come into contact that were not neighbours.
-SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads) {
-    SmallRun run(specimen(), test::augig_law(law));
+SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads, bool has_phases = false) {
+    SmallRun run = has_phases ? test::varied_phases(specimen()).run(law) : SmallRun(specimen(), test::augig_law(law));
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     loading.max_strain = 0.05;
@@ -111,13 +112,25 @@ TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {
     }
 }
 
+// Six classes of contacts, which also node–edge contacts take their values from.
+TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsOfThreePhasesTouch) {
+    const SmallRun one = crushed(LawVariant::consistent, 60, widest_vector_target(), 1, true);
+    const auto& contacts = one.state.contact_pairs.contacts;
+    EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
+    for (const int threads : {2, 3}) {
+        EXPECT_TRUE(same(one, crushed(LawVariant::consistent, 60, widest_vector_target(), threads, true))) << threads;
+    }
+}
+
 // Stronger than what the design asks for (1e-9): no target contracts or reorders anything.
 TEST(Threads, EveryVectorUnitGivesTheSameBytesForEveryLaw) {
     for (const LawDescription& law : all_contact_laws()) {
         const SmallRun plain = crushed(law.variant, 60, VectorTarget::plain, 1);
         EXPECT_GT(plain.failed_points(), 20U) << law.name;
+        const SmallRun plain_phases = crushed(law.variant, 60, VectorTarget::plain, 1, true);
         for (const VectorTarget target : test::available_vector_targets()) {
             EXPECT_TRUE(same(plain, crushed(law.variant, 60, target, 1))) << law.name << " on " << name_of(target);
+            EXPECT_TRUE(same(plain_phases, crushed(law.variant, 60, target, 1, true))) << law.name << " on " << name_of(target);
         }
     }
 }

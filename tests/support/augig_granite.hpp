@@ -26,4 +26,15 @@ inline ContactParameters augig_contact(PlaneCondition plane = PlaneCondition::st
     return contact_parameters(augig_granite(), plane, FractureEnergyChoice{energy, 0});
 }
 
+/// All strengths times `factor`, all fracture energies times its square: similar curves.
+inline ContactParameters scaled_contact(ContactParameters c, double factor) {
+    for (double* value : {&c.tensile_strength, &c.cohesion, &c.open_shear_strength, &c.residual_tensile_strength,
+                          &c.residual_cohesion, &c.critical_opening, &c.critical_sliding, &c.ultimate_opening}) {
+        *value *= factor;
+    }
+    c.fracture_energy *= factor * factor;
+    c.mode_ii_fracture_energy *= factor * factor;
+    return c;
+}
+
 }  // namespace graincrack::test

@@ -174,10 +174,10 @@ inline Vector2 displacement_of(const Eigen::VectorXd& u, std::int32_t node) { re
 
 /// Small-strain stress of each element, Pa.
 inline std::vector<Tensor> element_stresses(const SmallRun& run, const Eigen::VectorXd& u) {
-    const PlaneElasticity& c = run.assemblage.elasticity;
     std::vector<Tensor> stresses;
     for (std::size_t e = 0; e < run.assemblage.element_nodes.size(); ++e) {
         const auto [n0, n1, n2] = run.assemblage.element_nodes[e];
+        const PlaneElasticity c = run.assemblage.elasticity[e];
         const TriangleGeometry& g = run.assemblage.element_geometry[e];
         const Vector2 d1 = displacement_of(u, n1) - displacement_of(u, n0);
         const Vector2 d2 = displacement_of(u, n2) - displacement_of(u, n0);

@@ -19,11 +19,12 @@ class NaiveRun {
 public:
     using Vector = Eigen::Vector2d;
 
-    NaiveRun(const Assemblage& assemblage, const Boundary& boundary, const ContactLaw& law, double time_step, double damping,
-             DampingForm form)
+    /// \param laws by place of the contact
+    NaiveRun(const Assemblage& assemblage, const Boundary& boundary, const std::vector<ContactLaw>& laws, double time_step,
+             double damping, DampingForm form)
         : a_(assemblage),
           boundary_(boundary),
-          law_(law),
+          laws_(laws),
           time_step_(time_step),
           damping_(damping),
           form_(form),
@@ -71,7 +72,9 @@ private:
 
     /// P = R T, T = λ tr(U − I) 1 + 2μ (U − I), F = R U; force −A P ∇N.
     void add_elements() {
-        for (const auto& nodes : a_.element_nodes) {
+        for (std::size_t e = 0; e < a_.element_nodes.size(); ++e) {
+            const auto& nodes = a_.element_nodes[e];
+            const PlaneElasticity elasticity = a_.elasticity[e];
             Eigen::Matrix2d reference_edges;
             Eigen::Matrix2d edges;
             for (int k = 0; k < 2; ++k) {
@@ -85,9 +88,8 @@ private:
                 std::atan2(deformation(1, 0) - deformation(0, 1), deformation(0, 0) + deformation(1, 1)));
             const Eigen::Matrix2d r = rotation.toRotationMatrix();
             const Eigen::Matrix2d strain = r.transpose() * deformation - Eigen::Matrix2d::Identity();
-            const double lambda = a_.elasticity.c12;
             const Eigen::Matrix2d stress =
-                lambda * strain.trace() * Eigen::Matrix2d::Identity() + a_.elasticity.mu * (strain + strain.transpose());
+                elasticity.c12 * strain.trace() * Eigen::Matrix2d::Identity() + elasticity.mu * (strain + strain.transpose());
             const Eigen::Matrix2d forces = -0.5 * reference_edges.determinant() * r * stress * gradients.transpose();
             force_[nodes[1]] += forces.col(0);
             force_[nodes[2]] += forces.col(1);
@@ -98,6 +100,9 @@ private:
     /// Tractions at both points, and the couple that balances the moment of the tractions about the rotating mean edge.
     void add_contacts() {
         for (std::size_t c = 0; c < a_.contacts.size(); ++c) {
+            if (a_.specimen_contact[c] < 0) {
+                continue;
+            }
             const auto [a1, a2, b1, b2] = a_.contacts[c].nodes;
             const double area = 0.5 * (reference(a2) - reference(a1)).norm();
             const Vector middle = 0.5 * (reference(a2) + displacement_[a2] - reference(a1) - displacement_[a1] + reference(b2) +
@@ -109,7 +114,7 @@ private:
             for (std::size_t p = 0; p < 2; ++p) {
                 const Vector jump = displacement_[pairs[p][1]] - displacement_[pairs[p][0]];
                 const ContactMotion motion{jump.dot(normal), jump.dot(tangent)};
-                const ContactResponse response = update_contact(law_, motion, history_[2 * c + p]);
+                const ContactResponse response = update_contact(laws_[c], motion, history_[2 * c + p]);
                 history_[2 * c + p] = response.history;
                 const Vector pull = area * (response.traction.normal * normal + response.traction.shear * tangent);
                 force_[pairs[p][0]] += pull;
@@ -137,7 +142,7 @@ private:
 
     const Assemblage& a_;
     const Boundary& boundary_;
-    ContactLaw law_;
+    std::vector<ContactLaw> laws_;
     double time_step_;
     double damping_;
     DampingForm form_;

@@ -104,10 +104,19 @@ struct SmallRun {
           parameters{law, 0, 0} {
         set_boundary(boundary, fraction);
     }
+    /// The same of several phases.
+    SmallRun(Specimen s, const std::vector<Phase>& phases, const ContactLaws& laws, PlaneCondition plane = PlaneCondition::strain,
+             double fraction = 0.5)
+        : specimen(std::move(s)),
+          assemblage(make_assemblage(specimen, phases, plane)),
+          boundary(no_boundary(assemblage, specimen)),
+          parameters{laws, 0, 0} {
+        set_boundary(boundary, fraction);
+    }
     /// Sets other supports, and the state at rest.
     void set_boundary(const Boundary& b, double fraction) {
         boundary = b;
-        parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.law, parameters.mass_scaling.factor);
+        parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.laws, parameters.mass_scaling.factor);
         state = make_state(assemblage, boundary, specimen);
     }
     /// Sets velocities as a function of the reference position.

@@ -108,7 +108,7 @@ TEST(ElasticDisc, StressOfTwoPointLoads) {
     test::expect_close(loads.normal_stresses({})[0], 2 * force / (pi * diameter), 1e-12, force / diameter);
     test::expect_close(loads.normal_stresses({})[1], -6 * force / (pi * diameter), 1e-12, force / diameter);
 
-    const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
+    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
     const Means centre = means(run, frame, loads, [](const Vector2& p) { return length(p) < radius / 6; });
     EXPECT_GT(centre.elements, 20);
     // Means over the central region, converted to the centre by the ratio of the formula's values.

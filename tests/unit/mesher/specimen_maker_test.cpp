@@ -7,9 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "mesher/edge_orientation.hpp"
 #include "mesher/mesh_report.hpp"
+#include "mesher/seeds/orientation.hpp"
 #include "share/error.hpp"
+#include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -49,7 +50,7 @@ Order order_of(const Specimen& s, const Shape& shape) {
     for (const auto& edge : s.boundary_edges) add(edge[0], edge[1]);
     Order order{psi6(points, edges), 0};
     for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
-        order.parts = std::max(order.parts, largest_psi6_of_parts(shape, partition, points, edges));
+        order.parts = std::max(order.parts, largest_psi6_of_parts(region_of(shape), partition, points, edges));
     }
     return order;
 }
@@ -98,7 +99,7 @@ TEST(SpecimenMaker, WantedEdgeIsTheMean) {
             request.shape = {kind, 0.08, kind == ShapeKind::disc ? 0.08 : 0.16, Pole::facet};
             request.edge = edge;
             // whole grains allow no better than their own number
-            const double tolerance = std::max(0.005, 1.5 * edge * edge / request.shape.area());
+            const double tolerance = std::max(0.005, 1.5 * edge * edge / area(region_of(request)));
             EXPECT_NEAR(make_specimen(request).statistics.mean_edge / edge, 1, tolerance) << edge;
         }
     }
@@ -252,6 +253,33 @@ TEST(SpecimenMaker, ADiscIsLoadedAlongEachOfItsDiameters) {
     EXPECT_THROW((void)plan_mesh(request), UsageError);
     request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 36, 0};
     EXPECT_THROW((void)plan_mesh(request), UsageError);
+}
+
+TEST(SpecimenMaker, ARegionWithHolesAndFlawsBecomesASpecimen) {
+    SpecimenRequest request;
+    request.region = l_with_holes();
+    request.region->edges = {{{0.01, 0.03}, {0.03, 0.05}, ContactKind::pre_existing_crack}, {{0.07, 0.01}, {0.09, 0.01}}};
+    for (const std::int64_t grains : {900, 901}) {
+        for (const int n : {1, 2}) {
+            request.grains = grains;
+            request.elements_per_edge = n;
+            const Specimen s = make_specimen(request);
+            validate(s, "polygon");
+            EXPECT_EQ(s.n_grains(), static_cast<std::size_t>(grains));
+            EXPECT_NEAR(s.statistics.area_error, 0, 1e-12);
+            EXPECT_EQ(s.part_names[6], "hole");
+            double broken = 0;
+            for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+                if (s.contact_kind[c] == 0) continue;
+                const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+                const auto& q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+                broken += std::hypot(q[0] - p[0], q[1] - p[1]);
+                EXPECT_NEAR(p[1] - p[0], 0.02, 1e-16);
+            }
+            EXPECT_NEAR(broken, 0.02 * std::sqrt(2), 1e-14);
+            EXPECT_LT(s.statistics.edge_variation, 0.2);
+        }
+    }
 }
 
 TEST(SpecimenMaker, ProgressMayStopTheWork) {

@@ -117,7 +117,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     EXPECT_FALSE(has("wanted.tsv"));
     EXPECT_FALSE(has("nearest.toml"));
     const Material calibrated = read_material(folder_.file("calibrated.toml"));  // a material like any other
-    EXPECT_NEAR(calibrated.contact.cohesion / *decision.point[Parameter::cohesion], 1, 1e-6);
+    EXPECT_NEAR(calibrated.contact.cohesion.value() / *decision.point[Parameter::cohesion], 1, 1e-6);
     EXPECT_NEAR(calibrated.rock.young_modulus / *decision.point[Parameter::young_modulus], 1, 1e-6);
     EXPECT_EQ(calibrated.rock.mode_i_toughness, 1.5e6);
     EXPECT_EQ(calibrated.fitted.size(), 5U);
@@ -149,8 +149,8 @@ TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
     EXPECT_FALSE(has("calibrated.toml"));
     const Material nearest = read_material(folder_.file("nearest.toml"));
     EXPECT_EQ(nearest.name, "Augig granite, nearest point");
-    EXPECT_NEAR(nearest.contact.cohesion / *decision.point[Parameter::cohesion], 1, 1e-6);
-    EXPECT_NEAR(nearest.contact.friction_angle / *decision.point[Parameter::friction_angle], 1, 1e-6);
+    EXPECT_NEAR(nearest.contact.cohesion.value() / *decision.point[Parameter::cohesion], 1, 1e-6);
+    EXPECT_NEAR(nearest.contact.friction_angle.value() / *decision.point[Parameter::friction_angle], 1, 1e-6);
 }
 
 TEST_F(CalibrateFolder, StudyIsReadAndChecked) {

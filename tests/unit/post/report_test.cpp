@@ -99,7 +99,7 @@ TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
 
 TEST_F(Report, GrainSizesHaveRowsAndColumnsOfTheirOwnAndWhatIsTheSameStandsOnce) {
     test::Recipe coarse = recipe("uniaxial", 150e6);
-    coarse.specimen.statistics.mean_edge *= 2;
+    coarse.specimen = test::grid_specimen(4, 8, 0.08, 0.16);
     const std::string html = page(
         {run("fine.h5", recipe("uniaxial", 120e6)), run("coarse.h5", coarse), run("fine4.h5", recipe("triaxial", 160e6, 4e6))});
     const auto edge = [](double length) { return fmt::format("uniaxial, edge {:.2g} mm", 1e3 * length); };

@@ -69,6 +69,17 @@ TEST(SameMaterial, NamesWhatDiffers) {
               "");
 }
 
+TEST(SameMaterial, EveryContactParameterMakesAnotherMaterial) {
+    const RunData first = run_of("a.h5");
+    for (const ContactParameter& row : all_contact_parameters()) {
+        RunHeader other = first.header;
+        other.contact.*row.value += 1;
+        EXPECT_NE(material_difference(other, first.header), "") << row.quantity.name;
+        other.plane = PlaneCondition::stress;
+        EXPECT_EQ(material_difference(other, first.header).empty(), row.follows_plane) << row.quantity.name;
+    }
+}
+
 // tc √(ks/kt) is derived in each plane condition; a last digit that differs makes no other material.
 TEST(SameMaterial, RoundOffOfWhatIsDerivedIsNoDifference) {
     RunData strain = run_of("a.h5");

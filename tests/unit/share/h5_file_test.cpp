@@ -356,6 +356,26 @@ std::string digest_of(const std::function<void(H5Output&)>& change) {
     return H5Input(folder.file("a.h5")).digest();
 }
 
+TEST(H5File, AnAttributeThatCannotBeDecodedIsNamedByItsObject) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    out.create_group("/run");
+    for (int i = 0; i < 30; ++i) {
+        out.attribute("/run", "good" + std::to_string(i), 1.5);
+    }
+    out.attribute("/run", "spoiled", 1.5);
+    out.commit();
+    std::string bytes = bytes_of(folder.file("a.h5"));
+    const std::size_t type = bytes.find("spoiled") + 8;  // the type of an attribute follows its name
+    ASSERT_EQ(bytes.at(type), 0x11);                     // a float, described by version 1
+    bytes[type] = '\xff';
+    write_bytes(folder.file("a.h5"), bytes);
+    const H5Input in(folder.file("a.h5"), "run");
+    EXPECT_EQ(in.attribute<double>("/run", "good0"), 1.5);
+    expect_one_line<InputError>([&] { in.check(); }, {"a.h5", "the attributes of /run cannot be read"});
+    expect_one_line<InputError>([&] { static_cast<void>(in.digest()); }, {"a.h5", "the attributes of /run cannot be read"});
+}
+
 TEST(H5File, DigestIsOfTheContent) {
     const std::string digest = digest_of([](H5Output&) {});
     EXPECT_EQ(digest.size(), 64U);

@@ -109,7 +109,7 @@ TEST_F(MaterialFile, AugigGraniteHasThePublishedNumbers) {
     EXPECT_EQ(granite.rock.tensile_strength, 8.8e6);
     EXPECT_EQ(granite.contact.tensile_strength, 24.15e6);
     EXPECT_EQ(granite.contact.cohesion, 74.57e6);
-    EXPECT_DOUBLE_EQ(granite.contact.friction_angle, 48.76 * degree);
+    EXPECT_DOUBLE_EQ(granite.contact.friction_angle.value_or(0), 48.76 * degree);
     EXPECT_FALSE(granite.contact.normal_stiffness);
     EXPECT_FALSE(granite.contact.fracture_energy);
     EXPECT_DOUBLE_EQ(granite.platen_friction_angle, 5 * degree);

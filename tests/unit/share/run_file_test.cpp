@@ -36,33 +36,32 @@ RunHeader header() {
     h.fracture_energy_choice = "mixed";
     h.plane = PlaneCondition::stress;
     h.rock = {1.5, 2.5, 3.5, 4.5, 5.5, 6.5};
-    h.contact = {7.5, 8.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 0, 0, 0, 0};
-    h.platen_friction = 16.5;
-    h.confining_pressure = 17.5;
+    h.contact.critical_opening = 7.5;
+    h.contact.critical_sliding = 8.5;
+    h.contact.ultimate_opening = 9.5;
+    double value = 100.5;
+    for (const ContactParameter& row : all_contact_parameters()) h.contact.*row.value = value++;
+    h.platen_friction = 10.5;
+    h.confining_pressure = 11.5;
     h.rate = "blocks";
     h.rate_tolerance = 0.25;
-    h.platen_speed = 18.5;
-    h.damping = 19.5;
-    h.peak_drop = 20.5;
-    h.max_strain = 21.5;
+    h.platen_speed = 12.5;
+    h.damping = 13.5;
+    h.peak_drop = 14.5;
+    h.max_strain = 15.5;
     h.mass_scaling = "selective";
-    h.stable_time_step = 22.5;
-    h.time_step = 23.5;
+    h.stable_time_step = 16.5;
+    h.time_step = 17.5;
     h.stop_reason = "peak drop";
     h.steps = 5000000000;
-    h.isotropic_end_time = 24.5;
-    h.peak_axial_stress = 25.5;
-    h.energy_scale = 26.5;
-    h.energy_balance_error = 27.5;
-    h.platen_force_difference = 28.5;
-    h.confinement_mean = 29.5;
-    h.confinement_deviation = 30.5;
-    h.damping_share = 31.5;
-    h.contact.open_shear_strength = 36.5;
-    h.contact.mode_ii_fracture_energy = 32.5;
-    h.contact.residual_tensile_strength = 33.5;
-    h.contact.residual_cohesion = 34.5;
-    h.contact.residual_friction_angle = 35.5;
+    h.isotropic_end_time = 18.5;
+    h.peak_axial_stress = 19.5;
+    h.energy_scale = 20.5;
+    h.energy_balance_error = 21.5;
+    h.platen_force_difference = 22.5;
+    h.confinement_mean = 23.5;
+    h.confinement_deviation = 24.5;
+    h.damping_share = 25.5;
     return h;
 }
 
@@ -148,7 +147,6 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(r.fracture_energy_choice, "mixed");
     EXPECT_EQ(r.plane, PlaneCondition::stress);
     EXPECT_EQ(r.mass_scaling, "selective");
-    EXPECT_EQ(r.contact.open_shear_strength, 36.5);
     EXPECT_EQ(r.rate, "blocks");
     EXPECT_EQ(r.rate_tolerance, 0.25);
     EXPECT_EQ(r.stop_reason, "peak drop");
@@ -159,12 +157,6 @@ TEST(RunFile, HeaderRoundTrip) {
                                       r.rock.mode_i_toughness,
                                       r.rock.mode_ii_toughness,
                                       r.rock.tensile_strength,
-                                      r.contact.normal_stiffness,
-                                      r.contact.shear_stiffness,
-                                      r.contact.tensile_strength,
-                                      r.contact.cohesion,
-                                      r.contact.friction_angle,
-                                      r.contact.fracture_energy,
                                       r.contact.critical_opening,
                                       r.contact.critical_sliding,
                                       r.contact.ultimate_opening,
@@ -183,15 +175,16 @@ TEST(RunFile, HeaderRoundTrip) {
                                       r.platen_force_difference,
                                       r.confinement_mean,
                                       r.confinement_deviation,
-                                      r.damping_share,
-                                      r.contact.mode_ii_fracture_energy,
-                                      r.contact.residual_tensile_strength,
-                                      r.contact.residual_cohesion,
-                                      r.contact.residual_friction_angle};
+                                      r.damping_share};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         EXPECT_EQ(numbers[i], 1.5 + static_cast<double>(i)) << "member " << i;
     }
-    EXPECT_EQ(run.file().attribute<std::string>("/run", "contact_normal_stiffness_unit"), "Pa/m");
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const std::string name(row.quantity.name);
+        EXPECT_EQ(r.contact.*row.value, header().contact.*row.value) << name;
+        EXPECT_EQ(run.file().attribute<double>("/run", name), header().contact.*row.value) << name;
+        EXPECT_EQ(run.file().attribute<std::string>("/run", name + "_unit"), row.quantity.unit()) << name;
+    }
     EXPECT_EQ(run.wall_time(), 12.25);
     EXPECT_EQ(run.threads(), 3);
     EXPECT_EQ(run.specimen().contact_nodes, specimen().contact_nodes);

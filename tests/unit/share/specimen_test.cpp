@@ -44,7 +44,7 @@ TEST(Specimen, RoundTrip) {
     s.seed = 12345;
     s.elements_per_edge = 2;
     s.loading_arc = 0.11;
-    s.statistics = {0.004, 0.1, 0.003, 0.005, 0.0038, 0.12, 0.003, 0.0045, 0.6, 0.05, 1e-15};
+    s.statistics = {2 * s.statistics.mean_edge, 0.1, 0.003, 0.005, 0.0038, 0.12, 0.003, 0.0045, 0.6, 0.05, 1e-15};
     s.phase_names = {"quartz", "feldspar"};
     s.grain_phase[1] = 1;
     s.part_names.push_back("notch");
@@ -62,7 +62,7 @@ TEST(Specimen, RoundTrip) {
     EXPECT_EQ(r.seed, s.seed);
     EXPECT_EQ(r.elements_per_edge, 2);
     EXPECT_EQ(r.loading_arc, 0.11);
-    EXPECT_EQ(r.statistics.mean_edge, 0.004);
+    EXPECT_EQ(r.statistics.mean_edge, s.statistics.mean_edge);
     EXPECT_EQ(r.statistics.max_diameter, 0.0045);
     EXPECT_EQ(r.statistics.area_error, 1e-15);
     EXPECT_EQ(r.node_position, s.node_position);
@@ -125,6 +125,22 @@ TEST(Specimen, TheDeclaredSizeIsThatOfTheMesh) {
     EXPECT_NO_THROW(validate(s, "s.h5"));
 }
 
+/// The first grain again, as the last.
+void repeat_grain(Specimen& s) {
+    const auto first_node = static_cast<std::int32_t>(s.n_nodes());
+    const std::size_t n_elements = s.n_elements();
+    for (std::size_t e = 0; e < n_elements && s.element_grain[e] == 0; ++e) {
+        for (const std::int32_t node : s.element_nodes[e]) s.node_position.push_back(s.node_position[node]);
+        const auto next = static_cast<std::int32_t>(s.n_nodes());
+        s.element_nodes.push_back({next - 3, next - 2, next - 1});
+        s.element_grain.push_back(static_cast<std::int32_t>(s.n_grains()));
+    }
+    s.boundary_edges.push_back({first_node, first_node + 1});
+    s.boundary_part.push_back(0);
+    s.grain_phase.push_back(0);
+    s.grain_area.push_back(s.grain_area[0]);
+}
+
 /// A change that makes a specimen invalid, and a word of the error message.
 struct Offence {
     const char* what;
@@ -179,6 +195,59 @@ const std::vector<Offence>& offences() {
              static_cast<void>(b2);
          },
          "share no nodes"},
+        {"element twice",
+         [](Specimen& s) {
+             s.element_nodes.push_back(s.element_nodes.back());
+             s.element_grain.push_back(s.element_grain.back());
+             s.grain_area[1] *= 1.5;
+         },
+         "overlap"},
+        {"node of no element",
+         [](Specimen& s) {
+             s.node_position.push_back({0, 0});
+         },
+         "no element (row 8)"},
+        {"grain twice", repeat_grain, "no contact (row 2)"},
+        {"area that is not that of the elements", [](Specimen& s) { s.grain_area[1] *= 1.02; }, "area of a grain"},
+        {"NaN area", [](Specimen& s) { s.grain_area[1] = std::numeric_limits<double>::quiet_NaN(); }, "area of a grain"},
+        {"mean edge that is not that of the mesh", [](Specimen& s) { s.statistics.mean_edge *= 1.02; }, "mean_edge"},
+        {"edges per grain edge", [](Specimen& s) { s.elements_per_edge = 2; }, "mean_edge"},
+        {"unknown shape", [](Specimen& s) { s.shape = "hexagon"; }, "rectangle or disc"},
+        {"middle off the origin",
+         [](Specimen& s) {
+             for (auto& p : s.node_position) p[1] += 0.0011 * s.height;
+         },
+         "middle of the nodes along y"},
+        {"middle off the origin along x",
+         [](Specimen& s) {
+             for (auto& p : s.node_position) p[0] -= 0.0011 * s.width;
+         },
+         "middle of the nodes along x"},
+        {"contact twice",
+         [](Specimen& s) {
+             s.contact_nodes.push_back(s.contact_nodes[0]);
+             s.contact_grain_boundary.push_back(1);
+             s.contact_kind.push_back(0);
+         },
+         "once in contacts and boundary together (row 1)"},
+        {"boundary edge twice",
+         [](Specimen& s) {
+             s.boundary_edges.push_back(s.boundary_edges[2]);
+             s.boundary_part.push_back(s.boundary_part[2]);
+         },
+         "once in contacts and boundary together (row 6)"},
+        {"contact in the boundary too",
+         [](Specimen& s) {
+             s.boundary_edges.push_back({s.contact_nodes[0][0], s.contact_nodes[0][1]});
+             s.boundary_part.push_back(4);
+         },
+         "once in contacts and boundary together (row 6)"},
+        {"inside of a grain as boundary",
+         [](Specimen& s) {
+             s.boundary_edges.push_back({s.element_nodes[0][2], s.element_nodes[0][0]});
+             s.boundary_part.push_back(4);
+         },
+         "on the outside of its grain"},
         {"unknown phase", [](Specimen& s) { s.grain_phase[1] = 1; }, "phase"},
         {"contact with a node that is not there", [](Specimen& s) { s.contact_nodes[0][3] = 99; }, "node that does not exist"},
         {"grain a above grain b",

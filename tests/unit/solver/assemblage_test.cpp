@@ -127,12 +127,71 @@ TEST(Assemblage, ChunksCoverEverythingAndShareNoNode) {
     EXPECT_EQ(element, a.n_elements());
     EXPECT_EQ(node, a.n_nodes());
     std::int32_t contact = 0;
-    for (const Range& r : a.contact_chunks) {
-        EXPECT_EQ(r.begin, contact);
-        EXPECT_LE(r.size(), contacts_per_chunk);
-        contact = r.end;
+    for (const ContactChunk& chunk : a.contact_chunks) {
+        EXPECT_EQ(chunk.contacts.begin, contact);
+        EXPECT_LE(chunk.contacts.size(), contacts_per_chunk);
+        contact = chunk.contacts.end;
     }
     EXPECT_EQ(contact, a.n_contacts());
+}
+
+/// A rectangle of 1,200 grains whose phases follow no pattern of its rows.
+Specimen of_three_phases() {
+    Specimen s = test::one_diagonal_grid(20, 30, 0.02, 0.03);
+    s.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
+    }
+    return s;
+}
+
+TEST(Assemblage, SortsContactsByClassIntoChunksOfOne) {
+    const Specimen s = of_three_phases();
+    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    ASSERT_EQ(a.n_contacts(), static_cast<std::int32_t>(s.n_contacts()));
+    ASSERT_EQ(a.contacts.size(), a.specimen_contact.size());
+    std::vector<int> seen(s.n_contacts(), 0);
+    std::int32_t last_class = -1;
+    std::int32_t place = 0;
+    for (const ContactChunk& chunk : a.contact_chunks) {
+        EXPECT_EQ(chunk.contacts.begin, place);
+        EXPECT_GE(chunk.contact_class, last_class);
+        for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
+            const auto of_specimen = static_cast<std::size_t>(a.specimen_contact[static_cast<std::size_t>(c)]);
+            ++seen[of_specimen];
+            EXPECT_EQ(a.contact_of_specimen[of_specimen], c);
+            const auto phase = [&](std::size_t k) {
+                return s.grain_phase[static_cast<std::size_t>(grain[static_cast<std::size_t>(s.contact_nodes[of_specimen][k])])];
+            };
+            EXPECT_EQ(static_cast<std::int32_t>(contact_class(phase(0), phase(2))), chunk.contact_class);
+            EXPECT_EQ(a.contacts[static_cast<std::size_t>(c)].nodes[0],
+                      a.node_of_specimen[static_cast<std::size_t>(s.contact_nodes[of_specimen][0])]);
+        }
+        last_class = chunk.contact_class;
+        place += contacts_per_chunk;
+    }
+    EXPECT_EQ(last_class, 5);
+    EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        EXPECT_EQ(a.specimen_contact[c] < 0, a.contacts[c].point_area == 0);
+    }
+}
+
+TEST(Assemblage, GrainsHaveTheElasticityAndMassOfTheirPhase) {
+    Specimen s = of_three_phases();
+    const std::vector<Phase> phases{{83.1e9, 0.08, 2650}, {60e9, 0.25, 2600}, {29.3e9, 0.27, 3000}};
+    const Assemblage a = make_assemblage(s, phases, PlaneCondition::stress);
+    double mass = 0;
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        const Phase& phase = phases[s.grain_phase[static_cast<std::size_t>(s.element_grain[e])]];
+        const PlaneElasticity c = make_plane_elasticity(phase.young_modulus, phase.poisson_ratio, PlaneCondition::stress);
+        EXPECT_EQ(a.elasticity[e].c11, c.c11);
+        EXPECT_EQ(a.elasticity[e].mu, c.mu);
+        EXPECT_EQ(a.element_mass[e], phase.density * a.element_geometry[e].area);
+        mass += a.element_mass[e];
+    }
+    EXPECT_NEAR(std::accumulate(a.mass.begin(), a.mass.end(), 0.0), mass, 1e-12 * mass);
 }
 
 }  // namespace

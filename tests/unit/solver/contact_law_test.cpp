@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -27,6 +28,14 @@ IntactResponse intact_response(const ContactLaw& law, const IntactPoint& point) 
 }
 bool is_residual(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::is_residual(law, history); });
+}
+
+TEST(ContactLawTable, EveryParameterIsReadByEveryLawOrByThoseThatNameIt) {
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const auto names_it = [&](const LawDescription& law) { return law.reads(row.value); };
+        EXPECT_EQ(std::any_of(all_contact_laws().begin(), all_contact_laws().end(), names_it), !row.every_law)
+            << row.quantity.name;
+    }
 }
 
 TEST(ContactLawPoint, ConstantsFromTheParameters) {
@@ -124,10 +133,11 @@ TEST(ContactLawPoint, ShearStrengthWhileOpen) {
     for (const ContactLaw& law : all_laws(p)) {
         test::ContactWalk walk(law);
         walk.go({0, 1.5 * p.critical_sliding}, 100000);
-        const double strength = law.variant == LawVariant::literal                ? p.tensile_strength
-                                : description_of(law.variant).open_shear_strength ? p.open_shear_strength
-                                : law.variant == LawVariant::scaled               ? p.tensile_strength * std::sqrt(kappa)
-                                                                                  : p.cohesion;
+        const double strength = law.variant == LawVariant::literal ? p.tensile_strength
+                                : description_of(law.variant).reads(&ContactParameters::open_shear_strength)
+                                    ? p.open_shear_strength
+                                : law.variant == LawVariant::scaled ? p.tensile_strength * std::sqrt(kappa)
+                                                                    : p.cohesion;
         expect_close(walk.largest_shear(), strength, 1e-4, strength);
         EXPECT_EQ(walk.history().first_mode, CrackMode::tensile);  // open then
     }

@@ -33,7 +33,7 @@ double share_of(Velocity&& velocity, DampingForce&& damping_force) {
         }
         std::fill(s.damping_force.begin(), s.damping_force.end(), Vector2{0, -damping_force(t)});
         s.time = t;
-        follow_damping_load(s, 1, time_constant, s.damping_load);
+        follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     }
     return s.damping_load.share() / static_cast<double>(s.damping_force.size());
 }
@@ -59,17 +59,17 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
     s.displacement.assign(s.displacement.size(), {1e-6, 0});
     s.damping_force.assign(s.damping_force.size(), {-1, 0});
     s.time = transit;
-    follow_damping_load(s, 1, time_constant, s.damping_load);
+    follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     const double once = s.damping_load.share();
     EXPECT_GT(once, 0);
-    follow_damping_load(s, 1, time_constant, s.damping_load);
+    follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     EXPECT_EQ(s.damping_load.share(), once);
 }
 
 // Two blocks under pressure, pushed along the joint: below the friction limit, near it, and sliding.
 TEST(NearFailure, CountsJointsThatSlideAndPointsThatAreAboutToFail) {
     SmallRun run(test::jointed_rectangle(4, 2, 0.06, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
-    const ContactLaw& law = run.parameters.law;
+    const ContactLaw& law = run.parameters.laws[0];
     const double overlap = 10e6 / law.kt;
     const double limit = 10e6 * law.tan_phi / law.ks;  // sliding at which friction is at its limit
     const auto at = [&](double sliding) {

@@ -30,6 +30,8 @@ public:
         for (auto& column : history.columns) {
             column.push_back(0);
         }
+        history[HistoryColumn::time].back() = at;
+        history[HistoryColumn::energy_damping].back() = damping;
         history[HistoryColumn::axial_stress].back() = stress;
         history[HistoryColumn::unbalanced_ratio].back() = unbalanced;
         history[HistoryColumn::tensile_cracks].back() = cracks;
@@ -43,7 +45,25 @@ public:
     Program program;
     StageController stages;
     History history;
+    double damping = 1;  ///< energy that it has absorbed, J
 };
+
+TEST(StandardTest, WithoutDampingAFallOutlastsAWave) {
+    const auto ends_after = [](double damping, double transits) {
+        Led led(LoadingRequest{});
+        led.damping = damping;
+        led.row(0);
+        led.row(transit, -100e6, 1, {}, 5);
+        const double begin = 1.25 * transit;
+        for (double time = begin; time <= begin + transits * transit; time += 0.25 * transit) {
+            if (!led.stages.finished()) led.row(time, -50e6, 1, {}, 5);
+        }
+        return led.stages.finished();
+    };
+    EXPECT_TRUE(ends_after(1, 0));
+    EXPECT_FALSE(ends_after(0, 1.5));
+    EXPECT_TRUE(ends_after(0, 2.5));
+}
 
 TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
     LoadingRequest request;

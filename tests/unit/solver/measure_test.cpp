@@ -63,7 +63,7 @@ TEST(Measure, EnergyOfAnOpenedContact) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
                                           {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
                  test::augig_law());
-    const ContactLaw& law = run.parameters.law;
+    const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
     for (std::size_t i = 4; i < 8; ++i) {
         run.state.displacement[i].y = opening;
@@ -104,7 +104,7 @@ TEST(Measure, FramesAreInTheOrderOfTheSpecimen) {
         run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
     }
     run.begin();
-    const Frame frame = make_frame(run.assemblage, run.parameters.law, run.state);
+    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
     ASSERT_EQ(frame.displacement.size(), s.n_nodes());
     for (std::size_t i = 0; i < s.n_nodes(); ++i) {
         EXPECT_EQ(frame.displacement[i][0], 1e-5 * s.node_position[i][0]);

@@ -213,6 +213,8 @@ struct Led {
         for (auto& column : history.columns) {
             column.push_back(0);
         }
+        history[HistoryColumn::time].back() = at;
+        history[HistoryColumn::energy_damping].back() = 1;
         history[HistoryColumn::axial_stress].back() = stress;
         history[HistoryColumn::unbalanced_ratio].back() = unbalanced;
         history[HistoryColumn::shear_cracks].back() = cracks;

@@ -1,0 +1,355 @@
+#include "mesher/seeds/fixed_seeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double same_place = 1e-9;  ///< over the extent of a region: prescribed edges meet there
+constexpr int min_circle_edges = 4;
+
+/// Shares 0 = s₀ < s₁ < … < s_n = 1 of a line cut into n pieces of random length.
+std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
+    // Uniform within ±√3 spread, which has the requested standard deviation and no outliers.
+    const double half_range = std::min(std::numbers::sqrt3 * spread, 0.6);
+    std::vector<double> shares(static_cast<std::size_t>(n) + 1, 0.0);
+    for (std::size_t i = 1; i < shares.size(); ++i) shares[i] = shares[i - 1] + 1 + half_range * random.symmetric();
+    for (double& s : shares) s /= shares.back();
+    return shares;
+}
+
+/// A straight side or a circle, to be divided into edges.
+struct Divided {
+    double length;
+    double rise;  ///< along y
+    int n;        ///< edges
+};
+
+/// The sides and circles of all loops with the fewest edges they need.
+std::vector<Divided> undivided(const Region& region) {
+    std::vector<Divided> sides;
+    for (const Curve& curve : curves_of({region.name, region.loops, {}})) {
+        if (curve.is_circle())
+            sides.push_back({2 * pi * curve.circle.radius, 0, min_circle_edges});
+        else
+            sides.push_back({length(curve.to - curve.from), std::abs(curve.to.y - curve.from.y), 1});
+    }
+    return sides;
+}
+
+int number_of_edges(const std::vector<Divided>& sides) {
+    int sum = 0;
+    for (const Divided& side : sides) sum += side.n;
+    return sum;
+}
+
+/// Divides the sides into n edges in proportion to their lengths: the one with the longest edges gets one more until all are
+/// given, of equals the longer, then the steeper side. If n is odd, the last goes to the longest side, so that opposite sides of
+/// a rectangle have the same number or differ by one.
+std::vector<Divided> edges_per_side(const Region& region, int n) {
+    std::vector<Divided> sides = undivided(region);
+    const auto add_to_best = [&](const auto& size) {
+        constexpr double round_off = 1e-12;
+        auto best = sides.begin();
+        for (auto it = sides.begin() + 1; it != sides.end(); ++it) {
+            const double difference = size(*it) - size(*best);
+            const bool equal = std::abs(difference) <= round_off * size(*best);
+            const bool better = equal && it->length == best->length ? it->rise > best->rise : it->length > best->length;
+            if (equal ? better : difference > 0) best = it;
+        }
+        ++best->n;
+    };
+    int missing = n - number_of_edges(sides);
+    for (; missing > n % 2; --missing) add_to_best([](const Divided& side) { return side.length / side.n; });
+    if (missing > 0) add_to_best([](const Divided& side) { return side.length; });
+    return sides;
+}
+
+/// Polar angles of the points of a circle, counter-clockwise from just left of the upper pole's facet (or from the pole).
+std::vector<double> rim_angles(const Circle& circle, int n, double spread, RandomNumbers& random) {
+    const bool facets = circle.pole == Pole::facet;
+    const int arcs = 2 * circle.diameters;  // from pole to pole
+    const double half_facet = facets ? pi / n : 0.0;
+    const double span = pi / circle.diameters - 2 * half_facet;
+    const int between = facets ? n - arcs : n;  // edges beside the pole facets
+    const auto edges_before = [&](int arc) { return (arc * between + arcs - 1) / arcs; };
+    std::vector<double> angles;
+    for (int arc = 0; arc < arcs; ++arc) {
+        const double start = (0.5 + static_cast<double>(arc) / circle.diameters) * pi + half_facet;
+        const auto shares = cut_line(edges_before(arc + 1) - edges_before(arc), spread, random);
+        const std::size_t n_points = shares.size() - (facets ? 0 : 1);  // the next pole vertex opens the next arc
+        for (std::size_t i = 0; i < n_points; ++i) angles.push_back(start + shares[i] * span);
+    }
+    return angles;
+}
+
+double polygon_area(const std::vector<Point>& points) {
+    double doubled = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) doubled += cross(points[i], points[(i + 1) % points.size()]);
+    return doubled / 2;
+}
+
+/// Points about the origin at a radius. Points at a pole are moved along its diameter until the diameter has its length.
+/// `pole_of`: number of the pole, counter-clockwise from the upper one, or −1.
+std::vector<Point> rim_points(const Circle& circle, const std::vector<double>& angles, const std::vector<int>& pole_of,
+                              double radius) {
+    std::vector<Point> points(angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        points[i] = {radius * std::cos(angles[i]), radius * std::sin(angles[i])};
+        if (pole_of[i] < 0) continue;
+        if (pole_of[i] % circle.diameters == 0) {
+            points[i].y = std::copysign(circle.radius, points[i].y);
+        } else {
+            const double angle = (0.5 + static_cast<double>(pole_of[i]) / circle.diameters) * pi;
+            const Point along{std::cos(angle), std::sin(angle)};
+            points[i] = points[i] + (circle.radius - dot(points[i], along)) * along;
+        }
+    }
+    return points;
+}
+
+/// Points of a circle about the origin, counter-clockwise.
+std::vector<Point> circle_points(const Circle& circle, int n, double spread, RandomNumbers& random) {
+    const auto angles = rim_angles(circle, n, spread, random);
+    const double reach = circle.pole == Pole::facet ? pi / n : 0.0;
+    std::vector<int> pole_of(angles.size(), -1);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double from_upper = (angles[i] - pi / 2) / (pi / circle.diameters);  // in units of the angle between poles
+        const double pole = std::round(from_upper);
+        if (std::abs(from_upper - pole) * (pi / circle.diameters) < reach + 1e-9) {
+            pole_of[i] = static_cast<int>(pole) % (2 * circle.diameters);
+        }
+    }
+    std::vector<Point> points;
+    double rim_radius = circle.radius;
+    // The area grows almost as the square of the rim radius (not exactly, because of the moved nodes at the poles): a few
+    // corrections suffice.
+    for (int i = 0; i < 100; ++i) {
+        points = rim_points(circle, angles, pole_of, rim_radius);
+        const double ratio = pi * circle.radius * circle.radius / polygon_area(points);
+        if (std::abs(ratio - 1) < 4e-16) break;
+        rim_radius *= std::sqrt(ratio);
+    }
+    if (circle.pole == Pole::vertex) {
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            if (pole_of[i] >= 0 && pole_of[i] % circle.diameters == 0) points[i].x = 0;
+        }
+    }
+    return points;
+}
+
+/// Fixed seeds in the making.
+class Builder {
+public:
+    Builder(const Region& region, double spread, RandomNumbers& random) : region_(region), spread_(spread), random_(random) {
+        const Box box = bounds(region);
+        tolerance_ = same_place * (box.width() + box.height());
+    }
+
+    /// Fixed seeds on the loops.
+    void add_loops(int n) {
+        const auto sides = edges_per_side(region_, n);
+        auto side = sides.begin();
+        for (const Loop& loop : region_.loops) {
+            const int first = size();
+            const auto add_point = [&](Point p, std::uint8_t part) {
+                seeds_.sides.push_back({size(), size() + 1, part});
+                seeds_.points.push_back(p);
+            };
+            if (loop.circle) {
+                auto points = circle_points(*loop.circle, side++->n, spread_, random_);
+                if (&loop != &region_.loops.front()) std::reverse(points.begin(), points.end());
+                for (const Point p : points) {
+                    if (std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // what meets a platen
+                    add_point(loop.circle->centre + p, loop.parts[0]);
+                }
+                if (is_round(region_) && loop.circle->pole == Pole::facet) {
+                    seeds_.loading_arc = 2 * std::atan2(std::abs(points.front().x), loop.circle->radius);
+                }
+            }
+            std::vector<int> corners;
+            for (std::size_t i = 0; i < loop.corners.size(); ++i) {
+                const Point from = loop.corners[i];
+                const Point to = loop.corners[(i + 1) % loop.corners.size()];
+                const auto shares = cut_line(side++->n, spread_, random_);
+                corners.push_back(size());
+                for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+                    // The coordinate that is constant along the side is copied exactly, so that the side is straight.
+                    Point p = from;
+                    if (from.x != to.x) p.x += shares[k] * (to.x - from.x);
+                    if (from.y != to.y) p.y += shares[k] * (to.y - from.y);
+                    add_point(p, loop.parts[i]);
+                }
+            }
+            seeds_.sides.back().to = first;
+            const int n_loop = size() - first;
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const int at = corners[i];
+                const std::size_t n_corners = corners.size();
+                if (!can_be_cut_off(loop.corners[(i + n_corners - 1) % n_corners], loop.corners[i],
+                                    loop.corners[(i + 1) % n_corners]))
+                    continue;
+                seeds_.corners.push_back({first + (at - first + n_loop - 1) % n_loop, at, first + (at - first + 1) % n_loop});
+            }
+            kept_.insert(kept_.end(), corners.begin(), corners.end());
+        }
+    }
+
+    /// Fixed seeds on the prescribed edges; after the loops.
+    void add_prescribed(double edge) {
+        std::vector<PrescribedEdge> pieces;
+        for (const PrescribedEdge& e : region_.edges) {
+            for (const PrescribedEdge& piece : clip(region_, e)) pieces.push_back(piece);
+        }
+        const std::size_t n_loop_sides = seeds_.sides.size();
+        std::vector<std::vector<std::pair<double, int>>> stations(pieces.size());  // share along each piece, and point
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            stations[i] = {{0, station(pieces[i].from)}, {1, station(pieces[i].to)}};
+            for (std::size_t j = 0; j < i; ++j) meet(pieces, i, j, stations);
+        }
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            std::sort(stations[i].begin(), stations[i].end());
+            for (std::size_t k = 0; k + 1 < stations[i].size(); ++k) {
+                if (stations[i][k].second != stations[i][k + 1].second)
+                    add_line(stations[i][k].second, stations[i][k + 1].second, edge, pieces[i].kind);
+            }
+        }
+        // Inserted points of loops come in pairs, so that the number of boundary points keeps its parity.
+        if (n_inserted_ % 2 != 0) split_longest_side(n_loop_sides + static_cast<std::size_t>(n_inserted_));
+        seeds_.n_fixed = seeds_.points.size();
+    }
+
+    Seeds seeds() && { return std::move(seeds_); }
+
+private:
+    [[nodiscard]] int size() const { return static_cast<int>(seeds_.points.size()); }
+    [[nodiscard]] Point& at(int p) { return seeds_.points[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] bool is_kept(int p) const { return std::find(kept_.begin(), kept_.end(), p) != kept_.end(); }
+
+    /// The point at an end or crossing of prescribed edges: one that is there, a point of a loop moved there, or a new one.
+    int station(Point p) {
+        for (const int q : kept_) {
+            if (length(at(q) - p) < tolerance_) return q;
+        }
+        const int index = std::abs(depth_inside(region_, p)) < tolerance_ ? point_of_loop(p) : size();
+        if (index == size()) seeds_.points.push_back(p);
+        at(index) = p;
+        kept_.push_back(index);
+        return index;
+    }
+
+    /// The nearest point of a loop, if it is free to move along its side; otherwise a new one that is inserted.
+    int point_of_loop(Point p) {
+        const auto distance = [&](const Side& side) {
+            return Curve{Curve::Kind::side, at(side.from), at(side.to), unit(at(side.to) - at(side.from)), {}}.distance(p);
+        };
+        auto nearest = seeds_.sides.begin();
+        for (auto it = nearest; it != seeds_.sides.end(); ++it) {
+            if (it->part >= 0 && distance(*it) < distance(*nearest)) nearest = it;
+        }
+        const int end = length(at(nearest->from) - p) < length(at(nearest->to) - p) ? nearest->from : nearest->to;
+        if (!is_kept(end)) return end;
+        insert(nearest, size());
+        return size();
+    }
+
+    void insert(std::vector<Side>::iterator side, int point) {
+        for (Corner& c : seeds_.corners) {
+            if (c.at == side->to) c.before = point;
+            if (c.at == side->from) c.after = point;
+        }
+        Side second = *side;
+        side->to = second.from = point;
+        seeds_.sides.insert(side + 1, second);
+        ++n_inserted_;
+    }
+
+    void split_longest_side(std::size_t n_loop_sides) {
+        const auto size_of = [&](const Side& s) { return squared_length(at(s.to) - at(s.from)); };
+        const auto end = seeds_.sides.begin() + static_cast<std::ptrdiff_t>(n_loop_sides);
+        const auto longest =
+            std::max_element(seeds_.sides.begin(), end, [&](const Side& a, const Side& b) { return size_of(a) < size_of(b); });
+        const Point middle = midpoint(at(longest->from), at(longest->to));
+        insert(longest, size());
+        seeds_.points.push_back(middle);
+    }
+
+    /// Divides two pieces where they meet.
+    void meet(const std::vector<PrescribedEdge>& pieces, std::size_t i, std::size_t j,
+              std::vector<std::vector<std::pair<double, int>>>& stations) {
+        const PrescribedEdge& a = pieces[i];
+        const PrescribedEdge& b = pieces[j];
+        const Point u = a.to - a.from;
+        const Point v = b.to - b.from;
+        const double sine = cross(u, v);
+        const double slack_a = tolerance_ / length(u);
+        const double slack_b = tolerance_ / length(v);
+        if (std::abs(sine) <= same_place * length(u) * length(v)) {
+            const double from = dot(b.from - a.from, u) / squared_length(u);
+            const double to = dot(b.to - a.from, u) / squared_length(u);
+            const bool on_one_line = std::abs(cross(b.from - a.from, u)) < tolerance_ * length(u);
+            if (on_one_line && std::max(from, to) > slack_a && std::min(from, to) < 1 - slack_a) {
+                throw UsageError("region " + region_.name + ": two prescribed edges lie upon each other");
+            }
+            return;
+        }
+        const double on_a = cross(b.from - a.from, v) / sine;
+        const double on_b = cross(b.from - a.from, u) / sine;
+        if (on_a < -slack_a || on_a > 1 + slack_a || on_b < -slack_b || on_b > 1 + slack_b) return;
+        // An end that lies on the other edge is the point itself.
+        const Point p = on_b < slack_b       ? b.from
+                        : on_b > 1 - slack_b ? b.to
+                        : on_a < slack_a     ? a.from
+                        : on_a > 1 - slack_a ? a.to
+                                             : a.from + on_a * u;
+        const int point = station(p);
+        stations[i].emplace_back(std::clamp(on_a, 0.0, 1.0), point);
+        stations[j].emplace_back(std::clamp(on_b, 0.0, 1.0), point);
+    }
+
+    void add_line(int from, int to, double edge, ContactKind kind) {
+        const Point start = at(from);
+        const Point way = at(to) - start;
+        const auto shares = cut_line(std::max(1, static_cast<int>(std::lround(length(way) / edge))), spread_, random_);
+        int last = from;
+        for (std::size_t k = 1; k < shares.size(); ++k) {
+            const int next = k + 1 == shares.size() ? to : size();
+            if (next != to) seeds_.points.push_back(start + shares[k] * way);
+            seeds_.sides.push_back({last, next, -1, kind});
+            last = next;
+        }
+    }
+
+    const Region& region_;
+    double spread_;
+    RandomNumbers& random_;
+    double tolerance_ = 0;
+    int n_inserted_ = 0;
+    std::vector<int> kept_;  ///< points that must not be moved: corners, ends and crossings
+    Seeds seeds_;
+};
+
+}  // namespace
+
+int admissible_boundary_count(const Region& region, double wanted, bool odd) {
+    const int parity = odd ? 1 : 0;
+    const int fewest = number_of_edges(undivided(region));
+    const int n = 2 * static_cast<int>(std::lround((wanted - parity) / 2)) + parity;
+    return std::max(n, fewest + (fewest + parity) % 2);
+}
+
+Seeds fixed_seeds(const Region& region, int n, double edge, double spread, RandomNumbers& random) {
+    Builder builder(region, spread, random);
+    builder.add_loops(n);
+    builder.add_prescribed(edge);
+    return std::move(builder).seeds();
+}
+
+}  // namespace graincrack::mesher

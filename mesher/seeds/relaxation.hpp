@@ -1,0 +1,36 @@
+// Relaxation of the inner points of a mesh: near-equal edges without a preferred direction.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mesher/plane/random_numbers.hpp"
+#include "mesher/region/depth_grid.hpp"
+#include "mesher/seeds/seeds.hpp"
+
+namespace graincrack::mesher {
+
+/// Requested properties of the mesh.
+struct RelaxationGoal {
+    double edge = 0;          ///< requested mean edge, m; must fit the number of points
+    double spread = 0.1;      ///< requested coefficient of variation of the edges
+    std::size_t n_inner = 0;  ///< requested number of inner points, met exactly
+};
+
+/// Called with the share of work done, 0 to 1; may throw to stop.
+using ProgressCallback = std::function<void(double)>;
+
+/// Moves, splits and merges the inner points until the edges are near the requested length; fixed seeds stay where they are.
+/// Triangles are Delaunay, within the loops and along the prescribed edges (constrained) where the loop is not convex.
+///
+/// A round consists of a Delaunay triangulation, sweeps of springs along the edges, and as many merges of edges that are far too
+/// short as splits of edges that are far too long. Springs alone would produce patches of a regular lattice, whose directions
+/// would guide cracks. Two measures prevent this: (1) springs exert no force within a range about the requested length, which is
+/// adapted to reach the requested spread; (2) where the edges around a point share a six-fold direction, they are turned away
+/// from it.
+/// \throws NumericalError if the number of points cannot be met (a shape only a few edges wide); Interrupted on a signal
+/// \param depth of the region, with a reach of 0.3 edges at least
+Seeds relax_points(const DepthGrid& depth, Seeds fixed, const std::vector<Point>& inner, const RelaxationGoal& goal,
+                   RandomNumbers& random, const ProgressCallback& progress = {});
+
+}  // namespace graincrack::mesher

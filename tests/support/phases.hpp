@@ -1,0 +1,55 @@
+// Specimens of three phases for the solver's tests.
+#pragma once
+
+#include <utility>
+
+#include "share/fabric.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack::test {
+
+/// A specimen and what its phases and classes are made of.
+struct PhasedSpecimen {
+    Specimen specimen;
+    Fabric fabric;
+    [[nodiscard]] SmallRun run(LawVariant law, double fraction = 0.5) const {
+        return {specimen, fabric.phases, make_contact_laws(fabric.contacts, law, Coupling::full), PlaneCondition::strain,
+                fraction};
+    }
+};
+
+/// The same grains in three phases, in no pattern, all of Augig granite.
+inline PhasedSpecimen equal_phases(Specimen s) {
+    s.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
+    }
+    Fabric fabric = uniform_fabric(augig_granite().rock, augig_contact(), s.phase_names.size());
+    return {std::move(s), std::move(fabric)};
+}
+
+/// The same with values that differ from phase to phase and from class to class, and a strength factor on every contact.
+inline PhasedSpecimen varied_phases(Specimen specimen) {
+    PhasedSpecimen varied = equal_phases(std::move(specimen));
+    for (std::size_t c = 0; c < varied.specimen.n_contacts(); ++c) {
+        varied.specimen.contact_strength_factor.push_back(0.6 + 0.1 * static_cast<double>(c * 5 % 9));
+    }
+    for (std::size_t p = 0; p < varied.fabric.phases.size(); ++p) {
+        Phase& phase = varied.fabric.phases[p];
+        phase.young_modulus *= 0.5 + 0.5 * static_cast<double>(p);
+        phase.poisson_ratio += 0.03 * static_cast<double>(p);
+        phase.density *= 1 + 0.1 * static_cast<double>(p);
+    }
+    for (std::size_t k = 0; k < varied.fabric.contacts.size(); ++k) {
+        ContactParameters& contact = varied.fabric.contacts[k];
+        contact = scaled_contact(contact, 1 + 0.1 * static_cast<double>(k));
+        const double stiffer = 1 + 0.2 * static_cast<double>(k % 3);
+        contact.normal_stiffness *= stiffer;
+        contact.critical_opening /= stiffer;  // e tc/kt
+        contact.friction_angle -= 2 * degree * static_cast<double>(k);
+    }
+    return varied;
+}
+
+}  // namespace graincrack::test

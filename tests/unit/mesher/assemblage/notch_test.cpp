@@ -1,0 +1,77 @@
+#include "mesher/assemblage/notch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "mesher/specimen_maker.hpp"
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+SpecimenRequest notched(double length, int elements_per_edge = 1) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.grains = 1122;
+    request.elements_per_edge = elements_per_edge;
+    request.notch = length;
+    return request;
+}
+
+bool broken(const Specimen& s, std::size_t c) {
+    return s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+}
+
+// A notch is one line: every point of it, except for its two ends, belongs to two of its contacts, and the ends lie within an
+// edge of the requested positions.
+TEST(Notch, IsOneLineOfTheWantedLength) {
+    for (const int n : {1, 3}) {
+        const Specimen s = make_specimen(notched(0.032, n));
+        std::map<std::pair<double, double>, int> ends;
+        for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+            if (!broken(s, c)) continue;
+            for (const int side : {0, 1}) {
+                const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][side])];
+                ++ends[{p[0], p[1]}];
+                EXPECT_LT(std::abs(p[1]), s.statistics.max_edge);
+            }
+        }
+        ASSERT_FALSE(ends.empty());
+        EXPECT_EQ(std::count_if(ends.begin(), ends.end(), [](const auto& e) { return e.second == 1; }), 2);
+        EXPECT_EQ(std::count_if(ends.begin(), ends.end(), [](const auto& e) { return e.second > 2; }), 0);
+        EXPECT_NEAR(ends.rbegin()->first.first - ends.begin()->first.first, 0.032, s.statistics.max_edge);
+    }
+}
+
+TEST(Notch, ChangesNothingElse) {
+    SpecimenRequest whole = notched(0.032);
+    whole.notch.reset();
+    const Specimen with = make_specimen(notched(0.032));
+    const Specimen without = make_specimen(whole);
+    EXPECT_EQ(with.node_position, without.node_position);
+    EXPECT_EQ(with.contact_nodes, without.contact_nodes);
+    EXPECT_EQ(std::count(without.contact_kind.begin(), without.contact_kind.end(), 1), 0);
+}
+
+TEST(Notch, TooShortOrTooLongIsRefused) {
+    EXPECT_THROW(plan_mesh(notched(0.005)), UsageError);
+    EXPECT_THROW(plan_mesh(notched(0.075)), UsageError);
+    SpecimenRequest narrow = notched(0.011);
+    narrow.shape.width = 0.02;
+    narrow.grains = 100;  // edges of about 8.5 mm
+    try {
+        plan_mesh(narrow);
+        FAIL() << "a notch in two edges' width";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("no room"), std::string::npos) << error.what();
+    }
+    EXPECT_NO_THROW(plan_mesh(notched(0.011)));
+    EXPECT_NO_THROW(plan_mesh(notched(0.059)));
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

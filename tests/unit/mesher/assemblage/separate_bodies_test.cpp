@@ -1,0 +1,227 @@
+#include "mesher/assemblage/separate_bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "mesher/elements/constrained.hpp"
+#include "mesher/elements/lattice.hpp"
+#include "mesher/specimen_maker.hpp"
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+using Place = std::array<double, 2>;
+
+/// A unit square of two triangles.
+PlaneCells two_cells() {
+    PlaneCells cells;
+    cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+    cells.corners = {0, 1, 2, 2, 3, 0};
+    cells.start = {0, 3, 6};
+    cells.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}};
+    cells.sides = {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}};
+    return cells;
+}
+
+/// What a specimen needs beside its arrays.
+Specimen specimen_of(const PlaneMesh& mesh) {
+    Specimen s = separate_bodies(mesh);
+    s.shape = "polygon";
+    s.width = s.height = 1;
+    s.tessellation = "delaunay";
+    return s;
+}
+
+SpecimenRequest small_rectangle(int elements_per_edge) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::rectangle, 0.04, 0.06, Pole::facet};
+    request.grains = 200;
+    request.elements_per_edge = elements_per_edge;
+    return request;
+}
+
+TEST(SeparateBodies, TwoGrainsShareOneContact) {
+    const Specimen s = specimen_of(lattice_mesh(two_cells(), 1));
+    validate(s, "two grains");
+    ASSERT_EQ(s.n_grains(), 2U);
+    ASSERT_EQ(s.n_nodes(), 6U);
+    ASSERT_EQ(s.n_contacts(), 1U);
+    EXPECT_EQ(s.n_boundary_edges(), 4U);
+    EXPECT_EQ(s.contact_grain_boundary[0], 0);
+    const auto [a1, a2, b1, b2] = s.contact_nodes[0];
+    EXPECT_EQ(s.node_position[static_cast<std::size_t>(a1)], s.node_position[static_cast<std::size_t>(b1)]);
+    EXPECT_EQ(s.node_position[static_cast<std::size_t>(a2)], s.node_position[static_cast<std::size_t>(b2)]);
+    EXPECT_LT(a1, 3);
+    EXPECT_GE(b1, 3);
+    EXPECT_DOUBLE_EQ(s.grain_area[0], 0.5);
+}
+
+TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
+    for (const int n : {1, 2, 3}) {
+        const Specimen s = make_specimen(small_rectangle(n));
+        validate(s, "rectangle");
+        const auto grains = grain_of_nodes(s);
+        std::set<std::array<int, 2>> pairs;
+        for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+            const auto& [a1, a2, b1, b2] = s.contact_nodes[c];
+            // positions on both sides are equal bit for bit
+            EXPECT_EQ(s.node_position[static_cast<std::size_t>(a1)], s.node_position[static_cast<std::size_t>(b1)]);
+            EXPECT_EQ(s.node_position[static_cast<std::size_t>(a2)], s.node_position[static_cast<std::size_t>(b2)]);
+            const std::array<int, 2> pair{grains[static_cast<std::size_t>(a1)], grains[static_cast<std::size_t>(b1)]};
+            EXPECT_LT(pair[0], pair[1]);
+            EXPECT_EQ(s.contact_grain_boundary[c], static_cast<int>(c) / n);
+            if (c % static_cast<std::size_t>(n) == 0) {
+                EXPECT_TRUE(pairs.empty() || *pairs.rbegin() < pair) << "contacts are ordered by their grains";
+                pairs.insert(pair);
+            } else {
+                EXPECT_TRUE(pairs.count(pair) == 1) << "contacts of one grain boundary lie together";
+                EXPECT_EQ(a1, s.contact_nodes[c - 1][1]);
+            }
+        }
+    }
+}
+
+/// Directed sides of elements that no other element of the same grain shares: the outer sides of the grains.
+std::vector<std::array<std::int32_t, 2>> grain_outsides(const Specimen& s) {
+    std::set<std::array<std::int32_t, 2>> sides;
+    for (const auto& nodes : s.element_nodes) {
+        for (std::size_t k = 0; k < 3; ++k) sides.insert({nodes[k], nodes[(k + 1) % 3]});
+    }
+    std::vector<std::array<std::int32_t, 2>> outsides;
+    for (const auto& side : sides) {
+        if (sides.count({side[1], side[0]}) == 0) outsides.push_back(side);
+    }
+    return outsides;
+}
+
+TEST(SeparateBodies, EveryOutsideIsInOneContactOrOnTheBoundary) {
+    for (const int n : {1, 2, 3}) {
+        const Specimen s = make_specimen(small_rectangle(n));
+        std::map<std::array<std::int32_t, 2>, int> uses;
+        for (const auto& [a1, a2, b1, b2] : s.contact_nodes) {
+            ++uses[{a1, a2}];  // counter-clockwise around a …
+            ++uses[{b2, b1}];  // … and around b
+        }
+        for (const auto& edge : s.boundary_edges) ++uses[edge];
+        const auto outsides = grain_outsides(s);
+        EXPECT_EQ(uses.size(), outsides.size()) << n;
+        for (const auto& side : outsides) EXPECT_EQ(uses[side], 1) << n;
+    }
+}
+
+TEST(SeparateBodies, BoundaryIsAClosedLoopWithTheSolidOnItsLeft) {
+    const Specimen s = make_specimen(small_rectangle(2));
+    const auto at = [&](std::int32_t node) { return s.node_position[static_cast<std::size_t>(node)]; };
+    double doubled_area = 0;
+    for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
+        const Place end = at(s.boundary_edges[b][1]);
+        const Place next = at(s.boundary_edges[(b + 1) % s.n_boundary_edges()][0]);
+        EXPECT_EQ(end, next) << b;
+        const Place begin = at(s.boundary_edges[b][0]);
+        doubled_area += begin[0] * end[1] - begin[1] * end[0];
+        const auto part = static_cast<BoundaryPart>(s.boundary_part[b]);
+        const double outward = part == BoundaryPart::bottom  ? -begin[1] - 0.03
+                               : part == BoundaryPart::right ? begin[0] - 0.02
+                               : part == BoundaryPart::top   ? begin[1] - 0.03
+                                                             : -begin[0] - 0.02;
+        EXPECT_EQ(outward, 0) << b;
+    }
+    EXPECT_NEAR(doubled_area / 2, 0.04 * 0.06, 1e-15) << "counter-clockwise";
+}
+
+TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
+    SpecimenRequest request = small_rectangle(1);
+    request.grains = 2000;
+    const Specimen s = make_specimen(request);
+    double mean_step = 0;
+    for (std::size_t g = 1; g < s.n_grains(); ++g) {
+        const auto centre = [&](std::size_t grain) {
+            Point sum;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Place p = s.node_position[3 * grain + k];
+                sum = sum + Point{p[0], p[1]};
+            }
+            return (1.0 / 3) * sum;
+        };
+        mean_step += length(centre(g) - centre(g - 1)) / static_cast<double>(s.n_grains() - 1);
+        EXPECT_EQ(s.element_nodes[g],
+                  (std::array<std::int32_t, 3>{static_cast<std::int32_t>(3 * g), static_cast<std::int32_t>(3 * g + 1),
+                                               static_cast<std::int32_t>(3 * g + 2)}));
+    }
+    EXPECT_LT(mean_step, 1.5 * s.statistics.mean_edge);
+}
+
+TEST(SeparateBodies, SubdivisionKeepsAreas) {
+    for (const int n : {2, 3, 5}) {
+        const Specimen s = make_specimen(small_rectangle(n));
+        std::vector<double> area(s.n_grains(), 0);
+        for (std::size_t e = 0; e < s.n_elements(); ++e) {
+            std::array<Point, 3> p;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Place place = s.node_position[static_cast<std::size_t>(s.element_nodes[e][k])];
+                p[k] = {place[0], place[1]};
+            }
+            const double a = signed_area(p[0], p[1], p[2]);
+            EXPECT_GT(a, 0);
+            area[static_cast<std::size_t>(s.element_grain[e])] += a;
+        }
+        for (std::size_t g = 0; g < s.n_grains(); ++g) EXPECT_NEAR(area[g] / s.grain_area[g], 1, 1e-12);
+    }
+}
+
+/// A square of two L-shaped cells, with a corner in the middle of an edge.
+PlaneCells two_polygons() {
+    PlaneCells cells;
+    cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {0, 0.5}, {0, 0}, {0.25, 0}, {0.25, -0.5}};
+    cells.corners = {0, 7, 6, 5, 4, 3, 7, 1, 2, 4, 5, 6};
+    cells.start = {0, 6, 12};
+    cells.sides = {{0, 7, 0}, {7, 1, 0}, {1, 2, 1}, {2, 4, 2}, {4, 3, 2}, {3, 0, 3}, {5, 6, -1, ContactKind::pre_existing_crack}};
+    return cells;
+}
+
+TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
+    const Specimen s = specimen_of(constrained_mesh(two_polygons(), Bodies::cells));
+    validate(s, "two polygons");
+    EXPECT_EQ(s.n_grains(), 2U);
+    EXPECT_EQ(s.n_nodes(), 12U);
+    ASSERT_EQ(s.n_contacts(), 3U);
+    EXPECT_EQ(s.contact_grain_boundary, (std::vector<std::int32_t>{0, 0, 0}));
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (c > 0) {
+            EXPECT_EQ(s.contact_nodes[c][0], s.contact_nodes[c - 1][1]);
+        }
+        const Place p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const Place q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        const bool is_horizontal = p[1] == q[1];  // as only the prescribed edge is
+        EXPECT_EQ(s.contact_kind[c], is_horizontal ? 1 : 0);
+    }
+    EXPECT_EQ(s.n_boundary_edges(), 6U);
+    EXPECT_EQ(s.boundary_part, (std::vector<std::uint8_t>{0, 0, 1, 2, 2, 3}));
+    EXPECT_DOUBLE_EQ(s.grain_area[0] + s.grain_area[1], 1);
+}
+
+TEST(SeparateBodies, CrystalsOfSeveralBodiesHaveContactsInside) {
+    const PlaneMesh mesh = constrained_mesh(two_polygons(), Bodies::triangles);
+    const Specimen s = specimen_of(mesh);
+    validate(s, "triangles");
+    EXPECT_EQ(s.n_grains(), 8U);
+    EXPECT_EQ(s.n_contacts(), 3U + 2 * 3U) << "three between the crystals and three inside each";
+    EXPECT_EQ(mesh.crystal_of_body, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1}));
+}
+
+TEST(SeparateBodies, AMeshThatDoesNotFollowItsRegionIsRefused) {
+    PlaneCells missing = two_cells();
+    missing.sides[0] = {1, 3, 0};
+    EXPECT_THROW(separate_bodies(lattice_mesh(missing, 1)), Error);
+    PlaneCells open = two_cells();
+    open.sides.pop_back();
+    EXPECT_THROW(separate_bodies(lattice_mesh(open, 1)), Error);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

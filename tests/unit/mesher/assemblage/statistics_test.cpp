@@ -1,0 +1,42 @@
+#include "mesher/assemblage/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace graincrack::mesher {
+namespace {
+
+TEST(Statistics, OfTwoGrains) {
+    PlaneCells cells;
+    cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+    cells.corners = {0, 1, 2, 2, 3, 0};
+    cells.start = {0, 3, 6};
+    cells.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}};
+    const MeshStatistics s = statistics_of(rectangle(1, 1), cells);
+    const double mean = (4 + std::sqrt(2)) / 5;
+    EXPECT_NEAR(s.mean_edge, mean, 1e-15);
+    EXPECT_NEAR(s.edge_variation, std::sqrt(6.0 / 5 - mean * mean) / mean, 1e-12);
+    EXPECT_DOUBLE_EQ(s.min_edge, 1);
+    EXPECT_DOUBLE_EQ(s.max_edge, std::sqrt(2));
+    EXPECT_NEAR(s.mean_diameter, std::sqrt(2 / 3.14159265358979), 1e-12);
+    EXPECT_NEAR(s.diameter_variation, 0, 1e-12);
+    EXPECT_NEAR(s.min_angle, 3.14159265358979 / 4, 1e-12);
+    EXPECT_NEAR(s.psi6, 1.0 / 5, 1e-12);  // the sides cancel, the diagonal has e^(i 270°)
+    EXPECT_NEAR(s.area_error, 0, 1e-15);
+}
+
+TEST(Statistics, OfAPolygonThatIsNotConvex) {
+    PlaneCells cells;
+    cells.points = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    cells.corners = {0, 1, 2, 3, 4, 5};
+    cells.start = {0, 6};
+    cells.edges = {{0, 1}, {0, 5}, {1, 2}, {2, 3}, {3, 4}, {4, 5}};
+    const MeshStatistics s = statistics_of({"polygon", {{cells.points, {0, 0, 0, 0, 0, 0}}}, {}}, cells);
+    EXPECT_NEAR(s.mean_diameter, std::sqrt(4 * 3 / 3.14159265358979), 1e-12);
+    EXPECT_NEAR(s.mean_edge, 8.0 / 6, 1e-15);
+    EXPECT_NEAR(s.area_error, 0, 1e-15);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

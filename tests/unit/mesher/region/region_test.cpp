@@ -1,0 +1,84 @@
+#include "mesher/region/region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "share/error.hpp"
+#include "tests/unit/mesher/region/test_regions.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+TEST(Region, MeasuresOfARectangleADiscAndAnLWithHoles) {
+    EXPECT_EQ(area(rectangle(0.08, 0.16)), 0.08 * 0.16);
+    EXPECT_DOUBLE_EQ(perimeter(rectangle(0.08, 0.16)), 0.48);
+    EXPECT_DOUBLE_EQ(area(disc(0.08, Pole::facet, 1)), 3.14159265358979323846 * 0.0016);
+    const Region l = l_with_holes();
+    EXPECT_NEAR(area(l), area_of_l, 1e-17);
+    EXPECT_NEAR(perimeter(l), 0.32 + 0.04 + 2 * 3.14159265358979 * 0.008, 1e-12);
+    EXPECT_EQ(bounds(l).width(), 0.08);
+    EXPECT_TRUE(is_plain(rectangle(1, 2)) && is_plain(disc(1, Pole::vertex, 1)) && !is_plain(l));
+}
+
+TEST(Region, DepthIsPositiveInside) {
+    EXPECT_DOUBLE_EQ(depth_inside(rectangle(0.08, 0.16), {0.03, 0}), 0.01);
+    EXPECT_LT(depth_inside(rectangle(0.08, 0.16), {0, 0.09}), 0);
+    EXPECT_DOUBLE_EQ(depth_inside(disc(0.08, Pole::facet, 1), {0, 0.03}), 0.01);
+    const Region l = l_with_holes();
+    EXPECT_NEAR(depth_inside(l, {0.037, 0.036}), 0.005, 1e-15) << "from the corner that points inwards";
+    EXPECT_NEAR(depth_inside(l, {0.043, 0.044}), -0.003, 1e-15);
+    EXPECT_NEAR(depth_inside(l, {0.015, 0.013}), -0.003, 1e-15) << "in the square hole";
+    EXPECT_NEAR(depth_inside(l, {0.06, 0.017}), -0.005, 1e-15) << "in the round hole";
+    EXPECT_NEAR(depth_inside(l, {0.06, 0.031}), 0.003, 1e-15) << "above it";
+}
+
+TEST(Region, ClipKeepsWhatLiesInside) {
+    const Region l = l_with_holes();
+    const auto pieces = clip(l, {{-0.01, 0.015}, {0.1, 0.015}, ContactKind::pre_existing_crack});
+    ASSERT_EQ(pieces.size(), 3U) << "left of the square hole, between the holes, right of the round hole";
+    const double half = std::sqrt(0.008 * 0.008 - 0.005 * 0.005);
+    const std::array<double, 6> ends{0, 0.01, 0.02, 0.06 - half, 0.06 + half, 0.08};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(pieces[i].from.x, ends[2 * i], 1e-16);
+        EXPECT_NEAR(pieces[i].to.x, ends[2 * i + 1], 1e-16);
+        EXPECT_EQ(pieces[i].kind, ContactKind::pre_existing_crack);
+    }
+    const auto inside = clip(l, {{0.03, 0.01}, {0.035, 0.03}});
+    ASSERT_EQ(inside.size(), 1U);
+    EXPECT_EQ(inside[0].to, (Point{0.035, 0.03}));
+    EXPECT_TRUE(clip(l, {{0.05, 0.05}, {0.07, 0.07}}).empty()) << "outside";
+    EXPECT_TRUE(clip(l, {{0.01, 0}, {0.03, 0}}).empty()) << "along a side";
+}
+
+std::string complaint(const Region& region) {
+    try {
+        check(region);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Region, BadRegionsAreRefused) {
+    EXPECT_EQ(complaint(rectangle(1, 2)) + complaint(disc(1, Pole::facet, 1)) + complaint(l_with_holes()), "");
+    const auto changed = [](const auto& change) {
+        Region region = l_with_holes();
+        change(region);
+        return complaint(region);
+    };
+    EXPECT_NE(changed([](Region& r) { r.loops.clear(); }), "");
+    EXPECT_NE(changed([](Region& r) { r.loops[0].parts.pop_back(); }).find("part"), std::string::npos);
+    EXPECT_NE(changed([](Region& r) { r.loops[0].parts[0] = 9; }).find("without a name"), std::string::npos);
+    EXPECT_NE(changed([](Region& r) { std::swap(r.loops[0].corners[1], r.loops[0].corners[5]); }), "");
+    EXPECT_NE(changed([](Region& r) { std::swap(r.loops[1].corners[1], r.loops[1].corners[3]); }).find("clockwise"),
+              std::string::npos);
+    EXPECT_NE(changed([](Region& r) { r.loops[2].circle->centre = {0.06, 0.06}; }).find("not inside"), std::string::npos);
+    EXPECT_NE(changed([](Region& r) { r.loops[1].corners[2] = {0.055, 0.02}; }).find("cross"), std::string::npos);
+    EXPECT_NE(changed([](Region& r) { r.loops[0].corners[4] = {0.03, -0.01}; }), "") << "sides cross";
+    EXPECT_NE(changed([](Region& r) { r.edges = {{{0.03, 0.03}, {0.03, 0.03}}}; }).find("length"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

@@ -1,0 +1,128 @@
+#include "mesher/seeds/fixed_seeds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+double polygon_area(const std::vector<Point>& points) {
+    double doubled = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) doubled += cross(points[i], points[(i + 1) % points.size()]);
+    return doubled / 2;
+}
+
+bool is_convex(const std::vector<Point>& p) {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const Point a = p[(i + 1) % p.size()] - p[i];
+        const Point b = p[(i + 2) % p.size()] - p[(i + 1) % p.size()];
+        if (cross(a, b) < 0) return false;
+    }
+    return true;
+}
+
+const Region upright = rectangle(0.08, 0.16);
+const Region facet_disc = disc(0.08, Pole::facet, 1);
+const Region vertex_disc = disc(0.08, Pole::vertex, 1);
+
+TEST(FixedSeeds, BoundaryCountHasTheParityAskedFor) {
+    EXPECT_EQ(admissible_boundary_count(upright, 92.9, false), 92);
+    EXPECT_EQ(admissible_boundary_count(upright, 92.9, true), 93);
+    EXPECT_EQ(admissible_boundary_count(facet_disc, 1.0, false), 4);
+    EXPECT_EQ(admissible_boundary_count(facet_disc, 1.0, true), 5);
+}
+
+TEST(FixedSeeds, RectangleOutlineKeepsCornersSidesAndParts) {
+    RandomNumbers random(1);
+    const Seeds outline = fixed_seeds(upright, 92, 5e-3, 0.1, random);
+    ASSERT_EQ(outline.points.size(), 92U);
+    ASSERT_EQ(outline.corners.size(), 4U);
+    EXPECT_EQ(outline.points[static_cast<std::size_t>(outline.corners[2].at)], (Point{0.04, 0.08}));
+    EXPECT_NEAR(polygon_area(outline.points), area(upright), 1e-16);
+    for (std::size_t i = 0; i < outline.points.size(); ++i) {
+        const Point middle = midpoint(outline.points[i], outline.points[(i + 1) % outline.points.size()]);
+        switch (static_cast<BoundaryPart>(outline.sides[i].part)) {  // exactly on its side, as the triangulation requires
+            case BoundaryPart::bottom: EXPECT_EQ(middle.y, -0.08); break;
+            case BoundaryPart::right: EXPECT_EQ(middle.x, 0.04); break;
+            case BoundaryPart::top: EXPECT_EQ(middle.y, 0.08); break;
+            case BoundaryPart::left: EXPECT_EQ(middle.x, -0.04); break;
+            default: FAIL() << "a rectangle has no rim";
+        }
+    }
+    const auto edges_of_part = [&](BoundaryPart part) {
+        return std::count_if(outline.sides.begin(), outline.sides.end(),
+                             [&](const Side& side) { return side.part == static_cast<int>(part); });
+    };
+    EXPECT_EQ(edges_of_part(BoundaryPart::bottom), 15);
+    EXPECT_EQ(edges_of_part(BoundaryPart::right), 31);
+}
+
+TEST(FixedSeeds, DiscHasTheAreaOfTheCircleAndTouchesThePlatens) {
+    for (const Region& region : {facet_disc, vertex_disc}) {
+        for (const int n : {8, 49, 50, 51, 52}) {
+            RandomNumbers random(3);
+            const Seeds outline = fixed_seeds(region, n, 5e-3, 0.07, random);
+            ASSERT_EQ(outline.points.size(), static_cast<std::size_t>(n));
+            EXPECT_TRUE(is_convex(outline.points)) << n;
+            EXPECT_NEAR(polygon_area(outline.points) / area(region), 1, 1e-13) << n;
+            const std::size_t wanted = region.loops[0].circle->pole == Pole::facet ? 2 : 1;
+            for (const double y : {0.04, -0.04}) {
+                const auto touching =
+                    std::count_if(outline.points.begin(), outline.points.end(), [&](Point p) { return p.y == y; });
+                EXPECT_EQ(static_cast<std::size_t>(touching), wanted) << n;
+            }
+            for (const Point p : outline.points) EXPECT_LE(std::abs(p.y), 0.04) << n;
+            for (const Side& side : outline.sides) EXPECT_EQ(side.part, static_cast<int>(BoundaryPart::rim));
+        }
+    }
+}
+
+TEST(FixedSeeds, LoadingArcIsTheAngleOfThePoleFacet) {
+    RandomNumbers random(1);
+    const Seeds facet = fixed_seeds(facet_disc, 50, 5e-3, 0.07, random);
+    double left = 0;
+    double right = 0;
+    for (const Point p : facet.points) {
+        if (p.y != 0.04) continue;
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+    }
+    EXPECT_NEAR(left, -right, 1e-15);
+    EXPECT_NEAR(facet.loading_arc, 2 * std::atan2(right, 0.04), 1e-12);
+    EXPECT_NEAR(facet.loading_arc, 2 * 3.14159265358979 / 50, 1e-3);
+    EXPECT_EQ(fixed_seeds(vertex_disc, 50, 5e-3, 0.07, random).loading_arc, 0);
+}
+
+TEST(FixedSeeds, PrescribedEdgesKeepTheParityOfTheBoundary) {
+    Region region = rectangle(0.08, 0.06);
+    region.edges = {{{-0.05, 0}, {0.05, 0.001}}, {{0, -0.03}, {0, 0.01}}, {{-0.0399, -0.03}, {-0.02, 0}}};
+    for (const int n : {56, 57}) {
+        RandomNumbers random(1);
+        const Seeds seeds = fixed_seeds(region, n, 5e-3, 0.1, random);
+        const auto on_loops = std::count_if(seeds.sides.begin(), seeds.sides.end(), [](const Side& s) { return s.part >= 0; });
+        EXPECT_EQ(on_loops % 2, n % 2);
+        EXPECT_GE(on_loops, n);
+        EXPECT_LE(on_loops, n + 2);
+        double boundary = 0;
+        for (const Side& s : seeds.sides) {
+            if (s.part < 0) continue;
+            boundary += length(seeds.points[static_cast<std::size_t>(s.to)] - seeds.points[static_cast<std::size_t>(s.from)]);
+        }
+        EXPECT_NEAR(boundary, 0.28, 1e-15);
+        EXPECT_EQ(seeds.n_fixed, seeds.points.size());
+    }
+}
+
+TEST(FixedSeeds, PrescribedEdgesUponEachOtherAreRefused) {
+    Region region = rectangle(0.08, 0.06);
+    region.edges = {{{-0.02, 0}, {0.01, 0.01}}, {{-0.005, 0.005}, {0.025, 0.015}}};
+    RandomNumbers random(1);
+    EXPECT_THROW(fixed_seeds(region, 56, 5e-3, 0.1, random), UsageError);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

@@ -1,0 +1,91 @@
+#include "mesher/seeds/relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mesher/seeds/fixed_seeds.hpp"
+#include "mesher/seeds/sampling.hpp"
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+const Region region = rectangle(0.08, 0.16);
+
+/// A relaxed rectangle of edge 8 mm; the sample has more or fewer points than wanted if its distance is not 0.77 edges.
+Seeds relaxed(std::uint64_t seed, std::size_t n_inner, double sampling_distance) {
+    constexpr double edge = 8e-3;
+    RandomNumbers random(seed);
+    const DepthGrid depth(region, 0.7 * edge);
+    const Seeds fixed = fixed_seeds(region, 60, edge, 0.07, random);
+    const auto inner = sample_points(region, depth, sampling_distance * edge, 0.7 * edge, random);
+    return relax_points(depth, fixed, inner, {edge, 0.1, n_inner}, random);
+}
+
+double variation(const Seeds& mesh) {
+    std::vector<double> lengths;
+    for (const Edge& e : mesh.edges) {
+        lengths.push_back(length(mesh.points[static_cast<std::size_t>(e[1])] - mesh.points[static_cast<std::size_t>(e[0])]));
+    }
+    const double n = static_cast<double>(lengths.size());
+    const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / n;
+    double squares = 0;
+    for (const double l : lengths) squares += (l - mean) * (l - mean);
+    return std::sqrt(squares / n) / mean;
+}
+
+TEST(PointRelaxation, MeetsTheNumberOfPointsFromAnySample) {
+    for (const double distance : {0.65, 0.77, 0.9, 1.3}) {
+        const Seeds mesh = relaxed(1, 200, distance);
+        EXPECT_EQ(mesh.points.size(), 260U) << distance;
+        EXPECT_EQ(mesh.triangles.size(), 2 * 200 + 60 - 2U) << distance;
+        EXPECT_LT(variation(mesh), 0.13) << distance;
+    }
+}
+
+TEST(PointRelaxation, LeavesTheOutlineAlone) {
+    const Seeds mesh = relaxed(2, 200, 0.77);
+    RandomNumbers random(2);
+    const Seeds fixed = fixed_seeds(region, 60, 8e-3, 0.07, random);
+    EXPECT_TRUE(std::equal(fixed.points.begin(), fixed.points.end(), mesh.points.begin()));
+    for (std::size_t i = fixed.n_fixed; i < mesh.points.size(); ++i) {
+        EXPECT_GT(depth_inside(region, mesh.points[i]), 2e-3);
+    }
+}
+
+TEST(PointRelaxation, CornersBelongToTwoGrains) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Seeds mesh = relaxed(seed, 200, 0.77);
+        ASSERT_EQ(mesh.corners.size(), 4U);
+        for (const auto& [before, corner, after] : mesh.corners) {
+            const auto n = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [at = corner](const Triangle& t) {
+                return std::find(t.begin(), t.end(), at) != t.end();
+            });
+            EXPECT_GE(n, 2) << "an ear, seed " << seed;
+        }
+        for (const Edge& e : mesh.edges) {
+            EXPECT_LT(length(mesh.points[static_cast<std::size_t>(e[1])] - mesh.points[static_cast<std::size_t>(e[0])]),
+                      1.6 * 8e-3)
+                << seed;
+        }
+    }
+}
+
+TEST(PointRelaxation, WiderSpreadIsMadeOnRequest) {
+    RandomNumbers random(3);
+    const DepthGrid depth(region, 0.7 * 4e-3);
+    const Seeds fixed = fixed_seeds(region, 120, 4e-3, 0.1, random);
+    const auto inner = sample_points(region, depth, 0.77 * 4e-3, 0.7 * 4e-3, random);
+    const auto of_spread = [&](double spread) {
+        RandomNumbers same(4);
+        return variation(relax_points(depth, fixed, inner, {4e-3, spread, 870}, same));
+    };
+    EXPECT_NEAR(of_spread(0.15), 0.15, 0.02);
+    EXPECT_NEAR(of_spread(0.25), 0.25, 0.03);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
