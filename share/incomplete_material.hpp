@@ -22,6 +22,8 @@ IncompleteMaterial read_incomplete_material(const std::string& name_or_file);
 /// Every key of a material file, "rock.young_modulus", in the order of the template.
 std::vector<std::string> material_keys();
 
+/// A key of a material file, "rock.young_modulus", "phases.quartz.fraction"; it sets nothing of use. \throws UsageError likewise
+TomlKey material_key(const std::string& key);
 /// What a key of a material file holds, "rock.young_modulus". \throws UsageError with the nearest and all keys if there is none
 Quantity material_quantity(const std::string& key);
 

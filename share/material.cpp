@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "share/error.hpp"
@@ -40,7 +41,33 @@ std::vector<TomlKeys> tables_of(Material& material) {
         const std::string name(quantity.name);
         tables.back().keys.push_back({name, quantity, [&material, name](double v) { material.laboratory[name] = v; }, false});
     }
+    TomlKey law{"law", {}, {}};
+    law.set_word = [&material](const std::string& word) { material.law = word; };
+    tables[1].keys.push_back(law);
     return tables;
+}
+
+/// The keys of a table by its path, one of `tables_of` or of the fabric; nothing if there is no such table.
+std::optional<TomlKeys> table_at(Material& material, const std::vector<std::string>& path) {
+    for (TomlKeys& table : tables_of(material)) {
+        if (path == std::vector<std::string>{table.path}) return table;
+    }
+    return fabric_table(material.fabric, path);
+}
+
+/// "phases.quartz.fraction" as the path of its table and its name.
+std::pair<std::vector<std::string>, std::string> path_of(const std::string& key) {
+    std::vector<std::string> parts{""};
+    for (const char c : key) {
+        if (c == '.') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    const std::string name = parts.back();
+    parts.pop_back();
+    return {parts, name};
 }
 
 /// Tables that a calibration reads or writes: how it is done, and what was fitted. No property of the rock.
@@ -52,6 +79,36 @@ struct MissingKey {
     std::string meaning;  ///< "mass density of the rock, in kg/m3"
 };
 
+/// Folders in which a name is looked up. An installation finds its folder relative to the program, so that it may be moved.
+std::vector<fs::path> material_folders() {
+    std::vector<fs::path> folders;
+    if (const char* own = std::getenv("GRAINCRACK_MATERIALS"); own != nullptr && *own != '\0') folders.emplace_back(own);
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    if (!unknown) folders.push_back((program.parent_path() / GRAINCRACK_MATERIALS_FROM_PROGRAM).lexically_normal());
+    folders.emplace_back(GRAINCRACK_SOURCE_MATERIALS);
+    return folders;
+}
+
+/// Adds the phases of a file of phases to those that a material gives itself. \param where the material's file
+void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::string& where) {
+    std::error_code ignored;
+    for (const fs::path& folder : material_folders()) {
+        const fs::path file = folder / "phases" / (name + ".toml");
+        if (!fs::is_regular_file(file, ignored)) continue;
+        const TomlFile toml = read_toml(file.string());
+        MaterialFabric read;
+        for (const TomlEntry& entry : toml.entries) {
+            std::optional<TomlKeys> table = entry.section.empty() ? std::nullopt : fabric_table(read, entry.section);
+            if (!table) throw InputError(fmt::format("{}: line {}: only tables of phases are wanted here", toml.file, entry.line));
+            table->read(toml.file, entry);
+        }
+        fabric.phases.merge(read.phases);
+        return;
+    }
+    throw InputError(fmt::format("{}: phases.from: there is no file phases/{}.toml beside the materials", where, name));
+}
+
 /// \param missing gets the needed keys that are not there \param values gets what is there, by key
 Material read_material_file(const fs::path& file, std::vector<MissingKey>& missing, std::map<std::string, double>& values) {
     const TomlFile toml = read_toml(file.string());
@@ -61,20 +118,20 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     std::vector<std::string> table_names;
     table_names.reserve(tables.size());
     for (const TomlKeys& table : tables) table_names.push_back(table.path);
+    for (const char* table : {"phases", "pairs", "strength"}) table_names.emplace_back(table);
 
     const auto find_table = [&](const std::vector<std::string>& section) -> TomlKeys* {
-        const auto found =
-            std::find_if(tables.begin(), tables.end(), [&](const TomlKeys& t) { return t.path == section.front(); });
-        return section.size() == 1 && found != tables.end() ? &*found : nullptr;
+        const std::string path = fmt::format("{}", fmt::join(section, "."));
+        const auto found = std::find_if(tables.begin(), tables.end(), [&](const TomlKeys& t) { return t.path == path; });
+        return found != tables.end() ? &*found : nullptr;
     };
     for (const TomlSection& section : toml.sections) {
         if (find_table(section.name) != nullptr) continue;
         const std::string& first = section.name.front();
         if (section.name.size() == 1 && is_of_calibration(first)) continue;
-        if (first == "phases" || first == "pairs") {
-            throw InputError(fmt::format(
-                "{}: line {}: table [{}]: several minerals are not built yet; describe one rock by [rock] and [contact]",
-                toml.file, section.line, first));
+        if (std::optional<TomlKeys> table = fabric_table(material.fabric, section.name)) {
+            tables.push_back(*std::move(table));
+            continue;
         }
         throw InputError(
             fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line, fmt::join(section.name, "."),
@@ -98,7 +155,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
             continue;
         }
         TomlKeys& table = *find_table(entry.section);  // exists: all sections were checked above
-        values[table.path + "." + entry.key] = table.read(toml.file, entry);
+        if (const std::optional<double> value = table.read(toml.file, entry)) values[table.path + "." + entry.key] = *value;
     }
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
     for (const auto& [table, keys] : tables) {
@@ -107,6 +164,8 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
             missing.push_back({table + "." + key.name, fmt::format("{}, in {}", key.quantity.meaning, key.quantity.unit())});
         }
     }
+    if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, material.fabric, toml.file);
+    require_sound_fabric(material.fabric, material.rock, toml.file);
     return material;
 }
 
@@ -120,17 +179,6 @@ void refuse_missing(const fs::path& file, const std::vector<MissingKey>& missing
     for (const MissingKey& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key.name, key.meaning);
     throw InputError(fmt::format("{}: {} keys are missing: {}; graincrack-post material init writes a template with every key",
                                  file.string(), missing.size(), list));
-}
-
-/// Folders in which a name is looked up. An installation finds its folder relative to the program, so that it may be moved.
-std::vector<fs::path> material_folders() {
-    std::vector<fs::path> folders;
-    if (const char* own = std::getenv("GRAINCRACK_MATERIALS"); own != nullptr && *own != '\0') folders.emplace_back(own);
-    std::error_code unknown;
-    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-    if (!unknown) folders.push_back((program.parent_path() / GRAINCRACK_MATERIALS_FROM_PROGRAM).lexically_normal());
-    folders.emplace_back(GRAINCRACK_SOURCE_MATERIALS);
-    return folders;
 }
 
 }  // namespace
@@ -200,15 +248,22 @@ std::vector<std::string> material_keys() {
     return names;
 }
 
-Quantity material_quantity(const std::string& key) {
-    Material material;
-    for (const auto& [table, keys] : tables_of(material)) {
-        for (const TomlKey& each : keys) {
-            if (table + "." + each.name == key) return each.quantity;
+TomlKey material_key(const std::string& key) {
+    static Material unused;  // what the key would set
+    const auto [path, name] = path_of(key);
+    if (!path.empty()) {
+        if (std::optional<TomlKeys> table = table_at(unused, path)) {
+            if (const TomlKey* found = table->find(name)) return *found;
         }
     }
     throw UsageError(fmt::format("{}: unknown key{}; known are {}", key, did_you_mean(key, material_keys()),
                                  fmt::join(material_keys(), ", ")));
+}
+
+Quantity material_quantity(const std::string& key) {
+    const TomlKey found = material_key(key);
+    if (found.is_word()) throw UsageError(fmt::format("{}: is a word; a quantity is wanted", key));
+    return found.quantity;
 }
 
 FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where) {
@@ -238,8 +293,7 @@ FractureEnergyChoice effective_fracture_energy(const Material& material, const s
     return {FractureEnergyChoice::Kind::mode_i, 0};
 }
 
-ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
-                                     const std::optional<FractureEnergyChoice>& choice) {
+GivenContact given_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice) {
     GivenContact given = material.contact;
     if (choice) {
         switch (choice->kind) {
@@ -250,7 +304,12 @@ ContactParameters contact_parameters(const Material& material, PlaneCondition pl
             case FractureEnergyChoice::Kind::value: given.fracture_energy = choice->value; break;
         }
     }
-    return derived_contact(given, material.rock, plane);
+    return given;
+}
+
+ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
+                                     const std::optional<FractureEnergyChoice>& choice) {
+    return derived_contact(given_contact(material, plane, choice), material.rock, plane);
 }
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "share/contact_parameters.hpp"
+#include "share/material_fabric.hpp"
 #include "share/fracture_process_zone.hpp"
 #include "share/quantities.hpp"
 
@@ -26,6 +27,8 @@ struct Material {
     std::filesystem::path file;  ///< where it was read from
     Rock rock;
     GivenContact contact;              ///< [contact]; what is unset is derived from [rock]
+    std::string law;                   ///< [contact] law: name of its contact law; "": that of the program
+    MaterialFabric fabric;             ///< [phases], [pairs], [strength]
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
     FittedProperties fitted;
@@ -55,6 +58,9 @@ std::string_view name_of(FractureEnergyChoice::Kind kind);
 
 /// The choice `contact_parameters` makes: `choice`; else the material's own value; else mode-i.
 FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice);
+
+/// What a material gives of its contacts, with an explicit choice of the fracture energy in place of its own.
+GivenContact given_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice);
 
 /// The contact parameters of a material, as `derived_contact` has them. An explicit `choice` takes precedence over the material's
 /// own fracture energy; without either the choice is mode-i.

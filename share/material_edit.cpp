@@ -1,6 +1,7 @@
 #include "share/material_edit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -22,9 +23,9 @@ std::vector<std::string> lines_of(std::istream& stream) {
     return lines;
 }
 
-/// "contact" and "cohesion"; the name of the material is in no table.
+/// "phases.quartz" and "fraction"; the name of the material is in no table.
 std::pair<std::string, std::string> parts_of(const std::string& key) {
-    const std::size_t dot = key.find('.');
+    const std::size_t dot = key.rfind('.');
     return dot == std::string::npos ? std::pair(std::string(), key) : std::pair(key.substr(0, dot), key.substr(dot + 1));
 }
 
@@ -36,7 +37,9 @@ void check(const MaterialSetting& setting) {
             throw UsageError(fmt::format("name={}: a name without quotes is wanted", value));
         return;
     }
-    static_cast<void>(parse_quantity(value, material_quantity(key), key));
+    const TomlKey found = material_key(key);
+    if (found.is_word()) return found.require_word(value, key);
+    static_cast<void>(parse_quantity(value, found.quantity, key));
 }
 
 /// A line of a TOML file, with a comment if it has one.
@@ -53,7 +56,7 @@ std::string comment_of_example(const std::string& line) {
 }
 
 bool is_in(const TomlEntry& entry, const std::string& table) {
-    return table.empty() ? entry.section.empty() : entry.section == std::vector<std::string>{table};
+    return fmt::format("{}", fmt::join(entry.section, ".")) == table;
 }
 
 /// Lines of a file, and those to add behind some of them.
@@ -101,7 +104,7 @@ private:
         for (const TomlSection& section : toml_.sections) {
             const auto header = lines_.begin() + section.line - 1;
             if (from != lines_.end() && header > from) to = std::min(to, header);
-            if (section.name == std::vector<std::string>{table}) from = header;
+            if (fmt::format("{}", fmt::join(section.name, ".")) == table) from = header;
         }
         const auto found = std::find_if(from, to, [&](const std::string& line) { return line.starts_with("# " + key + " = "); });
         return found == to ? lines_.end() : found;
@@ -109,7 +112,7 @@ private:
     void add(const std::string& table, const std::string& line) {
         int last = 0;
         for (const TomlSection& section : toml_.sections) {
-            if (section.name == std::vector<std::string>{table}) last = section.line;
+            if (fmt::format("{}", fmt::join(section.name, ".")) == table) last = section.line;
         }
         if (last == 0) {
             new_tables_[table].push_back(line);

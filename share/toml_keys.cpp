@@ -36,17 +36,37 @@ std::vector<std::string> TomlKeys::names() const {
     return names;
 }
 
-double TomlKeys::read(const std::string& file, const TomlEntry& entry) {
+void TomlKey::require_word(const std::string& word, const std::string& where) const {
+    if (words.empty() ? word.empty() : std::find(words.begin(), words.end(), word) == words.end()) {
+        throw InputError(fmt::format("{}: unknown word \"{}\"; {} fits", where, word,
+                                     words.empty() ? "one that is not empty" : fmt::format("{}", fmt::join(words, " or "))));
+    }
+}
+
+TomlKey* TomlKeys::find(const std::string& name) {
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const TomlKey& k) { return k.name == name; });
+    return key == keys.end() ? nullptr : &*key;
+}
+
+std::optional<double> TomlKeys::read(const std::string& file, const TomlEntry& entry) {
     const std::string where = fmt::format("{}: line {}: ", file, entry.line);
     const std::string name = path + "." + entry.key;
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const TomlKey& k) { return k.name == entry.key; });
-    if (key == keys.end()) {
+    TomlKey* const key = find(entry.key);
+    if (key == nullptr) {
         throw InputError(fmt::format("{}unknown key {}{}; known are {}", where, name, did_you_mean(entry.key, names()),
                                      fmt::join(names(), ", ")));
     }
+    key->found = true;
+    if (key->is_word()) {
+        if (entry.is_array || entry.values.front().kind != TomlValue::Kind::text) {
+            throw InputError(fmt::format("{}{}: a text is wanted", where, name));
+        }
+        key->require_word(entry.values.front().text, where + name);
+        key->set_word(entry.values.front().text);
+        return std::nullopt;
+    }
     const double value = read_value(entry, key->quantity, where + name);
     key->set(value);
-    key->found = true;
     return value;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "share/error.hpp"
@@ -56,18 +57,33 @@ void require_energy(const char* option, double value, double least, LawVariant l
     }
 }
 
-void check_use(const ContactOptions& o) {
+/// The law of a name. \throws UsageError, naming `where`
+LawVariant law_named(const std::string& name, const std::string& where) {
+    const auto& laws = all_contact_laws();
+    const auto found = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& law) { return law.name == name; });
+    if (found == laws.end()) {
+        throw UsageError(fmt::format("{}: unknown contact law \"{}\"; one of {} fits", where, name,
+                                     laws_that([](const LawDescription&) { return true; })));
+    }
+    return found->variant;
+}
+LawVariant law_of(const ContactOptions& o, const Material& material) {
+    if (!o.law.empty()) return law_named(o.law, "--contact-law");
+    return material.law.empty() ? SimulationRequest{}.law : law_named(material.law, material.file.string() + ": contact.law");
+}
+
+void check_use(const ContactOptions& o, LawVariant law) {
     if (o.coupling == Coupling::none) {
-        require_use("--coupling none", o.law, [](const LawDescription& law) { return law.coupling; });
+        require_use("--coupling none", law, [](const LawDescription& each) { return each.coupling; });
     }
     for (const ContactParameter& row : all_contact_parameters()) {
         const bool is_given = is_fracture_energy(row) ? o.fracture_energy.has_value() : (o.given.*row.given).has_value();
-        if (is_given) require_use(row.option(), o.law, read_by(row));
+        if (is_given) require_use(row.option(), law, read_by(row));
     }
     const bool mixed = o.fracture_energy && o.fracture_energy->kind == FractureEnergyChoice::Kind::mixed;
-    if (mixed && description_of(o.law).reads(&ContactParameters::mode_ii_fracture_energy)) {
+    if (mixed && description_of(law).reads(&ContactParameters::mode_ii_fracture_energy)) {
         throw UsageError(fmt::format("--fracture-energy: the contact law {} has an energy for each mode; mode-i or a value fits",
-                                     name_of(o.law)));
+                                     name_of(law)));
     }
 }
 
@@ -83,9 +99,10 @@ void add_contact_options(CLI::App& command, ContactOptions& o) {
     command.add_option("--material", o.material, "material: a name of share/materials or a TOML file")
         ->required()
         ->type_name("NAME");
-    std::vector<std::pair<std::string, LawVariant>> laws;
-    for (const LawDescription& law : all_contact_laws()) laws.emplace_back(law.name, law.variant);
-    add_choice<LawVariant>(command, "--contact-law", o.law, laws, "contact law; see share/doc/laws.md");
+    std::vector<std::string> laws;
+    for (const LawDescription& law : all_contact_laws()) laws.emplace_back(law.name);
+    add_choice(command, "--contact-law", o.law, laws,
+               fmt::format("contact law; see share/doc/laws.md; default: the material's, else {}", name_of(SimulationRequest{}.law)));
     add_choice<Coupling>(command, "--coupling", o.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
                          "full: failure in one mode takes the cohesion in both; none: each mode for itself");
     add_parameters(command, o);
@@ -93,17 +110,18 @@ void add_contact_options(CLI::App& command, ContactOptions& o) {
 }
 
 void apply_contact_options(const ContactOptions& o, SimulationRequest& request) {
-    check_use(o);
-    request.law = o.law;
+    request.material = read_material(o.material);
+    request.law = law_of(o, request.material);
+    check_use(o, request.law);
     request.coupling = o.coupling;
     const bool brazilian = request.loading.test == TestKind::brazilian;
     request.plane = o.plane.empty() ? (brazilian ? PlaneCondition::stress : PlaneCondition::strain)
                                     : (o.plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain);
-    request.material = read_material(o.material);
     request.material.contact = overlay(o.given, request.material.contact);
     request.contact = contact_parameters(request.material, request.plane, o.fracture_energy);
-    check_energies(request.contact, o.law);
-    request.fracture_energy_choice = description_of(o.law).reads(&ContactParameters::fracture_energy)
+    check_energies(request.contact, request.law);
+    request.fracture_energy = o.fracture_energy;
+    request.fracture_energy_choice = description_of(request.law).reads(&ContactParameters::fracture_energy)
                                          ? name_of(effective_fracture_energy(request.material, o.fracture_energy).kind)
                                          : std::string_view("none");
 }

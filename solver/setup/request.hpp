@@ -68,6 +68,7 @@ struct SimulationRequest {
     std::optional<Program> program;  ///< to run; that of the standard test if missing (`program_of`)
     Material material;               ///< with the contact parameters to use
     ContactParameters contact;       ///< derived from it, validated
+    std::optional<FractureEnergyChoice> fracture_energy;  ///< in place of the material's
     std::string fracture_energy_choice = "mode-i";
     PlaneCondition plane = PlaneCondition::strain;
     LawVariant law = LawVariant::consistent;
