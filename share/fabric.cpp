@@ -18,9 +18,10 @@ void require_same_phases(const Material& material, const std::vector<std::string
     std::vector<std::string> present = phase_names;
     std::sort(present.begin(), present.end());
     if (present != described) {
-        throw InputError(fmt::format("the specimen has the phases {}, the material {} has {}; make the specimen with "
-                                     "graincrack-mesh … --material, or take another material",
-                                     fmt::join(present, ", "), material.file.string(), fmt::join(described, ", ")));
+        throw InputError(
+            fmt::format("the specimen has the phases {}, the material {} has {}; make the specimen with "
+                        "graincrack-mesh … --material, or take another material",
+                        fmt::join(present, ", "), material.file.string(), fmt::join(described, ", ")));
     }
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double whole = 1e-6;  // by how much fractions may miss 1
 constexpr Quantity fraction{"fraction", Dimension::one, 0, 1, "share of the area of a phase", true};
-constexpr Quantity relative_modulus{"relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's",
-                                    true};
+constexpr Quantity relative_modulus{
+    "relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's", true};
 constexpr Quantity contrast{"contrast", Dimension::one, 0, 10, "share of the contrast of stiffness that grains have"};
 constexpr Quantity factor{"factor", Dimension::one, 0, 1000, "factor on a contact parameter", true};
 constexpr Quantity modulus{"modulus", Dimension::one, 0, 1000, "Weibull modulus of the strengths of grain boundaries", true};
@@ -101,9 +101,9 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
     const std::string name = fmt::format("{}", fmt::join(path, "."));
     const std::string& first = path.front();
     if (first == "strength" && path.size() == 1) {
-        return TomlKeys{name,
-                        {{"modulus", modulus, to(fabric.strength_modulus)},
-                         {"correlation", correlation, to(fabric.strength_correlation)}}};
+        return TomlKeys{
+            name,
+            {{"modulus", modulus, to(fabric.strength_modulus)}, {"correlation", correlation, to(fabric.strength_correlation)}}};
     }
     if (first == "phases" && path.size() == 1) {
         TomlKey from{"from", {}, {}};
@@ -131,6 +131,46 @@ double young_modulus_of_grains(const PhaseMaterial& phase, const MaterialFabric&
     return rock.young_modulus * (1 + fabric.contrast * (relative_young_modulus(phase, rock) - 1));
 }
 
+namespace {
+
+std::string line_of(const std::string& key, double value) { return fmt::format("{} = {:.17g}\n", key, value); }
+std::string contact_table(const std::string& name, const GivenContact& given) {
+    std::string lines;
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (given.*row.given) lines += line_of(row.key(), *(given.*row.given));
+    }
+    return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
+}
+
+}  // namespace
+
+std::string fabric_text(const MaterialFabric& fabric) {
+    std::string text;
+    if (!fabric.phases.empty()) text += "\n[phases]\n" + line_of("contrast", fabric.contrast);
+    for (const auto& [name, phase] : fabric.phases) {
+        text += fmt::format("\n[phases.{}]\n{}", name, line_of("fraction", phase.fraction));
+        const auto add = [&](const char* key, const std::optional<double>& value) {
+            if (value) text += line_of(key, *value);
+        };
+        add("young_modulus", phase.young_modulus);
+        add("relative_young_modulus", phase.relative_young_modulus);
+        add("poisson_ratio", phase.poisson_ratio);
+        add("density", phase.density);
+        text += contact_table(fmt::format("phases.{}.contact", name), phase.contact);
+    }
+    if (!fabric.phases.empty()) {
+        text += fmt::format("\n[pairs]\nrule = \"{}\"\nstiffness = \"{}\"\n", fabric.rule == SideRule::mean ? "mean" : "minimum",
+                            fabric.stiffness == StiffnessRule::rock ? "rock" : "sides");
+    }
+    text += contact_table("pairs.homophase", fabric.homophase) + contact_table("pairs.heterophase", fabric.heterophase);
+    for (const auto& [pair, given] : fabric.pairs) text += contact_table(fmt::format("pairs.\"{}\"", pair), given);
+    if (fabric.strength_modulus) {
+        text += "\n[strength]\n" + line_of("modulus", *fabric.strength_modulus);
+        if (fabric.strength_correlation > 0) text += line_of("correlation", fabric.strength_correlation);
+    }
+    return text;
+}
+
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where) {
     double sum = 0;
     for (const auto& [name, phase] : fabric.phases) {
@@ -143,10 +183,10 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
                 fmt::format("{}: [phases.{}] has young_modulus and relative_young_modulus; give one of them", where, name));
         }
         if (rock.young_modulus > 0 && !(young_modulus_of_grains(phase, fabric, rock) > 0)) {
-            throw InputError(fmt::format("{}: the grains of {} would have a modulus of {} times the rock's; a smaller contrast than "
-                                         "{} fits",
-                                         where, name, young_modulus_of_grains(phase, fabric, rock) / rock.young_modulus,
-                                         fabric.contrast));
+            throw InputError(
+                fmt::format("{}: the grains of {} would have a modulus of {} times the rock's; a smaller contrast than "
+                            "{} fits",
+                            where, name, young_modulus_of_grains(phase, fabric, rock) / rock.young_modulus, fabric.contrast));
         }
         sum += phase.fraction;
     }

@@ -46,6 +46,9 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
 /// Checks what the keys of a fabric mean together. \param where names the file \throws InputError
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where);
 
+/// The tables of a fabric, as a material file has them, values in SI; "" if there are none.
+std::string fabric_text(const MaterialFabric& fabric);
+
 /// r of a phase: its modulus over the rock's; 1 where it has none of its own.
 double relative_young_modulus(const PhaseMaterial& phase, const Rock& rock);
 /// E of the grains of a phase: E of the rock × (1 + h (r − 1)), Pa.

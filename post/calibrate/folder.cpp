@@ -146,7 +146,8 @@ std::string contact_text(const Material& at, const Point& point) {
         }
         text += fmt::format("{} = {}\n", contact.key(), si_text(*value, si, unit));
     }
-    return text;
+    if (!at.law.empty()) text += fmt::format("law = \"{}\"\n", at.law);
+    return text + fabric_text(at.fabric);
 }
 
 std::string outcomes_text(const Decision& decision) {

@@ -1,5 +1,6 @@
 #include "post/measure/comparable.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -20,6 +21,15 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
     if (a.rock.young_modulus != b.rock.young_modulus || a.rock.poisson_ratio != b.rock.poisson_ratio ||
         a.rock.density != b.rock.density) {
         return "the rock";
+    }
+    if (a.fabric.phases != b.fabric.phases) return "the phases";
+    for (std::size_t k = 0; k < std::min(a.fabric.contacts.size(), b.fabric.contacts.size()); ++k) {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            const bool is_compared = !row.follows_plane || a.plane == b.plane;
+            if (is_compared && differs(a.fabric.contacts[k].*row.value, b.fabric.contacts[k].*row.value)) {
+                return "the contacts between phases";
+            }
+        }
     }
     for (const ContactParameter& row : all_contact_parameters()) {
         if (row.follows_plane && a.plane != b.plane) continue;

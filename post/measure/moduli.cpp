@@ -190,9 +190,50 @@ double contact_length_per_area(const Specimen& specimen) {
     return length / std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
 }
 
+namespace {
+
+/// Mean of Voigt and Reuss (Hill) of E over the area of the phases, and the mean of ν.
+Phase mean_grain(const RunHeader& header, const Specimen& specimen) {
+    double area = 0;
+    double voigt = 0;
+    double reuss = 0;
+    double poisson = 0;
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        const Phase& phase = header.fabric.phases.at(specimen.grain_phase[g]);
+        area += specimen.grain_area[g];
+        voigt += specimen.grain_area[g] * phase.young_modulus;
+        reuss += specimen.grain_area[g] / phase.young_modulus;
+        poisson += specimen.grain_area[g] * phase.poisson_ratio;
+    }
+    return {0.5 * (voigt / area + area / reuss), poisson / area, 0};
+}
+
+/// Stiffness of all contacts in series over their number: one of many classes by its mean compliance.
+double mean_stiffness(const RunHeader& header, const std::vector<std::uint8_t>& classes, ContactValue stiffness) {
+    double compliance = 0;
+    for (const std::uint8_t each : classes) {
+        compliance += 1 / (header.fabric.contacts.at(each).*stiffness);
+    }
+    return static_cast<double>(classes.size()) / compliance;
+}
+
+}  // namespace
+
 fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& specimen) {
-    return fpz::assemblage_moduli(header.rock, header.plane, header.contact.normal_stiffness, header.contact.shear_stiffness,
-                                  contact_length_per_area(specimen));
+    Rock rock = header.rock;
+    double normal = header.contact.normal_stiffness;
+    double shear = header.contact.shear_stiffness;
+    if (header.fabric.phases.size() > 1) {
+        const Phase grain = mean_grain(header, specimen);
+        rock.young_modulus = grain.young_modulus;
+        rock.poisson_ratio = grain.poisson_ratio;
+        const std::vector<std::uint8_t> classes = contact_classes(specimen);
+        if (!classes.empty()) {
+            normal = mean_stiffness(header, classes, &ContactParameters::normal_stiffness);
+            shear = mean_stiffness(header, classes, &ContactParameters::shear_stiffness);
+        }
+    }
+    return fpz::assemblage_moduli(rock, header.plane, normal, shear, contact_length_per_area(specimen));
 }
 
 void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format) {
