@@ -8,7 +8,6 @@
 
 #include "share/error.hpp"
 #include "tests/support/check.hpp"
-#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {

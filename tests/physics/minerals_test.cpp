@@ -1,0 +1,129 @@
+// Grains of several stiffnesses: laminates and a wave across the boundary of two minerals, where the answer is known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/linear_statics.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::SmallRun;
+using test::verify;
+
+const std::vector<Phase> minerals{{60e9, 0, 2600}, {83.1e9, 0, 2650}, {29.3e9, 0, 3000}};  // feldspar, quartz, mica
+
+/// Contacts so stiff that they hardly give way, the same of every class.
+ContactLaws stiff_contacts(std::size_t n_phases, double stiffness) {
+    ContactLaw law = test::augig_law(LawVariant::consistent);
+    law.kt = stiffness;
+    law.ks = stiffness / 10;
+    law.stiffest_shear = law.ks;
+    ContactLaws laws;
+    laws.of_class.assign(n_contact_classes(n_phases), law);
+    return laws;
+}
+
+constexpr int layers = 50;  // 62, 32 and 6 % of them feldspar, quartz and mica
+std::uint8_t phase_of_layer(int layer) { return static_cast<std::uint8_t>(layer % 16 == 7 ? 2 : layer % 3 == 1 ? 1 : 0); }
+
+/// A laminate of one grain a layer along x (in series under a load along x) or along y (in parallel).
+Specimen laminate(bool in_series) {
+    Specimen s = in_series ? test::crossed_blocks(layers, 1, 0.5, 0.01, [](int i, int) { return i; })
+                           : test::crossed_blocks(4, layers, 0.04, 0.5, [](int, int j) { return j; });
+    s.phase_names = {"feldspar", "quartz", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = phase_of_layer(static_cast<int>(g));
+    return s;
+}
+std::array<double, 3> fractions() {
+    std::array<double, 3> count{};
+    for (int layer = 0; layer < layers; ++layer) count[phase_of_layer(layer)] += 1.0 / layers;
+    return count;
+}
+
+TEST(Minerals, ALaminateInSeriesHasTheModulusOfReuss) {
+    const std::array<double, 3> f = fractions();
+    ASSERT_NEAR(f[0], 0.62, 1e-12);
+    ASSERT_NEAR(f[1], 0.32, 1e-12);
+    const double stiffness = 1e4 * 60e9 / 0.01;
+    const SmallRun run(laminate(true), minerals, stiff_contacts(3, stiffness), PlaneCondition::stress);
+    const double stress = 1e6;
+    const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), boundary_load(run, {stress, 0, 0}));
+    const double contacts = (layers - 1) / (stiffness * 0.5);
+    verify("phases: laminate of 62/32/6 % in series, modulus (GPa)", 1e-9 / (mean_strain(run, u).xx / stress - contacts), 61.61,
+           0.005, "Reuss");
+}
+
+TEST(Minerals, ALaminateInParallelHasTheModulusOfVoigt) {
+    const SmallRun run(laminate(false), minerals, stiff_contacts(3, 1e4 * 60e9 / 0.01), PlaneCondition::stress);
+    // Ends that are held plane: each layer is pulled by its share of the load.
+    const Assemblage& a = run.assemblage;
+    constexpr double strain = 1e-5;
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(a.position.size()));
+    double force = 0;
+    for (const auto& edge : run.specimen.boundary_edges) {
+        const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
+        const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
+        const double outwards = a.position[static_cast<std::size_t>(j)].y - a.position[static_cast<std::size_t>(i)].y;
+        const double traction = strain * minerals[a.phase_of_node[static_cast<std::size_t>(i)]].young_modulus;
+        load(2 * i) += 0.5 * traction * outwards;
+        load(2 * j) += 0.5 * traction * outwards;
+        force += outwards > 0 ? traction * outwards : 0;
+    }
+    const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), load);
+    verify("phases: laminate of 62/32/6 % in parallel, modulus (GPa)", 1e-9 * force / 0.5 / mean_strain(run, u).xx, 65.55, 0.005,
+           "Voigt");
+}
+
+// A pulse of stress from quartz into biotite: 2 Z2/(Z1 + Z2) goes on and (Z2 − Z1)/(Z1 + Z2) comes back, Z = √(E ρ).
+TEST(Minerals, APulseIsSharedAtTheBoundaryOfTwoMinerals) {
+    constexpr int cells = 400;
+    constexpr double length = 0.4;
+    Specimen s = test::crossed_blocks(cells, 1, length, length / cells, [](int i, int) { return 2 * i / cells; });
+    s.phase_names = {"quartz", "biotite"};
+    s.grain_phase = {0, 1};
+    const std::vector<Phase> bar{{83.1e9, 0, 2650}, {29.3e9, 0, 3000}};
+    SmallRun run(std::move(s), bar, stiff_contacts(2, 100 * 83.1e9 / (length / cells)), PlaneCondition::stress, 0.5);
+    const double speed = std::sqrt(bar[0].young_modulus / bar[0].density);
+    constexpr double middle = -0.1;
+    constexpr double width = 0.01;  // ten cells
+    const auto shape = [&](double x) { return std::exp(-(x - middle) * (x - middle) / (2 * width * width)); };
+    // Strain ε(x − c t) with v = −c ε; displacements are the integral of ε.
+    const auto displacement = [&](double x) {
+        return 1e-9 * width * std::sqrt(M_PI / 2) * (1 + std::erf((x - middle) / (width * M_SQRT2)));
+    };
+    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
+        const double x = run.assemblage.position[i].x;
+        run.state.displacement[i].x = displacement(x);
+        run.state.velocity[i].x = -1e-9 * speed * shape(x + 0.5 * speed * run.parameters.time_step);
+    }
+    run.begin();
+    const auto stress_of = [&](std::size_t e) {
+        const auto [n0, n1, n2] = run.assemblage.element_nodes[e];
+        const PlaneElasticity c = run.assemblage.elasticity[e];
+        const TriangleState t = triangle_state(
+            run.assemblage.element_geometry[e], c,
+            run.state.displacement[static_cast<std::size_t>(n1)] - run.state.displacement[static_cast<std::size_t>(n0)],
+            run.state.displacement[static_cast<std::size_t>(n2)] - run.state.displacement[static_cast<std::size_t>(n0)]);
+        return triangle_stress(c, t)[0];
+    };
+    run.steps(static_cast<std::int64_t>(0.17 / speed / run.parameters.time_step));  // 70 mm behind the boundary
+    double transmitted = 0;
+    double reflected = 0;
+    for (std::size_t e = 0; e < run.assemblage.element_nodes.size(); ++e) {
+        const double stress = stress_of(e);
+        const bool is_quartz = run.specimen.element_grain[e] == 0;
+        double& largest = is_quartz ? reflected : transmitted;
+        largest = std::abs(stress) > std::abs(largest) ? stress : largest;
+    }
+    const double incident = 1e-9 * bar[0].young_modulus;
+    verify("phases: pulse from quartz into biotite, transmitted", transmitted / incident, 0.7744, 0.02, "2 Z2/(Z1 + Z2)");
+    verify("phases: pulse from quartz into biotite, reflected", reflected / incident, -0.2256, 0.02, "(Z2 - Z1)/(Z1 + Z2)");
+}
+
+}  // namespace
+}  // namespace graincrack
