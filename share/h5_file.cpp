@@ -274,6 +274,8 @@ std::vector<std::string> H5Input::describe() const { return h5::describe(state_-
 
 struct H5Output::State {
     std::unique_ptr<OutputFile> place;
+    /// A checkpoint too: HDF5 crashes where the disk is full as it copies frames from one file to another (H5Ocopy, 1.10.8).
+    bool is_in_memory;
     Handle file;
 };
 
@@ -298,18 +300,20 @@ void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
 H5Output::H5Output(const std::string& path, std::string_view kind) : H5Output(std::make_unique<OutputFile>(path), kind) {}
 
 H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
-    : state_(std::make_unique<State>(State{std::move(place), {}})) {
+    : state_(std::make_unique<State>(State{std::move(place), false, {}})) {
     silence_hdf5();
     const Handle access = property_list(H5P_FILE_ACCESS);
     Handle creation = property_list(H5P_FILE_CREATE);
     H5Pset_obj_track_times(creation.get(), 0);
     std::string path = "graincrack-image";
-    if (is_stream()) {
-        if (state_->place->is_terminal()) {
-            throw OutputError(name() + ": is a terminal; send the file into a pipe or name one with -o FILE");
-        }
-        H5Pset_fapl_core(access.get(), 1 << 20, 0);
-    } else {
+    state_->is_in_memory = is_stream() || state_->place->is_covered();
+    if (state_->is_in_memory) {
+        H5Pset_fapl_core(access.get(), 1 << 20, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
+    }
+    if (state_->place->is_terminal()) {
+        throw OutputError(name() + ": is a terminal; send the file into a pipe or name one with -o FILE");
+    }
+    if (!is_stream()) {
         require_kind_of_replaced(*state_->place, kind);
         path = state_->place->begin();
     }
@@ -453,7 +457,7 @@ void H5Output::move(const std::string& from, const std::string& to) {
 }
 
 void H5Output::flush() {
-    if (!is_stream() && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
+    if (!state_->is_in_memory && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
         throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
     }
 }

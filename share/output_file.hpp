@@ -29,6 +29,7 @@ public:
 
     [[nodiscard]] const std::string& name() const { return name_; }  ///< for messages; "stdout" for "-"
     [[nodiscard]] bool is_stream() const { return path_.empty(); }
+    [[nodiscard]] bool is_covered() const { return !is_stream() && !lock_; }
     [[nodiscard]] bool is_terminal() const;
     /// The file, not empty, that `commit` replaces; "" if there is none.
     [[nodiscard]] std::string replaced() const;

@@ -219,8 +219,14 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     if (options.paraview) {
         write_whole_file(folder + "/open_in_paraview.py", paraview_state(data.header.contact.tensile_strength));
     }
-    write_whole_file(folder + "/grains.pvd", pvd(blocks, times));
-    write_whole_file(folder + "/cracks.pvd", pvd({{"cracks", "vtp"}}, times));
+    OutputFile grains_list(folder + "/grains.pvd");
+    OutputFile cracks_list(folder + "/cracks.pvd");
+    grains_list.begin();
+    cracks_list.begin();
+    grains_list.write(pvd(blocks, times));
+    cracks_list.write(pvd({{"cracks", "vtp"}}, times));
+    grains_list.commit();
+    cracks_list.commit();
 }
 
 }  // namespace graincrack
