@@ -22,9 +22,10 @@ using namespace h5;
 
 namespace {
 
-constexpr std::size_t chunk_bytes = 1 << 18;  // target size of a chunk
-constexpr std::size_t small_bytes = 1 << 12;  // smaller arrays stay contiguous
-constexpr unsigned deflate_level = 1;         // measured: higher levels cost time and gain nothing
+constexpr std::size_t chunk_bytes = 1 << 18;   // target size of a chunk
+constexpr std::size_t small_bytes = 1 << 12;   // smaller arrays stay contiguous
+constexpr std::size_t image_growth = 1 << 16;  // of a file in memory; what is written on flushing is a multiple of it
+constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and gain nothing
 
 /// Before the first use of HDF5. It reports its errors by return values here; its own printing is switched off for the rest of
 /// the process. At exit it would close files again that could not be closed, as on a full disk, and crash.
@@ -274,7 +275,7 @@ std::vector<std::string> H5Input::describe() const { return h5::describe(state_-
 
 struct H5Output::State {
     std::unique_ptr<OutputFile> place;
-    /// A checkpoint too: HDF5 crashes where the disk is full as it copies frames from one file to another (H5Ocopy, 1.10.8).
+    /// A stream, and a checkpoint: HDF5 1.10.8 crashes where the disk is full as it copies frames from another file (H5Ocopy).
     bool is_in_memory;
     Handle file;
 };
@@ -308,7 +309,7 @@ H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
     std::string path = "graincrack-image";
     state_->is_in_memory = is_stream() || state_->place->is_covered();
     if (state_->is_in_memory) {
-        H5Pset_fapl_core(access.get(), 1 << 20, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
+        H5Pset_fapl_core(access.get(), image_growth, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
     }
     if (state_->place->is_terminal()) {
         throw OutputError(name() + ": is a terminal; send the file into a pipe or name one with -o FILE");
