@@ -18,9 +18,9 @@ namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
 
-/// The second signal ends the tool at once.
+/// The second signal ends the tool at once; but for SIGHUP, which both the shell and the system send when a terminal is closed.
 void remember_signal(int signal) {
-    if (caught_signal != 0) {
+    if (caught_signal != 0 && signal != SIGHUP) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
@@ -64,6 +64,7 @@ void flush_stdout() {
 int run_tool(const std::string& tool, const std::function<int()>& body) {
     open_closed_streams();
     std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size cannot be written, as on a full disk
     try {
         const int code = body();
         flush_stdout();
@@ -83,6 +84,9 @@ int run_tool(const std::string& tool, const std::function<int()>& body) {
 void catch_stop_signals() {
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
+    if (std::signal(SIGHUP, remember_signal) == SIG_IGN) {
+        std::signal(SIGHUP, SIG_IGN);  // of nohup
+    }
 }
 
 int stop_signal() noexcept { return caught_signal; }

@@ -52,7 +52,7 @@ private:
 /// Runs the body of a tool's main and turns what it throws into one line on stderr, `tool: message`, and an exit code.
 int run_tool(const std::string& tool, const std::function<int()>& body);
 
-/// Catches SIGINT and SIGTERM from here on, so that work ends at the next safe point.
+/// Catches SIGINT, SIGTERM and SIGHUP from here on, so that work ends at the next safe point.
 void catch_stop_signals();
 /// The signal that asked to stop, or 0.
 int stop_signal() noexcept;

@@ -31,11 +31,10 @@ public:
     Handle& operator=(const Handle&) = delete;
     [[nodiscard]] hid_t get() const { return id_; }
     [[nodiscard]] bool valid() const { return id_ >= 0; }
-    void reset() {
-        if (id_ >= 0) {
-            close_(id_);
-        }
-        id_ = -1;
+    /// Whether it could be closed.
+    bool reset() {
+        const hid_t id = std::exchange(id_, -1);
+        return id < 0 || close_(id) >= 0;
     }
 
 private:

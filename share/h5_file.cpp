@@ -1,16 +1,10 @@
 #include "share/h5_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -19,7 +13,7 @@
 #include "share/h5_digest.hpp"
 #include "share/h5_open.hpp"
 #include "share/h5_structure.hpp"
-#include "share/output_lock.hpp"
+#include "share/output_file.hpp"
 
 namespace graincrack {
 
@@ -27,13 +21,16 @@ using namespace h5;
 
 namespace {
 
-constexpr std::size_t chunk_bytes = 1 << 18;  // target size of a chunk
-constexpr std::size_t small_bytes = 1 << 12;  // smaller arrays stay contiguous
-constexpr unsigned deflate_level = 1;         // measured: higher levels cost time and gain nothing
+constexpr std::size_t chunk_bytes = 1 << 18;   // target size of a chunk
+constexpr std::size_t small_bytes = 1 << 12;   // smaller arrays stay contiguous
+constexpr std::size_t image_growth = 1 << 16;  // of a file in memory; what is written on flushing is a multiple of it
+constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and gain nothing
 
-/// HDF5 reports its errors by return values here; its own printing is switched off for the rest of the process.
+/// Before the first use of HDF5. It reports its errors by return values here; its own printing is switched off for the rest of
+/// the process. At exit it would close files again that could not be closed, as on a full disk, and crash.
 void silence_hdf5() {
     static const bool done = [] {
+        H5dont_atexit();
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
         H5PLset_loading_state(0);  // no file makes the library load code
         return true;
@@ -71,35 +68,10 @@ Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool 
     return properties;
 }
 
-void sync_to_disk(const std::string& path) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (fd < 0 || ::fsync(fd) != 0) {
-        const int reason = errno;
-        if (fd >= 0) {
-            ::close(fd);
-        }
-        throw OutputError(fmt::format("{}: cannot be written to disk: {}", path, std::strerror(reason)));
-    }
-    ::close(fd);
-}
-
-void write_all(int fd, const char* data, std::size_t size) {
-    while (size > 0) {
-        const ssize_t n = ::write(fd, data, size);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n < 0) {
-            throw OutputError(fmt::format("stdout: cannot be written: {}", std::strerror(errno)));
-        }
-        data += n;
-        size -= static_cast<std::size_t>(n);
-    }
-}
-
 }  // namespace
 
 std::string hdf5_version() {
+    silence_hdf5();
     unsigned major = 0;
     unsigned minor = 0;
     unsigned release = 0;
@@ -271,46 +243,53 @@ std::vector<std::string> H5Input::describe() const { return h5::describe(state_-
 // --- writing ---------------------------------------------------------------------------------------------------------
 
 struct H5Output::State {
-    std::string name;
-    std::string part;  // the file until commit; empty for a pipe
-    bool committed = false;
-    std::optional<OutputLock> lock;
+    std::unique_ptr<OutputFile> place;
+    /// A stream, and a checkpoint: HDF5 1.10.8 crashes where the disk is full as it copies frames from another file (H5Ocopy).
+    bool is_in_memory;
     Handle file;
-    ~State() {
-        file.reset();
-        if (!part.empty() && !committed) {
-            ::unlink(part.c_str());
-        }
-    }
 };
 
-H5Output::H5Output(const std::string& path, std::string_view kind) : state_(std::make_unique<State>()) {
+namespace {
+
+/// \throws UsageError if an output would replace what is no file of its kind
+void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
+    const std::string replaced = place.replaced();
+    if (replaced.empty()) {
+        return;
+    }
+    try {
+        const H5Input existing(replaced, kind);
+    } catch (const InputError&) {
+        throw UsageError(
+            fmt::format("{}: exists, and is no {} that could be replaced; give another name, or remove it", place.name(), kind));
+    }
+}
+
+}  // namespace
+
+H5Output::H5Output(const std::string& path, std::string_view kind) : H5Output(std::make_unique<OutputFile>(path), kind) {}
+
+H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
+    : state_(std::make_unique<State>(State{std::move(place), false, {}})) {
     silence_hdf5();
     const Handle access = property_list(H5P_FILE_ACCESS);
     Handle creation = property_list(H5P_FILE_CREATE);
     H5Pset_obj_track_times(creation.get(), 0);
-    if (path == "-") {
-        if (::isatty(STDOUT_FILENO) != 0) {
-            throw OutputError("stdout: is a terminal; send the file into a pipe or name one with -o FILE");
-        }
-        state_->name = "stdout";
-        H5Pset_fapl_core(access.get(), 1 << 20, 0);
-        state_->file = Handle(H5Fcreate("graincrack-stdout", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
-    } else {
-        state_->name = path;
-        if (std::filesystem::is_directory(path)) {
-            throw OutputError(fmt::format("{}: is a folder, name a file in it", path));
-        }
-        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-        if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-            throw OutputError(fmt::format("{}: the folder {} does not exist", path, folder.string()));
-        }
-        state_->lock.emplace(path);
-        state_->part = path + ".part";
-        state_->file = Handle(H5Fcreate(state_->part.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+    std::string path = "graincrack-image";
+    state_->is_in_memory = is_stream() || state_->place->is_covered();
+    if (state_->is_in_memory) {
+        H5Pset_fapl_core(access.get(), image_growth, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
     }
+    if (state_->place->is_terminal()) {
+        throw OutputError(name() + ": is a terminal; send the file into a pipe or name one with -o FILE");
+    }
+    if (!is_stream()) {
+        require_kind_of_replaced(*state_->place, kind);
+        path = state_->place->begin();
+    }
+    state_->file = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
     if (!state_->file.valid()) {
-        throw OutputError(fmt::format("{}: cannot be created; is the folder writable?", state_->name));
+        throw OutputError(name() + ": cannot be created");
     }
     attribute("/", "format", std::string("graincrack"));
     attribute("/", "schema_version", std::int64_t{schema_version});
@@ -320,8 +299,8 @@ H5Output::~H5Output() = default;
 H5Output::H5Output(H5Output&&) noexcept = default;
 H5Output& H5Output::operator=(H5Output&&) noexcept = default;
 
-const std::string& H5Output::name() const { return state_->name; }
-bool H5Output::is_pipe() const { return state_->part.empty(); }
+const std::string& H5Output::name() const { return state_->place->name(); }
+bool H5Output::is_stream() const { return state_->place->is_stream(); }
 
 void H5Output::create_group(const std::string& group) {
     for (std::size_t slash = group.find('/', 1);; slash = group.find('/', slash + 1)) {
@@ -331,7 +310,7 @@ void H5Output::create_group(const std::string& group) {
             H5Pset_obj_track_times(properties.get(), 0);
             const Handle id(H5Gcreate2(state_->file.get(), path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose);
             if (!id.valid()) {
-                throw OutputError(fmt::format("{}: group {} cannot be created", state_->name, path));
+                throw OutputError(fmt::format("{}: group {} cannot be created", name(), path));
             }
         }
         if (slash == std::string::npos) {
@@ -357,7 +336,7 @@ void H5Output::write(const std::string& dataset, std::span<const T> values, cons
         H5Dclose);
     if (!id.valid() ||
         (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)) {
-        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", state_->name, dataset));
+        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", name(), dataset));
     }
     write_attribute(id.get(), "unit", std::string(unit));
     write_attribute(id.get(), "description", std::string(description));
@@ -385,7 +364,7 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
                                    properties.get(), H5P_DEFAULT),
                         H5Dclose);
         if (!id.valid()) {
-            throw OutputError(fmt::format("{}: dataset {} cannot be created", state_->name, dataset));
+            throw OutputError(fmt::format("{}: dataset {} cannot be created", name(), dataset));
         }
         write_attribute(id.get(), "unit", std::string(unit));
         write_attribute(id.get(), "description", std::string(description));
@@ -397,14 +376,16 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
         std::vector<hsize_t> shape = to_hsize(space_extents(space.get()));
         offset[0] = shape[0];
         shape[0] += extents[0];
-        H5Dset_extent(id.get(), shape.data());
+        if (H5Dset_extent(id.get(), shape.data()) < 0) {
+            throw OutputError(fmt::format("{}: dataset {} cannot be extended; is the disk full?", name(), dataset));
+        }
     }
     const Handle space(H5Dget_space(id.get()), H5Sclose);
     const std::vector<hsize_t> count = to_hsize(extents);
     H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
     const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
     if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
-        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", state_->name, dataset));
+        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", name(), dataset));
     }
 }
 
@@ -427,13 +408,13 @@ void H5Output::hard_link(const std::string& existing, const std::string& link) {
         create_group(link.substr(0, slash));
     }
     if (H5Lcreate_hard(state_->file.get(), existing.c_str(), state_->file.get(), link.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
-        throw OutputError(fmt::format("{}: {} cannot be linked to {}", state_->name, link, existing));
+        throw OutputError(fmt::format("{}: {} cannot be linked to {}", name(), link, existing));
     }
 }
 
 void H5Output::copy(const H5Output& from, const std::string& object, const std::string& to) {
     if (H5Ocopy(from.state_->file.get(), object.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
-        throw OutputError(fmt::format("{}: {} cannot be written; is the disk full?", state_->name, to));
+        throw OutputError(fmt::format("{}: {} cannot be written; is the disk full?", name(), to));
     }
 }
 
@@ -441,35 +422,31 @@ void H5Output::remove(const std::string& object) { H5Ldelete(state_->file.get(),
 
 void H5Output::move(const std::string& from, const std::string& to) {
     if (H5Lmove(state_->file.get(), from.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
-        throw OutputError(fmt::format("{}: {} cannot be renamed to {}", state_->name, from, to));
+        throw OutputError(fmt::format("{}: {} cannot be renamed to {}", name(), from, to));
     }
 }
 
 void H5Output::flush() {
-    if (!is_pipe() && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
-        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", state_->name));
+    if (!state_->is_in_memory && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
+        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
     }
 }
 
 void H5Output::commit() {
     if (H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
-        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", state_->name));
+        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
     }
-    if (is_pipe()) {
+    if (is_stream()) {
         const ssize_t size = H5Fget_file_image(state_->file.get(), nullptr, 0);
-        std::vector<char> image(size > 0 ? static_cast<std::size_t>(size) : 0);
+        std::string image(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
         if (size <= 0 || H5Fget_file_image(state_->file.get(), image.data(), image.size()) < 0) {
-            throw OutputError("stdout: the file image cannot be made");
+            throw OutputError(name() + ": the file image cannot be made");
         }
-        write_all(STDOUT_FILENO, image.data(), image.size());
-    } else {
-        state_->file.reset();
-        sync_to_disk(state_->part);
-        if (std::rename(state_->part.c_str(), state_->name.c_str()) != 0) {
-            throw OutputError(fmt::format("{}: cannot be renamed from {}: {}", state_->name, state_->part, std::strerror(errno)));
-        }
+        state_->place->write(image);
+    } else if (!state_->file.reset()) {
+        throw OutputError(fmt::format("{}: cannot be closed; is the disk full?", name()));
     }
-    state_->committed = true;
+    state_->place->commit();
 }
 
 // --- instantiations of the templates -----------------------------------------------------------------------------------

@@ -78,19 +78,22 @@ private:
     std::unique_ptr<State> state_;
 };
 
+class OutputFile;
+
 /// A file being written: `path`.part until `commit`, which flushes, syncs and renames it. Without a commit nothing is
-/// left. "-" builds the file in memory and sends it to stdout at `commit`.
+/// left. For a stream, such as "-", it is built in memory, and sent at `commit`.
 class H5Output {
 public:
     /// \param kind "specimen" or "run"
-    /// \throws OutputError if it cannot be created, or if "-" and stdout is a terminal
+    /// \throws UsageError if it would replace a file of another kind; OutputError if it cannot be created, or is a terminal
     H5Output(const std::string& path, std::string_view kind);
+    H5Output(std::unique_ptr<OutputFile> place, std::string_view kind);
     ~H5Output();
     H5Output(H5Output&&) noexcept;
     H5Output& operator=(H5Output&&) noexcept;
 
     [[nodiscard]] const std::string& name() const;
-    [[nodiscard]] bool is_pipe() const;  ///< true for "-"
+    [[nodiscard]] bool is_stream() const;
 
     void create_group(const std::string& group);
     /// Writes a dataset with its attributes `unit` and `description`; missing parent groups are made.
@@ -116,7 +119,7 @@ public:
     void move(const std::string& from, const std::string& to);
     /// Writes everything so far to disk: after a kill, a run can be read up to here.
     void flush();
-    /// Ends the file: flush, fsync, rename (or send to stdout). \throws OutputError
+    /// Ends the file: flush, fsync, rename (or send). \throws OutputError
     void commit();
 
 private:

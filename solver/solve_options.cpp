@@ -5,9 +5,12 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "share/command_line.hpp"
 #include "share/error.hpp"
+#include "share/output_file.hpp"
 #include "share/units.hpp"
 #include "solver/contact_options.hpp"
 #include "solver/loading/program_file.hpp"
@@ -115,7 +118,9 @@ void add_checkpoint_options(CLI::App& command, SimulationRequest& request, RawOp
     add_quantity(command, "--walltime", raw.walltime, walltime,
                  "stop after this time as on SIGTERM: RUN.checkpoint has the test so far, and the exit code is 143");
     add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
-                 "wall time after which RUN.checkpoint is written, again and again; it is gone when the run is there");
+                 "wall time from one writing of RUN.checkpoint to the next; it is gone when the run is there");
+    command.add_flag("--discard-checkpoint", request.discard_checkpoint,
+                     "begin anew where RUN.checkpoint is there, which is refused otherwise: it is removed");
 }
 
 void add_sensitivity_flag(CLI::App& command, SimulationRequest& request) {
@@ -238,6 +243,14 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     }
 }
 
+/// \throws UsageError if the run would replace the one it goes on from
+void require_other_output(const SolveOptions& options) {
+    std::error_code missing;
+    if (std::filesystem::equivalent(options.output, options.request.restart, missing)) {
+        throw UsageError(fmt::format("--output {}: is the run to go on from; give another name", options.output));
+    }
+}
+
 }  // namespace
 
 std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
@@ -270,12 +283,14 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
     }
     complete_request(options.request, raw);
-    if (options.request.checkpoint_interval && options.output == "-") {
-        throw UsageError("--checkpoint-every: a run that goes to stdout has no name for its checkpoints; -o run.h5 fits");
+    const bool goes_to_stream = !options.output.empty() && is_stream(options.output);
+    if (options.request.checkpoint_interval && goes_to_stream) {
+        throw UsageError(
+            "--checkpoint-every: a run that goes to stdout or a device has no name for its checkpoints; -o run.h5 fits");
     }
     if (raw.walltime) {
-        if (options.output == "-") {
-            throw UsageError("--walltime: a run that goes to stdout has no name for its checkpoint; -o run.h5 fits");
+        if (goes_to_stream) {
+            throw UsageError("--walltime: a run that goes to stdout or a device has no name for its checkpoint; -o run.h5 fits");
         }
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*raw.walltime);
         options.request.stops_after = [end](std::size_t /*rows*/) { return std::chrono::steady_clock::now() >= end; };
@@ -287,6 +302,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         complete_program(options.request, raw);
     }
     complete_mass_scaling(options.request, raw);
+    require_other_output(options);
     return options;
 }
 

@@ -12,10 +12,10 @@
 #include <span>
 #include <sstream>
 
-#include "post/table/output_file.hpp"
 #include "post/table/table_file.hpp"
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
+#include "share/output_file.hpp"
 #include "share/toml_file.hpp"
 #include "share/units.hpp"
 
@@ -61,12 +61,6 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
         {"centre_runs", {specimens, count(study.centre_runs)}},
         {"predicted_specimens", {specimens, count(study.predicted)}},
         {"rounds", {rounds, count(study.rounds)}}};
-}
-
-void remove_file(const fs::path& file) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) throw OutputError(fmt::format("{}: cannot be removed: {}", file.string(), error.message()));
 }
 
 std::string si_text(double value, double si, const std::string& unit) {
@@ -342,7 +336,7 @@ Decision calibrate_folder(const std::string& folder, const std::string& material
     std::vector<FinishedRun> finished;
     if (fs::exists(place / "strength.tsv")) finished = read_finished(folder);
     Decision decision = decide(rock, study, finished);
-    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md"}) remove_file(place / name);
+    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md"}) remove_file((place / name).string());
     if (decision.ending == Ending::wanted) {
         std::set<std::string> written;
         for (const WantedRun& run : decision.wanted) {

@@ -11,8 +11,8 @@
 #include <span>
 
 #include "post/chart/font.hpp"
-#include "post/table/output_file.hpp"
 #include "share/error.hpp"
+#include "share/output_file.hpp"
 
 namespace graincrack {
 

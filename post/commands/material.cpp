@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "post/option_parts.hpp"
-#include "post/table/output_file.hpp"
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
 #include "share/material_edit.hpp"
+#include "share/output_file.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {

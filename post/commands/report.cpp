@@ -2,7 +2,7 @@
 
 #include "post/option_parts.hpp"
 #include "post/report/report.hpp"
-#include "post/table/output_file.hpp"
+#include "share/output_file.hpp"
 
 namespace graincrack {
 
@@ -21,6 +21,7 @@ Command report_command() {
             add_output(app, options.page, "page: .html");
         },
         [](const Options& options, const Call& call) {
+            require_ending(options.page, ".html");
             write_whole_file(options.page, make_report(call.files, options.report, call.verbosity));
         });
 }

@@ -26,8 +26,8 @@
 #include <utility>
 
 #include "post/cracks/run_state.hpp"
-#include "post/table/output_file.hpp"
 #include "share/error.hpp"
+#include "share/output_file.hpp"
 
 namespace graincrack {
 
@@ -95,7 +95,7 @@ void write_xml(const std::string& path, Data* data) {
     OutputFile file(path);
     vtkNew<Writer> writer;
     writer->SetInputData(data);
-    writer->SetFileName(file.part().c_str());
+    writer->SetFileName(file.begin().c_str());
     writer->SetCompressorTypeToLZ4();
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();

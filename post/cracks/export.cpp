@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <sstream>
 #include <utility>
@@ -15,8 +14,8 @@
 #include "post/cracks/paraview_state.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
-#include "post/table/output_file.hpp"
 #include "share/error.hpp"
+#include "share/output_file.hpp"
 #include "share/output_lock.hpp"
 
 namespace graincrack {
@@ -197,7 +196,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     make_folder(folder);
     const OutputLock lock(folder + "/cracks");
     // The lists of files come last: a folder without them is not whole.
-    for (const char* list : {"/grains.pvd", "/cracks.pvd"}) std::remove((folder + list).c_str());
+    for (const char* list : {"/grains.pvd", "/cracks.pvd"}) remove_file(folder + list);
     const Series series{run, specimen, data, shown, options.label, folder};
     const Breakup breakup = write_frames(series, frames, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options.events);
@@ -220,8 +219,14 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     if (options.paraview) {
         write_whole_file(folder + "/open_in_paraview.py", paraview_state(data.header.contact.tensile_strength));
     }
-    write_whole_file(folder + "/grains.pvd", pvd(blocks, times));
-    write_whole_file(folder + "/cracks.pvd", pvd({{"cracks", "vtp"}}, times));
+    OutputFile grains_list(folder + "/grains.pvd");
+    OutputFile cracks_list(folder + "/cracks.pvd");
+    grains_list.begin();
+    cracks_list.begin();
+    grains_list.write(pvd(blocks, times));
+    cracks_list.write(pvd({{"cracks", "vtp"}}, times));
+    grains_list.commit();
+    cracks_list.commit();
 }
 
 }  // namespace graincrack

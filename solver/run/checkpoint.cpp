@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "share/error.hpp"
+#include "share/output_file.hpp"
 
 namespace graincrack {
 namespace {
@@ -36,6 +38,25 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
 }
 
 }  // namespace
+
+void make_way_for_checkpoint(const std::string& checkpoint, const std::string& restart, bool discard) {
+    namespace fs = std::filesystem;
+    if (!fs::exists(checkpoint) || (!restart.empty() && fs::equivalent(restart, checkpoint))) {
+        return;
+    }
+    if (!discard) {
+        throw UsageError(
+            fmt::format("{}: is the checkpoint of a run that has not ended; --restart {} goes on from it, "
+                        "--discard-checkpoint begins anew",
+                        checkpoint, checkpoint));
+    }
+    remove_checkpoint(checkpoint);
+}
+
+void remove_checkpoint(const std::string& checkpoint) {
+    remove_file(checkpoint);
+    remove_file(checkpoint + ".part");  // of a run that was killed as it wrote
+}
 
 void catch_checkpoint_signal() {
     std::signal(SIGUSR1, [](int /*signal*/) { is_requested = 1; });

@@ -11,23 +11,23 @@ namespace graincrack {
 /// Where the checkpoints of a run lie: "run.h5.checkpoint".
 inline std::string checkpoint_of(const std::string& output) { return output + ".checkpoint"; }
 
-/// Tells when the next checkpoint is due, by the wall clock.
-class CheckpointClock {
+/// Wall time since something was last done.
+class WallClock {
 public:
-    /// \param interval s
-    explicit CheckpointClock(double interval) : interval_(interval) {}
-    /// Whether it is; if so, the next one is an interval later.
-    [[nodiscard]] bool is_due() {
-        const auto now = std::chrono::steady_clock::now();
-        const bool due = now - last_ >= interval_;
-        last_ = due ? now : last_;
-        return due;
+    [[nodiscard]] double elapsed() const {  ///< s
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }
+    void restart() { begin_ = std::chrono::steady_clock::now(); }
 
 private:
-    std::chrono::duration<double> interval_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
+
+/// Makes way for the checkpoints of a new run: another one of that name is refused unless it is to be discarded.
+/// \param restart file that the run goes on from, "" without \throws UsageError
+void make_way_for_checkpoint(const std::string& checkpoint, const std::string& restart, bool discard);
+/// Removes a checkpoint, whole or not.
+void remove_checkpoint(const std::string& checkpoint);
 
 /// From here on SIGUSR1, by which schedulers warn, asks for a checkpoint and does not end the program.
 void catch_checkpoint_signal();

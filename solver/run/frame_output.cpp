@@ -43,26 +43,31 @@ void FrameOutput::thin_if_too_many() {
     }
 }
 
-void FrameOutput::regular(double strain, const Assemblage& a, const ContactLaws& laws, const State& state) {
+bool FrameOutput::regular(double strain, const Assemblage& a, const ContactLaws& laws, const State& state) {
     if (wanted_ == 0 || strain < next_) {
-        return;
+        return false;
     }
     writer_.add_frame(make_frame(a, laws, state), FrameRole::regular);
     ++regular_;
     thin_if_too_many();
     next_ = interval_ * (std::floor(strain / interval_) + 1);
+    return true;
 }
 
-void FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaws& laws, const State& state) {
+bool FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaws& laws, const State& state) {
     if (wanted_ == 0) {
-        return;
+        return false;
     }
     if (is_highest) {
         peak_ = make_frame(a, laws, state);
-    } else if (has_fallen && peak_) {
+        return false;
+    }
+    const bool is_final = has_fallen && peak_;
+    if (is_final) {
         writer_.add_frame(*peak_, FrameRole::kept);
         peak_.reset();
     }
+    return is_final;
 }
 
 void FrameOutput::last(const Assemblage& a, const ContactLaws& laws, const State& state) {

@@ -29,10 +29,10 @@ public:
     void go_on(const FrameProgress& progress, const RunReader& checkpoint);
     /// Writes the frames so far, the state of now last, into a checkpoint. \return what `go_on` needs
     FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const;
-    /// Adds a frame when the strain has come to the next interval.
-    void regular(double strain, const Assemblage& assemblage, const ContactLaws& laws, const State& state);
-    /// Remembers the frame of the highest stress so far, and writes it once the stress has clearly fallen.
-    void peak(bool is_highest, bool has_fallen, const Assemblage& assemblage, const ContactLaws& laws, const State& state);
+    /// Adds a frame when the strain has come to the next interval. \return whether it has
+    bool regular(double strain, const Assemblage& assemblage, const ContactLaws& laws, const State& state);
+    /// Remembers the frame of the highest stress so far, and adds it once the stress has clearly fallen. \return whether it has
+    bool peak(bool is_highest, bool has_fallen, const Assemblage& assemblage, const ContactLaws& laws, const State& state);
     void last(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
     /// Frames of a run with one peak, at most. \param wanted as above
     static constexpr std::size_t max_frames(std::size_t wanted) { return wanted == 0 ? 1 : 2 * wanted + 2; }

@@ -6,13 +6,14 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
+#include <memory>
 #include <numeric>
 #include <optional>
 
 #include "share/equilibrium.hpp"
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
+#include "share/output_file.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/crack_log.hpp"
@@ -33,6 +34,10 @@ namespace {
 constexpr double unstable_residual = 1.0;  // imbalance over the largest stored energy: no run that means anything
 constexpr double judged_stress = 0.01;     // of tc: below the energy of this stress the imbalance is noise of the start
 constexpr double peak_frame_drop = 0.02;   // fall below the peak at which the frame of the peak is final
+// Wall time from one writing of rows to the next, s: it takes some milliseconds, in which a kill would damage the unfinished
+// file.
+constexpr double flush_interval_of_frames = 0.25;
+constexpr double longest_flush_interval = 2;
 
 /// Axial stress of a test: load over the specimen's width (brazilian: over its diameter).
 double axial_stress(const Specimen& s, double force_bottom, double force_top) {
@@ -89,9 +94,6 @@ public:
           progress_(label, verbosity),
           verbosity_(verbosity),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
-        if (request.checkpoint_interval) {
-            checkpoint_clock_.emplace(*request.checkpoint_interval);
-        }
         set_initial_velocities(program_, assemblage_, specimen, state_);
         if (!request.restart.empty()) {
             const SavedState saved = read_saved_state(request.restart, specimen, request, setup_);
@@ -105,13 +107,16 @@ public:
         }
     }
 
-    /// Writes the run to a file as it goes ("-": stdout); to be called before `run`.
+    /// Writes the run to an output as it goes; to be called before `run`.
     void write_to(const std::string& output) {
-        H5Output file(output, "run");
-        const bool pipe = file.is_pipe();
-        writer_.emplace(std::move(file), specimen_, header_);
-        frames_.emplace(pipe && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
-        checkpoint_ = pipe ? "" : checkpoint_of(output);
+        auto place = std::make_unique<OutputFile>(output);
+        const bool is_stream = place->is_stream();
+        if (!is_stream) {
+            checkpoint_ = checkpoint_of(output);
+            make_way_for_checkpoint(checkpoint_, request_.restart, request_.discard_checkpoint);
+        }
+        writer_.emplace(H5Output(std::move(place), "run"), specimen_, header_);
+        frames_.emplace(is_stream && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
         if (frames_so_far_) {
             frames_->go_on(*frames_so_far_, RunReader(request_.restart));
         }
@@ -134,6 +139,7 @@ public:
             header_.stop_reason = driver_.stop_reason(axial_strain());
             if (header_.stop_reason.empty() && writes_checkpoint_now()) {
                 write_checkpoint();
+                since_checkpoint_.restart();
             }
         }
         progress_.finish();
@@ -151,7 +157,7 @@ public:
         }
         writer_->finish(header_, crack_log_.rows(assemblage_, state_), provenance, sensitivity);
         if (!checkpoint_.empty()) {
-            std::remove(checkpoint_.c_str());  // of this run, or of one before that was stopped
+            remove_checkpoint(checkpoint_);
         }
     }
     [[nodiscard]] const CrackLog& crack_log() const { return crack_log_; }
@@ -165,7 +171,7 @@ private:
             return false;
         }
         const bool is_asked = take_checkpoint_request();
-        return is_asked || (checkpoint_clock_ && checkpoint_clock_->is_due());
+        return is_asked || (request_.checkpoint_interval && since_checkpoint_.elapsed() >= *request_.checkpoint_interval);
     }
 
     /// On a signal, keeps what there is in a checkpoint and ends the run.
@@ -186,7 +192,7 @@ private:
 
     /// A run file of its own, with all rows, cracks and frames so far and the state of now.
     void write_checkpoint() const {
-        RunWriter writer(H5Output(checkpoint_, "run"), specimen_, header_);
+        RunWriter writer(H5Output(OutputFile::covered(checkpoint_), "run"), specimen_, header_);
         writer.append_history(history_);
         driver_.append(writer.file(), 0);
         driver_.write(writer.file());
@@ -249,10 +255,11 @@ private:
         const bool is_highest = counts && absolute_stress() > peak_;
         peak_ = is_highest ? absolute_stress() : peak_;
         if (writer_) {
-            frames_->peak(is_highest, counts && absolute_stress() < (1 - peak_frame_drop) * peak_, assemblage_, parameters_.laws,
-                          state_);
-            frames_->regular(driver_.progress(view()), assemblage_, parameters_.laws, state_);
-            if (history_.size() % 500 == 0) {
+            const bool has_fallen = counts && absolute_stress() < (1 - peak_frame_drop) * peak_;
+            const bool keeps_peak = frames_->peak(is_highest, has_fallen, assemblage_, parameters_.laws, state_);
+            const bool keeps_this = frames_->regular(driver_.progress(view()), assemblage_, parameters_.laws, state_);
+            const double flush_interval = keeps_peak || keeps_this ? flush_interval_of_frames : longest_flush_interval;
+            if (rows_written_ == 0 || since_flush_.elapsed() >= flush_interval) {
                 append_rows();
             }
         }
@@ -262,6 +269,7 @@ private:
         driver_.append(writer_->file(), rows_written_);
         rows_written_ = history_.size();
         writer_->append_history(history_);
+        since_flush_.restart();
     }
 
     [[nodiscard]] RunView view() const { return {assemblage_, boundary_, state_, history_, rate_, axial_strain()}; }
@@ -383,7 +391,8 @@ private:
     std::optional<FrameOutput> frames_;
     std::optional<FrameProgress> frames_so_far_;  ///< of the checkpoint that the run goes on from
     std::string checkpoint_;                      ///< its file
-    std::optional<CheckpointClock> checkpoint_clock_;
+    WallClock since_checkpoint_;
+    WallClock since_flush_;
 };
 
 }  // namespace

@@ -29,7 +29,8 @@ struct SimulationSummary {
 TestOutcome run_test(const Specimen& specimen, const SimulationRequest& request, const std::string& label, Verbosity verbosity);
 
 /// Runs the test and writes the run file to `output` ("-": stdout).
-/// \throws NumericalError if the run becomes unstable, Interrupted on a signal, OutputError
+/// \throws UsageError if something else has the name of the run or of its checkpoint, NumericalError if the run becomes unstable,
+/// Interrupted on a signal, OutputError
 SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& request, const std::string& output,
                            Verbosity verbosity, Provenance provenance);
 

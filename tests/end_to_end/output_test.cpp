@@ -40,10 +40,117 @@ TEST(Output, AFailedRunLeavesNothing) {
 
 TEST(Output, AnEarlierFileSurvivesAFailure) {
     const Shell shell;
-    shell.must(make_disc + "disc.h5\necho precious >run.h5");
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + elastic);
+    const std::string before = content_of(shell.file("run.h5"));
     EXPECT_EQ(shell.run("graincrack-solve brazilian disc.h5 --time-step-fraction 1.5 -o run.h5" + past_peak).exit_code, 4);
-    EXPECT_EQ(content_of(shell.file("run.h5")), "precious\n");
+    EXPECT_EQ(content_of(shell.file("run.h5")), before);
     EXPECT_EQ(shell.names(), "disc.h5\nrun.h5\n");
+}
+
+TEST(Output, DevicesAndPipesAreWrittenIntoAndNeverReplaced) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + elastic);
+    const std::string solve = "graincrack-solve brazilian disc.h5" + elastic + "-o ";
+    shell.must("mkfifo pipe page picture.svg\nln -s pipe link\ngraincrack-post info --digest - <pipe >digest &\n" + solve +
+               "link\nwait $!\n[[ -p pipe && -L link ]]\n[[ $(cut -d' ' -f1 digest) == " +
+               "$(graincrack-post info --digest run.h5 | cut -d' ' -f1) ]]");
+    shell.must(
+        "cat page >page.html & graincrack-post report run.h5 -o page; wait $!; [[ -p page ]]; grep -q '</html>' page.html");
+    shell.must("cat picture.svg >copy & graincrack-post plot curve run.h5 -o picture.svg; wait $!; grep -q '</svg>' copy");
+    shell.must(make_disc + "/dev/stdout | graincrack-post info -\ngraincrack-post report run.h5 -o - | grep -q '</html>'");
+    EXPECT_EQ(shell.run(solve + "/dev/full").exit_code, 5);
+    const Outcome walltime = shell.run(solve + "/dev/null --walltime 1h");
+    EXPECT_EQ(walltime.exit_code, 2);
+    // A device of the test's own, where it may make one.
+    const Outcome outcome = shell.run("mknod null c 1 3 && mknod disk b 7 250 && echo null >null || exit 0\n" + solve + "null\n" +
+                                      make_disc + "null\ngraincrack-post report run.h5 -o null\n[[ -c null ]] || exit 9\n" +
+                                      solve + "disk\n[[ $? == 2 && -b disk ]]");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(shell.run("ls -A *.part *.lock *.checkpoint").out, "");
+}
+
+TEST(Output, ALinkToAFileStays) {
+    const Shell shell;
+    shell.must("mkdir store\nln -s store/disc.h5 disc.h5\n" + make_disc + "disc.h5\n[[ -L disc.h5 && -f store/disc.h5 ]]\n" +
+               "graincrack-post info --check disc.h5\n[[ $(ls -A store) == disc.h5 ]]");
+}
+
+TEST(Output, AFileIsReplacedOnlyByItsOwnKind) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 --save-state -o run.h5" + elastic +
+               "\ncp run.h5 page.html; cp run.h5 map.png; echo 'name = \"rock\"' >rock.toml; cp disc.h5 other.h5\n" +
+               "graincrack-solve brazilian disc.h5 --print-program" + elastic + ">again.toml");
+    const std::string before = shell.must("sha256sum *");
+    const auto refused = [&](const std::string& command, const std::string& named) {
+        const Outcome outcome = shell.run(command);
+        EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
+    };
+    const std::string solve = "graincrack-solve brazilian disc.h5" + elastic;
+    refused(solve + "-o disc.h5", "disc.h5: exists, and is no run");
+    refused(solve + "-o rock.toml", "rock.toml: exists, and is no run");
+    refused(make_disc + "run.h5", "run.h5: exists, and is no specimen");
+    refused("graincrack-post report run.h5 -o run.h5", "--output run.h5: its name must end in .html");
+    refused("graincrack-post report run.h5 -o page.html", "page.html: is a run");
+    refused("graincrack-post plot curve run.h5 -o map.png", "map.png: is a run");
+    refused(
+        "graincrack-solve program disc.h5 --material augig-granite --program again.toml --damping 0.8 --restart run.h5 -o run.h5",
+        "--output run.h5: is the run to go on from");
+    for (const char* ending : {"part", "lock", "checkpoint"}) {
+        refused(solve + "-o run.h5." + ending, std::string("names in .") + ending);
+        refused(make_disc + "run.h5." + ending, std::string("names in .") + ending);
+    }
+    EXPECT_EQ(shell.must("sha256sum *"), before);
+    // A run replaces a run, and what is empty.
+    shell.must(": >empty.h5\n" + solve + "-o run.h5\n" + solve + "-o empty.h5\n" + make_disc + "other.h5");
+}
+
+TEST(Output, AFullDiskIsOneLineAndLeavesNothing) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + past_peak);
+    const std::string before = shell.names();
+    for (const char* limit : {"ulimit -f 2", "ulimit -f 30", "ulimit -f 90", "trap '' XFSZ; ulimit -f 30"}) {
+        for (const std::string& command :
+             {"graincrack-solve brazilian disc.h5 -o out.h5" + past_peak,
+              std::string("graincrack-mesh disc --diameter 80mm --grains 1000 --quiet -o out.h5"),
+              std::string("graincrack-post plot cracks run.h5 --width 300mm --dpi 300 -o out.png")}) {
+            const Outcome outcome = shell.run(std::string(limit) + "; " + command);
+            EXPECT_EQ(outcome.exit_code, 5) << limit << "; " << command << "\n" << outcome.err;
+            EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+            EXPECT_NE(outcome.err.find("out."), std::string::npos) << outcome.err;
+            EXPECT_EQ(shell.names(), before);
+        }
+    }
+}
+
+TEST(Output, AHangupLeavesACheckpointUnlessItIsIgnored) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5");
+    const std::string hang_up =
+        "graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o run.h5 &\n"
+        "for ((i = 0; i < 500; ++i)); do [[ -e run.h5.part ]] && break; sleep 0.02; done\nkill -HUP $!\n";
+    // Both the shell and the system send one when a terminal is closed.
+    const Outcome stopped = shell.run(hang_up + "kill -HUP $!\nwait $!");
+    EXPECT_EQ(stopped.exit_code, 128 + 1) << stopped.err;
+    EXPECT_EQ(shell.names(), "disc.h5\nrun.h5.checkpoint\n");
+    shell.must("rm run.h5.checkpoint\ntrap '' HUP\n" + hang_up + "sleep 0.3\nkill -0 $!\nkill -KILL $!\nwait $! || true");
+}
+
+TEST(Output, AKilledRunKeepsItsRowsWithItsFrames) {
+    const Shell shell;
+    shell.must("graincrack-mesh disc --diameter 80mm --grains 4000 --quiet -o disc.h5");
+    // As soon as there is a frame there are rows; more of them once two seconds have passed. A copy is as a file whose writer is
+    // dead.
+    const std::string rows = shell.must(
+        "graincrack-solve brazilian disc.h5 --material augig-granite --rate 5mm/s --quiet -o run.h5 &\n"
+        "rows() { cp run.h5.part copy.h5 && graincrack-post history copy.h5 2>/dev/null | wc -l; }\n"
+        "for ((i = 0; i < 500; ++i)); do n=$(rows) && ((n > 1)) && break; sleep 0.02; done\n"
+        "sleep 4\nkill -KILL $!\nwait $! || true\necho \"$n\"\nrows");
+    const int first = std::stoi(rows);
+    EXPECT_GT(first, 1);
+    EXPECT_LT(first, 400);
+    EXPECT_GT(std::stoi(rows.substr(rows.find('\n'))), first);
 }
 
 TEST(Output, AFullDeviceIsOneLine) {
@@ -93,6 +200,14 @@ TEST(Output, TheSecondToWriteAnOutputIsToldAndTheFirstIsNotHarmed) {
     // What a dead program leaves of its lock is no obstacle.
     shell.must("graincrack-solve brazilian disc.h5 -o again.h5" + elastic + "\ngraincrack-post cracks run.h5 -o maps --quiet\n" +
                "[[ ! -e again.h5.lock && ! -e maps/cracks.lock ]]");
+}
+
+TEST(Output, TwoPagesOfOneNameDoNotMix) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + elastic);
+    const Outcome page = shell.run("flock page.html.lock graincrack-post report run.h5 -o page.html");
+    EXPECT_EQ(page.exit_code, 5) << page.err;
+    EXPECT_NE(page.err.find("page.html: is being written by another program"), std::string::npos) << page.err;
 }
 
 TEST(Output, AnExportThatIsStoppedHasNoListsOfFiles) {

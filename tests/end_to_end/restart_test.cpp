@@ -121,6 +121,27 @@ TEST(Restart, ARunStopsInItsWallTimeAndGoesOn) {
     EXPECT_NE(piped.err.find("--walltime: a run that goes to stdout"), std::string::npos) << piped.err;
 }
 
+TEST(Restart, ANewRunDoesNotRemoveACheckpointUnlessTold) {
+    const Shell shell;
+    shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
+    const std::string test = "graincrack-solve uniaxial specimen.h5 --material augig-granite --frames 2 --quiet -o run.h5 ";
+    EXPECT_EQ(shell.run(test + "--walltime 50ms").exit_code, 143);
+    const std::string before = content_of(shell.file("run.h5.checkpoint"));
+    const Outcome refused = shell.run(test);
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    EXPECT_NE(refused.err.find("run.h5.checkpoint: is the checkpoint of a run that has not ended"), std::string::npos)
+        << refused.err;
+    EXPECT_EQ(content_of(shell.file("run.h5.checkpoint")), before);
+    EXPECT_EQ(shell.names(), "run.h5.checkpoint\nspecimen.h5\n");
+    // What a kill during the writing of a checkpoint left goes with the checkpoint.
+    shell.must(": >run.h5.checkpoint.part\n: >run.h5.part\n: >run.h5.lock\ncp run.h5.checkpoint kept.h5\n" + test +
+               "--restart run.h5.checkpoint\ngraincrack-post info --digest run.h5 >digest");
+    EXPECT_EQ(shell.names(), "digest\nkept.h5\nrun.h5\nspecimen.h5\n");
+    shell.must("mv kept.h5 run.h5.checkpoint\n" + test +
+               "--discard-checkpoint\ngraincrack-post info --digest run.h5 | cmp - digest");
+    EXPECT_EQ(shell.names(), "digest\nrun.h5\nspecimen.h5\n");
+}
+
 // Interrupted in its second stage, in its third, as a program that continued another run, or at the automatic rate.
 TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
     for (const std::string program :

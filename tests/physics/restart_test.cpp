@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "mesher/specimen_maker.hpp"
@@ -60,6 +62,28 @@ SimulationRequest request(const Case& c) {
 }
 
 std::string digest_of(const std::string& run) { return H5Input(run, "run").digest(); }
+
+/// Checkpoints are slow to write: what counts is the time that the run gets between them.
+TEST(Checkpoints, FollowOneAnotherAnIntervalAfterTheLastWasWritten) {
+    const test::TemporaryFolder folder;
+    const std::string run = folder.file("run.h5");
+    SimulationRequest r = request({"uniaxial", TestKind::uniaxial, RateKind::fixed, 0.5, false});
+    r.checkpoint_interval = 0.004;
+    std::size_t rows = 0;
+    std::size_t checkpoints = 0;
+    std::filesystem::file_time_type last;
+    r.stops_after = [&](std::size_t n) {
+        std::error_code none;
+        const auto time = std::filesystem::last_write_time(checkpoint_of(run), none);
+        checkpoints += !none && time != last ? 1 : 0;
+        last = time;
+        rows = n;
+        return false;
+    };
+    simulate(specimen(), r, run, Verbosity::quiet, {});
+    EXPECT_GT(checkpoints, 3U);
+    EXPECT_LT(checkpoints, rows / 3) << rows;
+}
 
 class Restart : public testing::TestWithParam<Case> {};
 

@@ -249,7 +249,7 @@ TEST(H5File, ThroughAPipe) {
     ::dup2(image, STDOUT_FILENO);
     {
         H5Output out("-", "specimen");
-        EXPECT_TRUE(out.is_pipe());
+        EXPECT_TRUE(out.is_stream());
         write_column<double>(out, "/x", {1, 2, 3});
         out.flush();
         out.commit();
