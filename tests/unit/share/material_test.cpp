@@ -12,6 +12,7 @@
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
 #include "share/toml_file.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -296,7 +297,7 @@ TEST(TomlFileText, DeepKeysAreRefusedBeforeTheyAreParsed) {
         for (std::size_t i = 1; i < n; ++i) key += "." + part;
         return key;
     };
-    for (const std::string& part : {"a", "'a,='", "\"a\\\"[\""}) {
+    for (const std::string part : {"a", "'a,='", "\"a\\\"[\""}) {
         test::expect_one_line<InputError>([&] { parse_toml("x = 1\n" + chain(1000000, part) + " = 1\n", "deep.toml"); },
                                           {"deep.toml", "line 2", "dots"});
         test::expect_one_line<InputError>([&] { parse_toml("[" + chain(1000, part) + "]\n", "deep.toml"); }, {"line 1", "dots"});
