@@ -16,6 +16,7 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/material.hpp"
+#include "share/printable.hpp"
 #include "share/progress.hpp"
 #include "share/provenance.hpp"
 
@@ -67,7 +68,10 @@ int run(int argc, char** argv) {
     // Report
     if (options->verbosity != Verbosity::quiet) {
         print(std::cerr, describe_mesh(specimen, options->request, report));
-        if (material) print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
+        if (material) {
+            for (const std::string& note : material->notes) std::cerr << "graincrack-mesh: " << printable(note) << '\n';
+            print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
+        }
     }
     return 0;
 }

@@ -143,15 +143,10 @@ std::vector<std::string>& bare_numbers() {
     return notes;
 }
 
-/// Remembers a length or stress without a unit: 80 is meant as 80 mm more often than as the 80 m that it is.
 void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
-    if (quantity.dimension != Dimension::length && quantity.dimension != Dimension::stress) return;
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || rest != end || value == 0) return;
-    const std::string note = fmt::format("{}: {} has no unit and was taken for {} {}", where, text, text, quantity.unit());
-    if (std::find(bare_numbers().begin(), bare_numbers().end(), note) == bare_numbers().end()) bare_numbers().push_back(note);
+    const std::string note = bare_number_note(text, quantity, where);
+    const bool is_known = std::find(bare_numbers().begin(), bare_numbers().end(), note) != bare_numbers().end();
+    if (!note.empty() && !is_known) bare_numbers().push_back(note);
 }
 
 double read_quantity(const std::string& text, const Quantity& quantity, const std::string& where) {

@@ -21,6 +21,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Orders of magnitude of rocks, from the weakest to the strongest and from soils to ores (Schön 2015, Physical Properties of
+/// Rocks); of what is derived from them for contacts.
+struct Magnitudes {
+    double low;
+    double high;
+};
+std::optional<Magnitudes> magnitudes_of(const Quantity& quantity) {
+    if (quantity.name == quantity::young_modulus.name) return Magnitudes{1e8, 2e11};
+    switch (quantity.dimension) {
+        case Dimension::stress: return Magnitudes{1e5, 1e9};
+        case Dimension::toughness: return Magnitudes{1e4, 1e7};
+        case Dimension::density: return Magnitudes{1e3, 1e4};
+        case Dimension::stiffness: return Magnitudes{1e11, 1e17};
+        case Dimension::fracture_energy: return Magnitudes{0.1, 1e4};
+        case Dimension::length: return Magnitudes{1e-6, 0.1};
+        default: return std::nullopt;
+    }
+}
+
+/// Adds what a value makes doubtful.
+void note_value(const TomlEntry& entry, const Quantity& quantity, double value, const std::string& where,
+                std::vector<std::string>& notes) {
+    constexpr double far = 1000;
+    const std::string bare = bare_number_note(entry.values.front().text, quantity, where);
+    if (!bare.empty()) notes.push_back("note: " + bare);
+    const auto rocks = magnitudes_of(quantity);
+    if (!rocks || value == 0 || (value > rocks->low / far && value < rocks->high * far)) return;
+    notes.push_back(fmt::format("warning: {}: {} is more than {} times {} any rock's; is its unit right?", where,
+                                format_quantity(value, quantity.dimension), far, value < rocks->low ? "below" : "above"));
+}
+
 /// The keys of a material file, bound to a material.
 std::vector<TomlKeys> tables_of(Material& material) {
     const auto to = [](double& target) { return [&target](double value) { target = value; }; };
@@ -155,7 +186,12 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
             continue;
         }
         TomlKeys& table = *find_table(entry.section);  // exists: all sections were checked above
-        if (const std::optional<double> value = table.read(toml.file, entry)) values[table.path + "." + entry.key] = *value;
+        if (const std::optional<double> value = table.read(toml.file, entry)) {
+            const std::string name = table.path + "." + entry.key;
+            values[name] = *value;
+            note_value(entry, table.find(entry.key)->quantity, *value,
+                       fmt::format("{}: line {}: {}", toml.file, entry.line, name), material.notes);
+        }
     }
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
     for (const auto& [table, keys] : tables) {

@@ -32,6 +32,7 @@ struct Material {
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
     FittedProperties fitted;
+    std::vector<std::string> notes;  ///< on its values, for stderr: "note: …" without a unit, "warning: …" far off any rock's
 };
 
 /// Keys [laboratory] may hold: young_modulus, poisson_ratio, tensile_strength, compressive_strength, cohesion,

@@ -260,6 +260,15 @@ double parse_quantity_or(std::string_view text, std::string_view word, double wo
     return parse_quantity(text, quantity, where);
 }
 
+std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where) {
+    if (quantity.dimension != Dimension::length && quantity.dimension != Dimension::stress) return "";
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || rest != end || value == 0) return "";
+    return fmt::format("{}: {} has no unit and was taken for {} {}", where, text, text, quantity.unit());
+}
+
 std::string bounds_text(const Quantity& quantity) {
     const auto shown = [&](double bound) { return format_quantity(bound, quantity.dimension); };
     const bool from_below = std::isfinite(quantity.lower);

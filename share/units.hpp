@@ -34,6 +34,11 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
 double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
                          std::string_view where);
 
+/// A note on a length or stress other than zero without a unit, of which 80 is meant as 80 mm more often than as the 80 m that it
+/// is:
+/// "--width: 80 has no unit and was taken for 80 m"; "" for other texts. \param where as in parse_quantity
+std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where);
+
 /// The bounds of a quantity in words, in readable units: "above 0 m and at most 1000 m", "from 0 deg to 88.81 deg".
 std::string bounds_text(const Quantity& quantity);
 

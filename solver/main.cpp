@@ -11,6 +11,7 @@
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
+#include "share/printable.hpp"
 #include "share/schema.hpp"
 #include "share/units.hpp"
 #include "solver/loading/program_text.hpp"
@@ -133,6 +134,11 @@ int solve(int argc, char** argv) {
     const auto options = read_solve_options(argc, argv);
     if (!options) {
         return 0;
+    }
+    if (options->verbosity != Verbosity::quiet) {
+        for (const std::string& note : options->request.material.notes) {
+            fmt::print(stderr, "graincrack-solve: {}\n", printable(note));
+        }
     }
     catch_stop_signals();
     catch_checkpoint_signal();

@@ -106,6 +106,8 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
     const RunData run = run_data(reader);
     const Strength strength = measure_strength(run);
     const double grain_steps = static_cast<double>(run.header.integrations) * static_cast<double>(run.specimen.grains);
+    // A checkpoint does not have yet what is found at the end of a run.
+    const auto at_end = [&](double value) { return run.header.stop_reason == "checkpoint" ? Cell() : Cell(value); };
     const bool timed = grain_steps > 0 && run.wall_time > 0;
     std::vector<Cell> row{run.name,
                           run.header.test,
@@ -120,8 +122,8 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
                           megapascal(strength.first_yield),
                           count_cell(strength.tensile_cracks),
                           count_cell(strength.shear_cracks),
-                          run.header.energy_balance_error,
-                          run.header.platen_force_difference,
+                          at_end(run.header.energy_balance_error),
+                          at_end(run.header.platen_force_difference),
                           run.header.steps,
                           timed ? Cell(run.wall_time) : Cell(),
                           timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell(),
@@ -135,7 +137,7 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
     for (const double value : {contact.tensile_strength * 1e-6, contact.cohesion * 1e-6, contact.friction_angle / degree}) {
         row.emplace_back(value);
     }
-    row.emplace_back(run.header.damping_load);
+    row.push_back(at_end(run.header.damping_load));
     append_first_peak(row, strength.first_peak);
     for (const double value : {contact.fracture_energy, contact.open_shear_strength * 1e-6, run.header.rock.young_modulus * 1e-9,
                                run.header.rock.poisson_ratio, run.header.max_strain, run.header.rate_tolerance}) {

@@ -1,5 +1,7 @@
 #include "solver/run/program_driver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -102,6 +104,12 @@ void ProgramDriver::complete(RunHeader& header, double time) {
     }
     if (is_standard() && !records.empty() && records.front().name == isotropic_stage) {
         header.isotropic_end_time = records.front().end;
+        if (header.stop_reason == "strain limit" && header.isotropic_end_time >= time) {
+            throw UsageError(fmt::format(
+                "--max-strain: {} is reached when the confining pressure is, before axial loading begins; a larger one "
+                "or a lower --confining-pressure is needed",
+                program_.platens->max_strain));
+        }
     }
     stages_.close(time, header.stop_reason);
 }

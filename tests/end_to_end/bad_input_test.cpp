@@ -114,6 +114,10 @@ const std::vector<BadInput> solver{
     {"UnknownOption", "graincrack-solve brazilian disc.h5 --material augig-granite --speed 5mm/s -o out.h5", 2, "--speed"},
     {"OptionOfAnotherTest", "graincrack-solve brazilian disc.h5 --material augig-granite --confining-pressure 4MPa -o out.h5", 2,
      "--confining-pressure"},
+    {"StrainLimitThatThePressureTakesUp",
+     "graincrack-solve triaxial rectangle.h5 --material augig-granite --confining-pressure 1GPa --max-strain 0.005 --quiet -o "
+     "out.h5",
+     2, "--max-strain"},
     {"MissingOption", "graincrack-solve triaxial disc.h5 --material augig-granite -o out.h5", 2, "--confining-pressure"},
     {"WordForAnother", "graincrack-solve brazilian disc.h5 --material augig-granite --contact-law newton -o out.h5", 2, "newton"},
     {"ParameterOfAnotherLaw",

@@ -170,6 +170,9 @@ TEST_F(CalibrateFolder, StudyIsReadAndChecked) {
     expect_one_line<UsageError>([&] { read_study(rock, {"width=-1mm"}); }, {"--set width=-1mm"});
     write_material("");
     EXPECT_EQ(read_study(read_material(folder_.file("material.toml"))).max_strain, 0.015);  // UCS/E as of Augig granite
+    Material weak = read_material(folder_.file("material.toml"));
+    weak.laboratory["compressive_strength"] = 1e-300;
+    EXPECT_NEAR(read_study(weak).max_strain, 3.2 * 1e-312, 0.1e-312);  // below the normal numbers
     const auto refused = [&](const std::string& line, const std::vector<std::string>& parts) {
         write_material("[study]\n" + line + "\n");
         expect_one_line<InputError>([&] { read_study(read_material(folder_.file("material.toml"))); }, parts);

@@ -76,6 +76,14 @@ TEST(CcdDesign, RotatableMeansThatOnlyTheDistanceCounts) {
     EXPECT_GT(std::abs(model.leverage({0, 0, 0}) - along), 0.01);
 }
 
+TEST(CcdSolve, QuantilesOfFisherForAllFreedoms) {
+    EXPECT_NEAR(f_quantile(0.05, 1, 1), 161.4476, 1e-4);  // printed tables
+    EXPECT_NEAR(f_quantile(0.05, 3, 12), 3.490295, 1e-6);
+    for (const auto& [first, second] : {std::pair{1, 271}, std::pair{5, 572}, std::pair{2, 1000000}}) {
+        EXPECT_NEAR(f_tail(f_quantile(0.05, first, second), first, second), 0.05, 1e-12) << first << " " << second;
+    }
+}
+
 TEST(CcdFit, Table7GivesEquation19) {
     const Table7 paper;
     EXPECT_EQ(paper.runs.factors[0].name, "cc_MPa");

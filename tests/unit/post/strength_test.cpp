@@ -135,6 +135,16 @@ TEST_F(StrengthTable, TensionIsTheLargestTensileStress) {
     EXPECT_GT(std::stod(field(table, "strain_at_peak")), 0);
 }
 
+TEST_F(StrengthTable, ACheckpointHasNoChecksOfTheEnd) {
+    Recipe recipe;
+    EXPECT_NE(field(table_of(recipe), "platen_force_difference"), "");
+    recipe.stop_reason = "checkpoint";
+    const std::string table = table_of(recipe);
+    for (const char* column : {"energy_balance_error", "platen_force_difference", "damping_load"}) {
+        EXPECT_EQ(field(table, column), "") << column;
+    }
+}
+
 TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
     test::write_run(folder_.file("a.h5"), {});
     test::write_run(folder_.file("b.h5"), {});

@@ -202,6 +202,18 @@ TEST_F(Summarize, SaysWhatItCannotUnderstand) {
     expect_one_line<UsageError>(with("x=slope(stress)"), {", is needed"});
     expect_one_line<UsageError>(with("x=mean(stress) mean(stress)"), {"at \"mean(stress)\"", "operator"});
     expect_one_line<UsageError>(with("x=mean(stress where level~3)"), {"level~3", "COLUMN=VALUE"});
+    const std::string deep(20000, '(');
+    expect_one_line<UsageError>(with("x=" + deep + "mean(stress)"), {"more than 1000"});
+    expect_one_line<UsageError>(with("x=mean(" + deep + "stress))"), {"more than 1000"});
+    expect_one_line<UsageError>(with("x=" + std::string(20000, '-') + "mean(stress)"), {"more than 1000"});
+    std::string chain = "x=mean(stress";
+    for (int i = 0; i < 60000; ++i) chain += "/1";
+    expect_one_line<UsageError>(with(chain + ")"), {"more than 1000"});
+    try {
+        with(chain + ")")();
+    } catch (const UsageError& error) {
+        EXPECT_LT(std::string(error.what()).size(), 600U);
+    }
     expect_one_line<InputError>(with("x=mean(strain)"), {"first.tsv", "no column strain", "stress"});
     expect_one_line<InputError>(with("x=mean(run)"), {"run", "\"a\"", "a number is needed"});
     expect_one_line<InputError>(

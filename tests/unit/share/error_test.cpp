@@ -6,6 +6,8 @@
 #include <csignal>
 #include <new>
 
+#include "share/printable.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -48,6 +50,24 @@ TEST(Error, OneLineWithTheToolsName) {
 }
 
 // In a process of its own, since the signal handler stays installed for the rest of the process.
+TEST(Error, WhatATerminalWouldObeyIsShown) {
+    EXPECT_EQ(printable("a\x1b[2J\x7f\xc2\x9b"), "a\\x1b[2J\\x7f\\x9b");
+    EXPECT_EQ(printable("gnp\u202e\u2066\u061c\u200f\u2028.h5"), "gnp\\u202e\\u2066\\u061c\\u200f\\u2028.h5");
+    EXPECT_EQ(printable("µ 10 °… „Granit“ ست"), "µ 10 °… „Granit“ ست");
+    EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");
+}
+
+TEST(Error, LongMessagesAreShortened) {
+    EXPECT_EQ(shortened("short", 30), "short");
+    EXPECT_EQ(shortened(std::string(50, 'a') + std::string(50, 'b'), 30), std::string(20, 'a') + " … " + std::string(10, 'b'));
+    EXPECT_EQ(shortened("aµµµµµµ", 6), "aµ … µ");  // between whole characters
+    testing::internal::CaptureStderr();
+    run_tool("tool", []() -> int { throw InputError(std::string(400000, 'x') + "; a short text is needed"); });
+    const std::string line = testing::internal::GetCapturedStderr();
+    EXPECT_LT(line.size(), 1600U);
+    EXPECT_TRUE(line.ends_with("; a short text is needed\n")) << line;
+}
+
 TEST(ErrorDeathTest, AStopSignalIsRememberedUntilASafePoint) {
     EXPECT_EXIT(
         {

@@ -12,6 +12,7 @@
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
 #include "share/toml_file.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -183,6 +184,24 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
     EXPECT_NE(complaint_about(folder.string()).find("cannot be read"), std::string::npos);
 }
 
+TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
+    const std::string units = "name = 'stone'\n" + rock + contact;
+    const Material plain = read_material(write(std::string(units).replace(units.find("25.8e9"), 6, "'25.8 GPa'")).string());
+    EXPECT_TRUE(plain.notes.empty()) << plain.notes.front();
+    const std::string file = write(std::string(units).replace(units.find("'24.15MPa'"), 10, "24.15")).string();
+    const std::vector<std::string> notes = read_material(file).notes;
+    ASSERT_EQ(notes.size(), 3U);
+    EXPECT_EQ(notes[0],
+              "note: " + file + ": line 3: rock.young_modulus: 25800000000 has no unit and was taken for 25800000000 Pa");
+    EXPECT_EQ(notes[1], "note: " + file + ": line 10: contact.tensile_strength: 24.15 has no unit and was taken for 24.15 Pa");
+    EXPECT_EQ(notes[2], "warning: " + file +
+                            ": line 10: contact.tensile_strength: 24.15 Pa is more than 1000 times below any "
+                            "rock's; is its unit right?");
+    for (const char* name : {"augig-granite", "lac-du-bonnet-granite"}) {
+        EXPECT_TRUE(read_material(name).notes.empty()) << name;
+    }
+}
+
 TEST_F(MaterialFile, LooksNamesUp) {
     write(stone, "own-stone.toml");
     setenv("GRAINCRACK_MATERIALS", folder.c_str(), 1);
@@ -270,6 +289,25 @@ TEST(FractureEnergyOption, WordsAndValues) {
         EXPECT_THROW(parse_fracture_energy(text, "--fracture-energy"), UsageError) << text;
     }
     EXPECT_EQ(name_of(Kind::mode_i), "mode-i");
+}
+
+TEST(TomlFileText, DeepKeysAreRefusedBeforeTheyAreParsed) {
+    const auto chain = [](std::size_t n, const std::string& part) {
+        std::string key = part;
+        for (std::size_t i = 1; i < n; ++i) key += "." + part;
+        return key;
+    };
+    for (const std::string part : {"a", "'a,='", "\"a\\\"[\""}) {
+        test::expect_one_line<InputError>([&] { parse_toml("x = 1\n" + chain(1000000, part) + " = 1\n", "deep.toml"); },
+                                          {"deep.toml", "line 2", "dots"});
+        test::expect_one_line<InputError>([&] { parse_toml("[" + chain(1000, part) + "]\n", "deep.toml"); }, {"line 1", "dots"});
+    }
+    std::string tables = "x = ";
+    for (int i = 0; i < 150; ++i) tables += "{a.b.c = ";
+    test::expect_one_line<InputError>([&] { parse_toml(tables + "1" + std::string(150, '}'), "deep.toml"); }, {"nested deeper"});
+    std::string numbers = "x = [0.1";
+    for (int i = 0; i < 1000; ++i) numbers += ", 0.1";
+    EXPECT_EQ(parse_toml(numbers + "]\ntext = '" + std::string(1000, '.') + "'\n", "flat.toml").entries.size(), 2U);
 }
 
 TEST(TomlFileText, IsFlattenedInTheOrderOfLines) {
