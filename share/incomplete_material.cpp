@@ -85,6 +85,7 @@ std::string material_template(const std::string& name) {
         text += fmt::format("# {:<39} # {}: {}{}\n", fmt::format("{} = \"{}\"", row.key(), row.example),
                             row.is_needed() ? "first guess" : "default", row.usual, row.every_law ? "" : "; some laws only");
     }
+    text += fmt::format("# {:<39} # contact law; default: that of graincrack-solve\n", "law = \"consistent\"");
     return text + other_keys;
 }
 

@@ -20,7 +20,7 @@ constexpr const char* option_list =
     "--contact-normal-stiffness --contact-open-shear-strength --contact-residual-cohesion "
     "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
     "--contact-tensile-strength --coupling --crack-event --crack-mode --damping --damping-form --diameter "
-    "--diameters --digest --dpi --dry-run --edge --elements-per-edge --event-distance --event-time --factor "
+    "--diameters --digest --discard-checkpoint --dpi --dry-run --edge --elements-per-edge --event-distance --event-time --factor "
     "--follow --format --fracture-energy --frame --frames --grains --group --height --join --label --laboratory --look-up "
     "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
     "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --paraview --peak-drop "

@@ -69,7 +69,8 @@ void check_sizes(const Specimen& s, const Checker& check) {
                       "contacts/strength_factor must be positive and finite", c);
     }
     check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
-    check.require(s.shape == "rectangle" || s.shape == "disc", "shape is unknown; rectangle or disc is needed");
+    check.require(s.shape == "rectangle" || s.shape == "disc" || s.shape == "polygon",
+                  "shape is unknown; rectangle, disc or polygon is needed");
     check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
                   "width and height must be positive and finite");
     check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");

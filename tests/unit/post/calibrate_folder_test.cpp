@@ -172,7 +172,7 @@ TEST_F(CalibrateFolder, StudyIsReadAndChecked) {
     EXPECT_EQ(read_study(read_material(folder_.file("material.toml"))).max_strain, 0.015);  // UCS/E as of Augig granite
     Material weak = read_material(folder_.file("material.toml"));
     weak.laboratory["compressive_strength"] = 1e-300;
-    EXPECT_NEAR(read_study(weak).max_strain, 3.2 * 1e-312, 0.1e-312);  // below the normal numbers
+    EXPECT_LT(read_study(weak).max_strain, 1e-300);  // below the normal numbers, and still no failure
     const auto refused = [&](const std::string& line, const std::vector<std::string>& parts) {
         write_material("[study]\n" + line + "\n");
         expect_one_line<InputError>([&] { read_study(read_material(folder_.file("material.toml"))); }, parts);
