@@ -10,6 +10,7 @@
 #include "share/h5_file.hpp"
 #include "share/quantities.hpp"
 #include "share/schema.hpp"
+#include "share/specimen_validation.hpp"
 
 namespace graincrack {
 namespace {

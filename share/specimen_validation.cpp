@@ -1,3 +1,5 @@
+#include "share/specimen_validation.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <vector>
 
 #include "share/error.hpp"
-#include "share/specimen.hpp"
 
 namespace graincrack {
 namespace {

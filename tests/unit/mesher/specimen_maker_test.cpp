@@ -10,6 +10,7 @@
 #include "mesher/mesh_report.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "share/error.hpp"
+#include "share/specimen_validation.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {

@@ -10,6 +10,7 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
+#include "share/specimen_validation.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"

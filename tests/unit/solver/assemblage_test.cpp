@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "share/specimen_validation.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"

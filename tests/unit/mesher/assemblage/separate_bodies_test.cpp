@@ -11,6 +11,7 @@
 #include "mesher/elements/lattice.hpp"
 #include "mesher/specimen_maker.hpp"
 #include "share/error.hpp"
+#include "share/specimen_validation.hpp"
 
 namespace graincrack::mesher {
 namespace {
