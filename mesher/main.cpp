@@ -2,6 +2,7 @@
 //
 //     graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5
 //     graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5
+//     graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 -o minerals.h5
 #include <chrono>
 #include <iostream>
 #include <optional>
