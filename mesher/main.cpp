@@ -2,6 +2,7 @@
 //
 //     graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5
 //     graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5
+//     graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 -o minerals.h5
 #include <chrono>
 #include <iostream>
 #include <optional>
@@ -29,15 +30,31 @@ void print(std::ostream& stream, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) stream << line << '\n';
 }
 
+/// Phases and scatter of strengths of a material, unless options give others.
+void take_fabric(const MaterialFabric& fabric, SpecimenRequest& request) {
+    if (request.phases.fractions.empty()) {
+        for (const auto& [name, phase] : fabric.phases) request.phases.fractions.push_back({name, phase.fraction});
+    }
+    if (!request.strength.modulus && fabric.strength_modulus) {
+        request.strength.modulus = fabric.strength_modulus;
+        if (!request.strength.correlation && fabric.strength_correlation > 0) {
+            request.strength.correlation = fabric.strength_correlation;
+        }
+    }
+}
+
 int run(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
     catch_stop_signals();
 
     // Options and rock
-    const auto options = read_options(argc, argv);
+    auto options = read_options(argc, argv);
     if (!options) return 0;
     std::optional<Material> material;
-    if (!options->material.empty()) material = read_material(options->material);
+    if (!options->material.empty()) {
+        material = read_material(options->material);
+        take_fabric(material->fabric, options->request);
+    }
     if (options->dry_run) {
         print(std::cout, describe_plan(options->request));
         if (material) print(std::cout, describe_size_check(*material, plan_mesh(options->request).edge));

@@ -12,7 +12,9 @@ namespace {
 
 constexpr const char* examples =
     "  graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5\n"
-    "  graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5";
+    "  graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5\n"
+    "  graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 "
+    "--strength-modulus 5 -o minerals.h5";
 
 /// Options of both shapes.
 void add_mesh_options(CLI::App& shape, MeshOptions& options) {
@@ -30,8 +32,23 @@ void add_mesh_options(CLI::App& shape, MeshOptions& options) {
     add_integer<int>(shape, "--elements-per-edge", request.elements_per_edge,
                      "each grain becomes N x N constant-strain triangles", 1, max_elements_per_edge);
     detail::add_value(
+        shape, "--phases", [&request](const std::string& text) { request.phases.fractions = parse_phases(text); },
+        "phases of the grains with their fractions of the area, whose sum is 1: quartz=0.32,feldspar=0.62,mica=0.06; reached to "
+        "one grain",
+        "NAME=FRACTION,...", "");
+    add_integer<std::uint64_t>(shape, "--phase-seed", request.phases.seed, "seed of the phases; default: that of --seed", 0);
+    add_quantity(shape, "--phase-cluster", request.phases.cluster, quantity::phase_cluster,
+                 "mean number of neighbouring grains that are drawn together to be of one phase", "1");
+    add_quantity(shape, "--strength-modulus", request.strength.modulus, quantity::strength_modulus,
+                 "Weibull modulus of the strength of grain boundaries: each has a factor of mean 1; default: no scatter");
+    add_quantity(shape, "--strength-correlation", request.strength.correlation, quantity::strength_correlation,
+                 "distance at which the autocorrelation of the strength of grain boundaries is 1/e; default: uncorrelated");
+    add_integer<std::uint64_t>(shape, "--strength-seed", request.strength.seed,
+                               "seed of the strength of grain boundaries; default: that of --seed", 0);
+    detail::add_value(
         shape, "--material", [&options](const std::string& text) { options.material = text; },
-        "material (name or TOML file) whose bounds of the grain size are printed", "NAME|FILE", "");
+        "material (name or TOML file) whose phases and scatter of strengths are taken unless given, and whose bounds of the grain "
+        "size are printed", "NAME|FILE", "");
     detail::add_value(
         shape, "-o,--output", [&options](const std::string& text) { options.output = text; },
         "specimen file to write; - for stdout", "FILE|-", "");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,32 @@ std::string size_line(const char* what, double mean, double variation, double mi
                        mm(max));
 }
 
+std::string phase_line(const Specimen& specimen, const PhaseRequest& request) {
+    const std::vector<double> reached = phase_fractions(specimen);
+    std::string line = "  phases by area:";
+    for (std::size_t p = 0; p < reached.size(); ++p) {
+        const auto n_grains = std::count(specimen.grain_phase.begin(), specimen.grain_phase.end(), p);
+        line += fmt::format("{} {} {:.4f} ({} requested) in {} grains", p == 0 ? "" : ",", specimen.phase_names[p], reached[p],
+                            format_number(request.fractions[p].fraction), n_grains);
+    }
+    return line;
+}
+
+std::string strength_line(const Specimen& specimen, const StrengthRequest& request) {
+    double sum = 0;
+    double squares = 0;
+    for (const double factor : specimen.contact_strength_factor) {
+        sum += factor;
+        squares += factor * factor;
+    }
+    const double mean = sum / static_cast<double>(specimen.n_contacts());
+    const double variance = squares / static_cast<double>(specimen.n_contacts()) - mean * mean;
+    return fmt::format(
+        "  strength factor: mean {:.4f}, CV {:.4f}; modulus {}, {}", mean, std::sqrt(std::max(0.0, variance)) / mean,
+        format_number(*request.modulus),
+        request.correlation ? "correlated over " + format_quantity(*request.correlation, Dimension::length) : "uncorrelated");
+}
+
 }  // namespace
 
 std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
@@ -36,6 +63,8 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
                     degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error),
     };
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
+    if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
+    if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
     if (std::abs(s.edge_variation - request.spread) > 0.1 * request.spread) {
         lines.push_back(fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", request.spread, s.edge_variation));
     }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mesher/assemblage/notch.hpp"
 #include "mesher/assemblage/separate_bodies.hpp"
@@ -80,6 +81,8 @@ void check_request(const SpecimenRequest& request) {
     if (shape.loaded_diameter >= shape.diameters) {
         throw UsageError("--loaded-diameter: there are " + std::to_string(shape.diameters) + " (--diameters), counted from 0");
     }
+    check(request.phases);
+    check(request.strength);
     const Region region = region_of(request);
     const double smallest = smallest_extent(region);
     if (request.edge) {
@@ -102,6 +105,10 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     plan.n_grains = n_grains;
     plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(region, static_cast<double>(n_grains));
     plan.n_boundary = admissible_boundary_count(region, perimeter(region) / plan.edge, n_grains % 2 != 0);
+    if (const std::size_t n_phases = request.phases.fractions.size(); n_grains < static_cast<std::int64_t>(n_phases)) {
+        throw UsageError("--phases: " + std::to_string(n_phases) + " are more than the " + std::to_string(n_grains) +
+                         " grains; as many phases as grains would do");
+    }
     if (plan.n_boundary < 4 * request.shape.diameters) {
         throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
                          std::to_string(plan.n_boundary) + " edges on the rim; at most a quarter of these would do");
@@ -200,7 +207,8 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
     if (!request.region) turn_to_load(request.shape, attempt.cells.points);
-    Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge));
+    std::vector<int> crystal_of_grain;
+    Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge), &crystal_of_grain);
     specimen.shape = region.name;
     specimen.width = bounds(region).width();
     specimen.height = bounds(region).height();
@@ -211,6 +219,8 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     if (request.notch) cut_notch(specimen, *request.notch);
     specimen.seed = request.seed;
     specimen.statistics = statistics;
+    assign_phases(specimen, crystal_of_grain, request.phases);
+    assign_strength_factors(specimen, crystal_of_grain, turn_to_load(request.shape), request.strength);
     if (report != nullptr) *report = made;
     return specimen;
 }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "mesher/fabric/phases.hpp"
+#include "mesher/fabric/strength_field.hpp"
 #include "mesher/region/shape.hpp"
 #include "mesher/seeds/relaxation.hpp"
 #include "share/specimen.hpp"
@@ -20,6 +22,8 @@ struct SpecimenRequest {
     std::optional<double> notch;         ///< length of a notch across the middle of a rectangle, m
     std::uint64_t seed = 1;
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
+    PhaseRequest phases;
+    StrengthRequest strength;
 };
 
 /// Largest number of diameters along which a disc can be loaded.
@@ -46,7 +50,7 @@ struct MeshPlan {
 
 /// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points and h holes has
 /// (n + 2 − 2h − b)/2 inner points, so b and n are both even or both odd.
-/// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh
+/// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh, or the fabric does not fit
 MeshPlan plan_mesh(const SpecimenRequest& request);
 
 /// Result of the attempts to make a mesh.
@@ -55,7 +59,8 @@ struct MeshReport {
     int attempts = 0;          ///< number of meshes made until one had no preferred direction
 };
 
-/// Makes the specimen: region → seeds → cells → elements → bodies. The same request gives the same specimen, bit for bit.
+/// Makes the specimen: region → seeds → cells → elements → bodies → fabric. The same request gives the same specimen, bit for
+/// bit.
 ///
 /// A mesh whose psi6 is above the bounds is made again from other random numbers, up to 100 times; the best mesh is kept. If an
 /// edge is requested, the number of grains is corrected until the mean edge is within 0.5 %, or as near as whole grains allow.

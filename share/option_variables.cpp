@@ -24,9 +24,11 @@ constexpr const char* option_list =
     "--follow --format --fracture-energy --frame --frames --grains --group --height --join --label --laboratory --look-up "
     "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
     "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --paraview --peak-drop "
-    "--plane --platen-friction --points --pole --power --print-program --probe --program --quiet --rate "
+    "--phase-cluster --phase-seed --phases --plane --platen-friction --points --pole --power --print-program --probe --program "
+    "--quiet --rate "
     "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set --sort "
-    "--spread --stages --star --strength --study --summary --table --target --threads --time "
+    "--spread --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study --summary --table "
+    "--target --threads --time "
     "--time-step-fraction --title --unit --vector --verbose --walltime --where --width --x --x-limits --y --y-limits";
 
 std::string option_of(std::string_view variable) {

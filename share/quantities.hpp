@@ -95,6 +95,14 @@ inline constexpr Quantity diameter{"diameter", Dimension::length, 0, 1e4, "diame
 inline constexpr Quantity notch{"notch", Dimension::length, 0, 1e4, "length of a notch across the middle of a rectangle", true};
 inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
 inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
+inline constexpr Quantity phase_fraction{"fraction", Dimension::one, 0, 1, "fraction of the area that a phase has", true};
+inline constexpr Quantity phase_cluster{"phase_cluster", Dimension::one, 1, 1e9,
+                                        "mean number of grains in a cluster of one phase"};
+// Below 1 the most probable strength would be 0.
+inline constexpr Quantity strength_modulus{"strength_modulus", Dimension::one, 1, 1000,
+                                           "Weibull modulus of the strength of grain boundaries"};
+inline constexpr Quantity strength_correlation{
+    "strength_correlation", Dimension::length, 0, 1e4, "distance at which the autocorrelation of strength is 1/e", true};
 
 // --- test ------------------------------------------------------------------------------------------------------------
 inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};

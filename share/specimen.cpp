@@ -118,6 +118,17 @@ std::vector<std::string> contact_class_names(const std::vector<std::string>& pha
     return names;
 }
 
+std::vector<double> phase_fractions(const Specimen& s) {
+    std::vector<double> fractions(s.phase_names.size());
+    double whole = 0;
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        fractions[s.grain_phase[g]] += s.grain_area[g];
+        whole += s.grain_area[g];
+    }
+    for (double& fraction : fractions) fraction /= whole;
+    return fractions;
+}
+
 std::vector<std::uint8_t> contact_classes(const Specimen& s) {
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     std::vector<std::uint8_t> classes;
@@ -147,6 +158,7 @@ void write_specimen(H5Output& file, const Specimen& s) {
     write_column(file, schema::element_grain, s.element_grain);
     write_column(file, schema::grain_phase, s.grain_phase);
     file.attribute(schema::grain_phase.path, "names", s.phase_names);
+    if (s.phase_names.size() > 1) file.attribute(schema::grain_phase.path, "fractions", phase_fractions(s));
     write_column(file, schema::grain_area, s.grain_area);
     write_rows(file, schema::contact_nodes, s.contact_nodes);
     write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);

@@ -85,6 +85,9 @@ struct Specimen {
     [[nodiscard]] std::size_t n_boundary_edges() const { return boundary_edges.size(); }
 };
 
+/// Fraction of the area of all grains that each phase has.
+std::vector<double> phase_fractions(const Specimen& specimen);
+
 /// Class of each contact [c].
 std::vector<std::uint8_t> contact_classes(const Specimen& specimen);
 

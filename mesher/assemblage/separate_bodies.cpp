@@ -24,7 +24,7 @@ struct OuterSide {
 
 class Builder {
 public:
-    explicit Builder(const PlaneMesh& mesh) : mesh_(mesh) {
+    Builder(const PlaneMesh& mesh, std::vector<int>* crystal_of_grain) : mesh_(mesh), crystal_of_grain_(crystal_of_grain) {
         for (const Side& side : mesh.sides) {
             if (side.part < 0 && side.kind != ContactKind::grain_boundary) {
                 kinds_.push_back({{std::min(side.from, side.to), std::max(side.from, side.to)}, side.kind});
@@ -74,6 +74,7 @@ private:
                                                    node_at[static_cast<std::size_t>(triangle[2])]});
                 specimen_.element_grain.push_back(static_cast<std::int32_t>(specimen_.grain_phase.size()));
             }
+            if (crystal_of_grain_ != nullptr) crystal_of_grain_->push_back(mesh_.crystal_of_body[b]);
             specimen_.grain_phase.push_back(0);
             specimen_.grain_area.push_back(mesh_.area_of_body[b]);
         }
@@ -185,6 +186,7 @@ private:
     }
 
     const PlaneMesh& mesh_;
+    std::vector<int>* crystal_of_grain_;
     std::vector<std::pair<Edge, ContactKind>> kinds_;  ///< of prescribed sides that are no plain grain boundaries, ascending
     std::vector<Triangle> triangles_;                  ///< in the order of the elements
     std::vector<int> start_;
@@ -195,6 +197,8 @@ private:
 
 }  // namespace
 
-Specimen separate_bodies(const PlaneMesh& mesh) { return Builder(mesh).build(); }
+Specimen separate_bodies(const PlaneMesh& mesh, std::vector<int>* crystal_of_grain) {
+    return Builder(mesh, crystal_of_grain).build();
+}
 
 }  // namespace graincrack::mesher

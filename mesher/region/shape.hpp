@@ -24,6 +24,8 @@ struct Shape {
 
 Region region_of(const Shape& shape);
 
+/// Angle by which a specimen is turned to its load, rad.
+double turn_to_load(const Shape& shape);
 /// Turns points of a disc so that the loaded diameter lies along y; its poles come to y = ±D/2 exactly.
 void turn_to_load(const Shape& shape, std::vector<Point>& points);
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "share/command_line.hpp"
 #include "share/file_checks.hpp"
@@ -40,6 +43,18 @@ void write_counts(std::ostream& out, const H5Input& file) {
     line(out, "boundary_edges", count_of(file, schema::boundary_edges.path));
 }
 
+/// Phases with their fractions of the area, if there are several.
+void write_phases(std::ostream& out, const H5Input& file) {
+    const char* path = schema::grain_phase.path;
+    const auto names = file.attribute_or<std::vector<std::string>>(path, "names", {});
+    const auto fractions = file.attribute_or<std::vector<double>>(path, "fractions", {});
+    std::string phases;
+    for (std::size_t p = 0; p < std::min(names.size(), fractions.size()); ++p) {
+        phases += fmt::format("{}{} {:.4f}", p == 0 ? "" : ", ", names[p], fractions[p]);
+    }
+    if (!phases.empty()) line(out, "phases", phases);
+}
+
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
     const char* group = schema::specimen_group;
     const auto length = [&](const char* name) {
@@ -54,6 +69,7 @@ void write_specimen_lines(std::ostream& out, const H5Input& file) {
     line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
     write_integer(out, file, group, "seed");
     write_counts(out, file);
+    write_phases(out, file);
 }
 
 void write_run_lines(std::ostream& out, const H5Input& file) {

@@ -23,7 +23,7 @@ std::vector<std::string> examples_of(const std::string& help) {
 TEST(Help, ExamplesOfTheMesherRun) {
     const Shell shell;
     const auto examples = examples_of(shell.must("graincrack-mesh --help"));
-    ASSERT_EQ(examples.size(), 2u);
+    ASSERT_EQ(examples.size(), 3u);
     for (const std::string& example : examples) shell.must(example);
     EXPECT_EQ(shell.names(), "disc.h5\nspecimen.h5\n");
 }

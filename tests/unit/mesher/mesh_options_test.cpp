@@ -106,6 +106,29 @@ TEST_F(GraincrackMesh, PrintedConfigurationLoadsAgain) {
     EXPECT_EQ(H5Input(file("a.h5")).digest(), H5Input(file("b.h5")).digest());
 }
 
+TEST_F(GraincrackMesh, PhasesAndStrengthFactorsAreInTheFile) {
+    const std::string fabric =
+        "--phases quartz=0.3,mica=0.7 --phase-seed 4 --phase-cluster 3 --strength-modulus 5 "
+        "--strength-correlation 10mm --strength-seed 6 ";
+    const Answer answer = run(small + fabric + "-o " + file("a.h5"));
+    ASSERT_EQ(answer.code, 0) << answer.text;
+    EXPECT_TRUE(answer.has("quartz 0.")) << answer.text;
+    EXPECT_TRUE(answer.has("(0.3 requested) in ")) << answer.text;
+    EXPECT_TRUE(answer.has("modulus 5, correlated over 10 mm")) << answer.text;
+    const H5Input read(file("a.h5"), "specimen");
+    const Specimen s = read_specimen(read);
+    EXPECT_EQ(s.phase_names, (std::vector<std::string>{"quartz", "mica"}));
+    EXPECT_EQ(s.contact_strength_factor.size(), s.n_contacts());
+    EXPECT_EQ(read.attribute<std::vector<double>>("/grains/phase", "fractions"), phase_fractions(s));
+    ASSERT_EQ(run(small + fabric + "-o " + file("b.h5") + " --print-config > " + file("b.toml")).code, 0);
+    ASSERT_EQ(run("rectangle --quiet --config " + file("b.toml")).text, "");
+    EXPECT_EQ(H5Input(file("b.h5")).digest(), read.digest());
+    ASSERT_EQ(run(small + "--quiet -o " + file("plain.h5")).text, "");
+    const H5Input plain(file("plain.h5"));
+    EXPECT_FALSE(plain.has("/contacts/strength_factor") || plain.has("/contacts/class"));
+    EXPECT_FALSE(plain.has_attribute("/grains/phase", "fractions"));
+}
+
 TEST_F(GraincrackMesh, UnknownKeyIsAnError) {
     std::ofstream(file("bad.toml")) << "[rectangle]\ngrain = 7\n";
     const Answer answer = run(small + "-o " + file("a.h5") + " --config " + file("bad.toml"));
@@ -133,6 +156,12 @@ TEST_F(GraincrackMesh, BadInputGivesOneLineAndItsCode) {
         {size + "--edge 4mm --spread 0.4" + out, 2, "--spread"},
         {size + "--edge 4mm --elements-per-edge 0" + out, 2, "--elements-per-edge"},
         {size + "--edge 4mm --tessellation voronoi" + out, 2, "--tessellation"},
+        {size + "--edge 4mm --phases quartz=0.6,mica=0.5" + out, 2, "--phases"},
+        {size + "--edge 4mm --phases quartz" + out, 2, "--phases"},
+        {size + "--edge 4mm --phase-cluster 3" + out, 2, "--phase-cluster"},
+        {size + "--edge 4mm --phase-seed 3" + out, 2, "--phase-seed"},
+        {size + "--edge 4mm --strength-correlation 10mm" + out, 2, "--strength-correlation"},
+        {size + "--edge 4mm --strength-modulus 0" + out, 2, "--strength-modulus"},
         {size + "--edge 4mm", 2, "-o"},
         {"disc --diameter 80mm --edge 4mm --pole corner" + out, 2, "--pole"},
         {"disc --diameter 80mm --edge 4mm --material no-such-rock" + out, 3, "no-such-rock"},
@@ -161,7 +190,7 @@ TEST_F(GraincrackMesh, HelpNamesUnitsAndExamplesRun) {
         ++n_examples;
         EXPECT_EQ(run(line.substr(0, line.find("-o ")) + "-q -o " + file("example.h5")).text, "") << line;
     }
-    EXPECT_EQ(n_examples, 2);
+    EXPECT_EQ(n_examples, 3);
 }
 
 }  // namespace

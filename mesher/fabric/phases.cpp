@@ -1,0 +1,161 @@
+#include "mesher/fabric/phases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "mesher/plane/random_numbers.hpp"
+#include "share/error.hpp"
+#include "share/quantities.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double sum_tolerance = 1e-6;
+
+[[noreturn]] void refuse(const std::string& option, const std::string& wrong, const std::string& right) {
+    throw UsageError(option + ": " + wrong + "; " + right + " would do");
+}
+
+/// The areas of all crystals, m².
+std::vector<double> crystal_areas(const Specimen& specimen, std::span<const int> crystal_of_grain) {
+    std::vector<double> area;
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        const auto crystal = static_cast<std::size_t>(crystal_of_grain[g]);
+        if (crystal >= area.size()) area.resize(crystal + 1);
+        area[crystal] += specimen.grain_area[g];
+    }
+    return area;
+}
+
+/// Pairs of crystals that have a contact, in both orders, ascending.
+std::vector<std::array<int, 2>> neighbouring_crystals(const Specimen& specimen, std::span<const int> crystal_of_grain) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto crystal = [&](std::int32_t node) {
+        return crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])];
+    };
+    std::vector<std::array<int, 2>> pairs;
+    for (const auto& nodes : specimen.contact_nodes) {
+        const int a = crystal(nodes[0]);
+        const int b = crystal(nodes[2]);
+        pairs.insert(pairs.end(), {{a, b}, {b, a}});
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+std::vector<int> random_order(std::size_t n, RandomNumbers& random) {
+    std::vector<int> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+    return order;
+}
+
+/// The cluster of every crystal, grown from the first crystals of `order`.
+std::vector<std::size_t> grown_clusters(const std::vector<int>& order, std::size_t n_clusters,
+                                        const std::vector<std::array<int, 2>>& neighbours) {
+    std::vector<std::size_t> cluster(order.size(), n_clusters);  // what nothing reaches is one cluster more
+    std::vector<int> reached(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n_clusters));
+    for (std::size_t i = 0; i < n_clusters; ++i) cluster[static_cast<std::size_t>(reached[i])] = i;
+    std::sort(reached.begin(), reached.end());  // who is first at a crystal in reach of several must not depend on the order
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const int from = reached[i];
+        for (auto pair = std::lower_bound(neighbours.begin(), neighbours.end(), std::array{from, 0});
+             pair != neighbours.end() && (*pair)[0] == from; ++pair) {
+            std::size_t& next = cluster[static_cast<std::size_t>((*pair)[1])];
+            if (next != n_clusters) continue;
+            next = cluster[static_cast<std::size_t>(from)];
+            reached.push_back((*pair)[1]);
+        }
+    }
+    return cluster;
+}
+
+}  // namespace
+
+std::vector<PhaseFraction> parse_phases(std::string_view text) {
+    std::vector<PhaseFraction> fractions;
+    while (true) {
+        const std::string_view item = text.substr(0, text.find(','));
+        const std::size_t equals = item.find('=');
+        if (equals == std::string_view::npos) {
+            refuse("--phases", fmt::format("\"{}\" is no phase with its fraction", item), "quartz=0.32,feldspar=0.62,mica=0.06");
+        }
+        const std::string name(item.substr(0, equals));
+        fractions.push_back({name, parse_quantity(item.substr(equals + 1), quantity::phase_fraction, "--phases: " + name)});
+        if (item.size() == text.size()) return fractions;
+        text.remove_prefix(item.size() + 1);
+    }
+}
+
+void check(const PhaseRequest& request) {
+    const auto& phases = request.fractions;
+    if (!(request.cluster >= 1) || !std::isfinite(request.cluster)) {
+        refuse("--phase-cluster", format_number(request.cluster) + " is out of range", "a number of grains, at least 1,");
+    }
+    if (phases.empty()) {
+        if (request.seed) refuse("--phase-seed", "there are no phases", "--phases quartz=0.4,feldspar=0.6");
+        if (request.cluster != 1) refuse("--phase-cluster", "there are no phases", "--phases quartz=0.4,feldspar=0.6");
+        return;
+    }
+    if (phases.size() > max_phases) refuse("--phases", fmt::format("{} are too many", phases.size()), "at most 22");
+    double sum = 0;
+    for (auto phase = phases.begin(); phase != phases.end(); ++phase) {
+        const std::string& name = phase->name;
+        if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
+            refuse("--phases", fmt::format("\"{}\" is no name of a phase", name), "one of a-z, 0-9 and _");
+        }
+        if (std::any_of(phases.begin(), phase, [&](const PhaseFraction& other) { return other.name == name; })) {
+            refuse("--phases", name + " stands twice", "every phase once");
+        }
+        if (!quantity::phase_fraction.admits(phase->fraction)) {
+            refuse("--phases", name + "=" + format_number(phase->fraction) + " is out of range",
+                   "a fraction of the area, above 0 and at most 1,");
+        }
+        sum += phase->fraction;
+    }
+    if (std::abs(sum - 1) > sum_tolerance) {
+        refuse("--phases", "the fractions add up to " + format_number(sum, 7), "fractions of the area with the sum 1");
+    }
+}
+
+void assign_phases(Specimen& specimen, std::span<const int> crystal_of_grain, const PhaseRequest& request) {
+    if (request.fractions.empty()) return;
+    RandomNumbers random(request.seed.value_or(specimen.seed), phase_stream);
+    const std::vector<double> area = crystal_areas(specimen, crystal_of_grain);
+    const std::size_t n = area.size();
+    std::vector<int> order = random_order(n, random);
+    const double n_clusters = std::clamp(std::round(static_cast<double>(n) / request.cluster), 1.0, static_cast<double>(n));
+    const std::vector<std::size_t> cluster =
+        grown_clusters(order, static_cast<std::size_t>(n_clusters), neighbouring_crystals(specimen, crystal_of_grain));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int i, int j) { return cluster[static_cast<std::size_t>(i)] < cluster[static_cast<std::size_t>(j)]; });
+
+    const double whole = std::accumulate(area.begin(), area.end(), 0.0);
+    std::vector<std::uint8_t> phase_of_crystal(n);
+    std::uint8_t phase = 0;
+    double before = 0;                                   // area of the crystals before this one
+    double end = whole * request.fractions[0].fraction;  // of the phase in hand, on the line
+    for (const int crystal : order) {
+        const double own = area[static_cast<std::size_t>(crystal)];
+        while (before + 0.5 * own > end && phase + 1U < request.fractions.size()) {
+            end += whole * request.fractions[++phase].fraction;
+        }
+        phase_of_crystal[static_cast<std::size_t>(crystal)] = phase;
+        before += own;
+    }
+    specimen.phase_names.clear();
+    for (const PhaseFraction& each : request.fractions) specimen.phase_names.push_back(each.name);
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        specimen.grain_phase[g] = phase_of_crystal[static_cast<std::size_t>(crystal_of_grain[g])];
+    }
+}
+
+}  // namespace graincrack::mesher

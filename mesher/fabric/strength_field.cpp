@@ -1,0 +1,100 @@
+#include "mesher/fabric/strength_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "mesher/plane/random_numbers.hpp"
+#include "share/error.hpp"
+#include "share/quantities.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr int n_modes = 512;
+
+void check_value(const char* option, const std::optional<double>& value, const Quantity& quantity) {
+    if (value && !quantity.admits(*value)) {
+        throw UsageError(std::string(option) + ": " + format_quantity(*value, quantity.dimension) + " is out of range; " +
+                         bounds_text(quantity) + " would do");
+    }
+}
+
+/// ln(1 − Φ(z)) of the standard normal distribution, also where Φ is small.
+double log_survival(double z) {
+    const double tail = 0.5 * std::erfc(std::abs(z) / std::numbers::sqrt2);
+    return z > 0 ? std::log(tail) : std::log1p(-tail);
+}
+
+}  // namespace
+
+void check(const StrengthRequest& request) {
+    check_value("--strength-modulus", request.modulus, quantity::strength_modulus);
+    check_value("--strength-correlation", request.correlation, quantity::strength_correlation);
+    if (request.modulus) return;
+    for (const auto& [given, option] : {std::pair{request.correlation.has_value(), "--strength-correlation"},
+                                        std::pair{request.seed.has_value(), "--strength-seed"}}) {
+        if (given) throw UsageError(std::string(option) + ": strength does not scatter; --strength-modulus 5 beside it would do");
+    }
+}
+
+double weibull_factor(double log_q, double modulus) { return std::pow(-log_q, 1 / modulus) / std::tgamma(1 + 1 / modulus); }
+
+// The spectral density of exp(−d/L) in the plane is that of wave vectors in all directions whose lengths k have the distribution
+// 1 − (1 + k² L²)^(−1/2). Lengths are drawn one from each of `n_modes` equal parts of it, directions lie golden sections apart,
+// so that one field has the autocorrelation of the mean over all.
+GaussianField::GaussianField(double length, std::uint64_t seed) {
+    RandomNumbers random(seed, strength_stream);
+    const double first = random.uniform();
+    for (int i = 0; i < n_modes; ++i) {
+        const double beyond = 1 - (i + random.uniform()) / n_modes;
+        const double k = std::sqrt(1 / (beyond * beyond) - 1) / length;
+        const double direction = std::numbers::pi * (first + i / std::numbers::phi);
+        modes_.push_back({k * Point{std::cos(direction), std::sin(direction)}, 2 * std::numbers::pi * random.uniform()});
+    }
+}
+
+double GaussianField::operator()(Point at) const {
+    double sum = 0;
+    for (const Mode& mode : modes_) sum += std::cos(dot(mode.wave_vector, at) + mode.phase);
+    return std::sqrt(2.0 / n_modes) * sum;
+}
+
+void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of_grain, double turn,
+                             const StrengthRequest& request) {
+    if (!request.modulus) return;
+    const std::uint64_t seed = request.seed.value_or(specimen.seed);
+    std::optional<GaussianField> field;
+    if (request.correlation) field.emplace(*request.correlation, seed);
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto crystal = [&](std::int32_t node) {
+        return static_cast<std::uint64_t>(crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])]);
+    };
+    const auto at = [&](std::int32_t node) {
+        const auto& [x, y] = specimen.node_position[static_cast<std::size_t>(node)];
+        return Point{x, y};
+    };
+    const Point x_axis{std::cos(turn), std::sin(turn)};
+    const auto log_q = [&](const std::array<std::int32_t, 4>& first, const std::array<std::int32_t, 4>& last) {
+        if (field) {
+            const Point middle = midpoint(at(first[0]), at(last[1]));
+            return log_survival((*field)({dot(middle, x_axis), dot(middle, left_of(x_axis))}));
+        }
+        const auto [low, high] = std::minmax({crystal(first[0]), crystal(first[2])});
+        return std::log(uniform_of(mixed_bits(mixed_bits(mixed_bits(seed, strength_stream), low), high)));
+    };
+    const auto& boundary = specimen.contact_grain_boundary;
+    specimen.contact_strength_factor.clear();
+    for (std::size_t c = 0; c < specimen.n_contacts();) {
+        std::size_t end = c + 1;
+        while (end < specimen.n_contacts() && boundary[end] == boundary[c]) ++end;
+        const double factor = weibull_factor(log_q(specimen.contact_nodes[c], specimen.contact_nodes[end - 1]), *request.modulus);
+        specimen.contact_strength_factor.resize(end, factor);
+        c = end;
+    }
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,53 @@
+// Scattered strength: a Weibull factor for every grain boundary.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesher/plane/geometry.hpp"
+#include "share/specimen.hpp"
+
+namespace graincrack::mesher {
+
+/// Requested scatter of the strength of grain boundaries.
+struct StrengthRequest {
+    std::optional<double> modulus;      ///< Weibull modulus m, at least 1; none: no scatter
+    std::optional<double> correlation;  ///< distance at which the autocorrelation is 1/e, m; none: uncorrelated
+    std::optional<std::uint64_t> seed;  ///< none: that of the specimen
+};
+
+/// \throws UsageError naming the option if a value is out of bounds, or there are a length or a seed but no modulus
+void check(const StrengthRequest& request);
+
+/// The Weibull factor of mean 1, s = (−ln q)^(1/m)/Γ(1 + 1/m), which q of all factors exceed. \param log_q ln q, below 0
+double weibull_factor(double log_q, double modulus);
+
+/// A Gaussian field of the plane with mean 0, variance 1 and the autocorrelation exp(−distance/length), as a sum of cosine modes:
+/// the mean is over seeds, or over regions that are large beside the length.
+class GaussianField {
+public:
+    /// \param length m
+    GaussianField(double length, std::uint64_t seed);
+    double operator()(Point at) const;
+
+private:
+    struct Mode {
+        Point wave_vector;  ///< rad/m
+        double phase;       ///< rad
+    };
+    std::vector<Mode> modes_;
+};
+
+/// Sets the strength factor of every contact; contacts of one grain boundary have the same.
+///
+/// Uncorrelated, a factor follows from the seed and the two crystals. Correlated, it follows from the Gaussian field z at the
+/// middle of the grain boundary, q = 1 − Φ(z): 1/e then is the autocorrelation of z, and within 2 % that of the factors for m
+/// ≥ 2. The mean over one specimen is not made 1: where the length is not small beside the specimen, one specimen is stronger
+/// than another. \param crystal_of_grain the crystal of every grain \param turn angle by which the specimen was turned from where
+/// its field is, rad
+void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of_grain, double turn,
+                             const StrengthRequest& request);
+
+}  // namespace graincrack::mesher

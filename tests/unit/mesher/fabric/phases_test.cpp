@@ -1,0 +1,233 @@
+#include "mesher/fabric/phases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "mesher/specimen_maker.hpp"
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+SpecimenRequest rectangle_of(std::int64_t grains) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.grains = grains;
+    return request;
+}
+
+/// Every grain its own crystal.
+std::vector<int> own_crystals(const Specimen& specimen) {
+    std::vector<int> crystals(specimen.n_grains());
+    std::iota(crystals.begin(), crystals.end(), 0);
+    return crystals;
+}
+
+std::vector<PhaseFraction> granite() { return parse_phases("quartz=0.32,feldspar=0.62,mica=0.06"); }
+
+/// The mean number of grains in a connected piece of a phase.
+double mean_piece(const Specimen& s, std::uint8_t phase) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    std::vector<std::size_t> root(s.n_grains());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto root_of = [&](std::size_t g) {
+        while (root[g] != g) g = root[g];
+        return g;
+    };
+    for (const auto& nodes : s.contact_nodes) {
+        const auto a = static_cast<std::size_t>(grain[static_cast<std::size_t>(nodes[0])]);
+        const auto b = static_cast<std::size_t>(grain[static_cast<std::size_t>(nodes[2])]);
+        if (s.grain_phase[a] == phase && s.grain_phase[b] == phase) root[root_of(a)] = root_of(b);
+    }
+    double grains = 0;
+    double pieces = 0;
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        if (s.grain_phase[g] != phase) continue;
+        grains += 1;
+        pieces += root[g] == g ? 1 : 0;
+    }
+    return grains / pieces;
+}
+
+TEST(Phases, FractionsAreOfTheAreaAndExactToOneGrain) {
+    const std::vector<std::vector<PhaseFraction>> fabrics{granite(), parse_phases("a=0.5,b=0.5"),
+                                                          parse_phases("a=0.001,b=0.333,c=0.333,d=0.333"), parse_phases("a=1")};
+    for (const std::int64_t grains : {60, 333, 1122, 5000}) {
+        SpecimenRequest mesh = rectangle_of(grains);
+        mesh.spread = 0.3;
+        Specimen s = make_specimen(mesh);
+        const double whole = std::accumulate(s.grain_area.begin(), s.grain_area.end(), 0.0);
+        const double largest = *std::max_element(s.grain_area.begin(), s.grain_area.end());
+        for (const auto& fractions : fabrics) {
+            for (const double cluster : {1.0, 2.5, 10.0, 1e6}) {
+                for (std::uint64_t seed = 0; seed < 30; ++seed) {
+                    assign_phases(s, own_crystals(s), {fractions, seed, cluster});
+                    ASSERT_EQ(s.phase_names.size(), fractions.size());
+                    std::vector<double> area(fractions.size());
+                    for (std::size_t g = 0; g < s.n_grains(); ++g) area.at(s.grain_phase[g]) += s.grain_area[g];
+                    for (std::size_t p = 0; p < area.size(); ++p) {
+                        EXPECT_EQ(s.phase_names[p], fractions[p].name);
+                        EXPECT_LE(std::abs(area[p] - fractions[p].fraction * whole), largest * (1 + 1e-9))
+                            << grains << " grains, cluster " << cluster << ", seed " << seed;
+                        EXPECT_NEAR(phase_fractions(s)[p], area[p] / whole, 1e-12);
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Without clusters the phase of a grain says nothing about its neighbours.
+TEST(Phases, NeighboursAreIndependent) {
+    SpecimenRequest request = rectangle_of(20000);
+    request.phases.fractions = granite();
+    const Specimen s = make_specimen(request);
+    const std::vector<std::uint8_t> classes = contact_classes(s);
+    const double f[] = {0.32, 0.62, 0.06};
+    for (std::size_t p = 0; p < 3; ++p) {
+        for (std::size_t q = 0; q <= p; ++q) {
+            const double share = static_cast<double>(std::count(classes.begin(), classes.end(), contact_class(p, q))) /
+                                 static_cast<double>(classes.size());
+            const double expected = (p == q ? 1 : 2) * f[p] * f[q];
+            // Three standard deviations of a binomial share, and as much again: contacts of one grain are not independent.
+            EXPECT_NEAR(share, expected, 6 * std::sqrt(expected / static_cast<double>(classes.size()))) << p << q;
+        }
+    }
+}
+
+// Pieces of a rare phase are its clusters: seldom two of them meet.
+TEST(Phases, ClustersHaveTheMeanNumberOfGrains) {
+    Specimen s = make_specimen(rectangle_of(20000));
+    for (const double cluster : {1.0, 4.0, 10.0}) {
+        double sum = 0;
+        constexpr int n_seeds = 20;
+        for (std::uint64_t seed = 0; seed < n_seeds; ++seed) {
+            assign_phases(s, own_crystals(s), {parse_phases("rest=0.98,rare=0.02"), seed, cluster});
+            sum += mean_piece(s, 1);
+        }
+        EXPECT_NEAR(sum / n_seeds / cluster, 1.05, 0.1) << cluster;
+    }
+}
+
+TEST(Phases, BelongToCrystals) {
+    Specimen s = make_specimen(rectangle_of(1000));
+    std::vector<int> crystals = own_crystals(s);
+    for (int& crystal : crystals) crystal /= 4;
+    assign_phases(s, crystals, {granite(), 3, 2});
+    for (std::size_t g = 0; g < s.n_grains(); ++g) EXPECT_EQ(s.grain_phase[g], s.grain_phase[g / 4 * 4]);
+    EXPECT_NEAR(phase_fractions(s)[0], 0.32, 0.005);  // a crystal has 0.4 %
+}
+
+TEST(Phases, SameSeedSamePhasesWhateverTheElements) {
+    SpecimenRequest request = rectangle_of(1122);
+    request.phases = {granite(), {}, 3};
+    const Specimen first = make_specimen(request);
+    EXPECT_EQ(make_specimen(request).grain_phase, first.grain_phase);
+    request.elements_per_edge = 2;
+    EXPECT_EQ(make_specimen(request).grain_phase, first.grain_phase);
+    request.phases.seed = request.seed;
+    EXPECT_EQ(make_specimen(request).grain_phase, first.grain_phase) << "the seed of the specimen, unless given";
+    request.phases.seed = 2;
+    const Specimen other = make_specimen(request);
+    EXPECT_NE(other.grain_phase, first.grain_phase);
+    EXPECT_EQ(other.grain_area, first.grain_area);
+}
+
+/// Areas and phases of all grains by their distance from the centre: they stay where a disc is turned.
+std::vector<std::pair<double, int>> phases_by_distance(const Specimen& s) {
+    std::vector<std::pair<double, int>> rows(s.n_grains());
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        double x = 0;
+        double y = 0;
+        for (const std::int32_t node : s.element_nodes[e]) {
+            x += s.node_position[static_cast<std::size_t>(node)][0];
+            y += s.node_position[static_cast<std::size_t>(node)][1];
+        }
+        const auto g = static_cast<std::size_t>(s.element_grain[e]);
+        rows[g] = {std::hypot(x, y), s.grain_phase[g]};
+    }
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+TEST(Phases, TurnWithADisc) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 6, 0};
+    request.grains = 452;
+    request.phases = {granite(), {}, 4};
+    const auto first = phases_by_distance(make_specimen(request));
+    request.shape.loaded_diameter = 2;
+    const auto turned = phases_by_distance(make_specimen(request));
+    for (std::size_t g = 0; g < first.size(); ++g) {
+        EXPECT_NEAR(turned[g].first, first[g].first, 1e-15);
+        EXPECT_EQ(turned[g].second, first[g].second);
+    }
+}
+
+/// The message of the UsageError that phases cause; empty if there is none.
+std::string complaint(const std::string& phases) {
+    try {
+        check(PhaseRequest{parse_phases(phases), {}, 1});
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Phases, BadPhasesSayWhatIsWrong) {
+    EXPECT_EQ(complaint("quartz=0.32,feldspar=0.62,mica=6%"), "");
+    EXPECT_EQ(complaint("a=0.3333333,b=0.3333333,c=0.3333333"), "") << "rounded";
+    for (const auto& [phases, words] : std::vector<std::pair<std::string, std::string>>{
+             {"quartz=0.5,mica=0.6", "add up to 1.1"},
+             {"quartz=0.5,mica=0.4", "add up to 0.9"},
+             {"quartz=0.5,quartz=0.5", "quartz stands twice"},
+             {"k-feldspar=1", "\"k-feldspar\" is no name"},
+             {"Quartz=1", "\"Quartz\" is no name"},
+             {"=1", "\"\" is no name"},
+             {"quartz", "\"quartz\" is no phase"},
+             {"", "\"\" is no phase"},
+             {"quartz=1,", "\"\" is no phase"},
+             {"quartz=0,mica=1", "quartz"},
+             {"quartz=-0.5,mica=1.5", "quartz"},
+             {"quartz=much,mica=0.5", "much"},
+             {"quartz=1mm", "mm"},
+         }) {
+        const std::string message = complaint(phases);
+        EXPECT_NE(message.find(words), std::string::npos) << phases << ": " << message;
+        EXPECT_EQ(message.rfind("--phases", 0), 0U) << message;
+    }
+    std::string many;
+    for (int i = 0; i < 25; ++i) many += (i == 0 ? "p" : ",p") + std::to_string(i) + "=0.04";
+    EXPECT_NE(complaint(many).find("25 are too many; at most 22"), std::string::npos);
+}
+
+TEST(Phases, BadRequestsNameTheirOption) {
+    const auto refused = [](const PhaseRequest& phases, std::int64_t grains) -> std::string {
+        SpecimenRequest request = rectangle_of(grains);
+        request.phases = phases;
+        try {
+            plan_mesh(request);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refused({granite(), 7, 2}, 1122), "");
+    EXPECT_EQ(refused({{}, 7, 1}, 1122).rfind("--phase-seed", 0), 0U);
+    EXPECT_EQ(refused({{}, {}, 2}, 1122).rfind("--phase-cluster", 0), 0U);
+    EXPECT_EQ(refused({granite(), {}, 0.5}, 1122).rfind("--phase-cluster", 0), 0U);
+    EXPECT_EQ(refused({granite(), {}, std::nan("")}, 1122).rfind("--phase-cluster", 0), 0U);
+    EXPECT_EQ(refused({{{"a", std::nan("")}, {"b", 1}}, {}, 1}, 1122).rfind("--phases", 0), 0U);
+    SpecimenRequest few;
+    few.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet};
+    few.grains = 12;
+    for (int i = 0; i < 20; ++i) few.phases.fractions.push_back({"p" + std::to_string(i), 0.05});
+    EXPECT_THROW((void)plan_mesh(few), UsageError);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

@@ -1,0 +1,206 @@
+#include "mesher/fabric/strength_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "mesher/plane/random_numbers.hpp"
+#include "mesher/specimen_maker.hpp"
+#include "share/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+SpecimenRequest rectangle_of(std::int64_t grains) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.grains = grains;
+    return request;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// The Weibull modulus of greatest likelihood: Σ sᵐ ln s / Σ sᵐ − 1/m = mean of ln s.
+double fitted_modulus(const std::vector<double>& factors) {
+    double logs = 0;
+    for (const double s : factors) logs += std::log(s);
+    logs /= static_cast<double>(factors.size());
+    double low = 0.1;
+    double high = 1000;
+    while (high / low > 1 + 1e-9) {
+        const double m = std::sqrt(low * high);
+        double powers = 0;
+        double weighted = 0;
+        for (const double s : factors) {
+            powers += std::pow(s, m);
+            weighted += std::pow(s, m) * std::log(s);
+        }
+        (weighted / powers - 1 / m < logs ? low : high) = m;
+    }
+    return low;
+}
+
+/// Correlation coefficient of two equally long lists.
+double correlation_of(const std::vector<double>& x, const std::vector<double>& y) {
+    const double mean_x = mean_of(x);
+    const double mean_y = mean_of(y);
+    double xy = 0;
+    double xx = 0;
+    double yy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xy += (x[i] - mean_x) * (y[i] - mean_y);
+        xx += (x[i] - mean_x) * (x[i] - mean_x);
+        yy += (y[i] - mean_y) * (y[i] - mean_y);
+    }
+    return xy / std::sqrt(xx * yy);
+}
+
+TEST(StrengthField, FactorsOfAHundredThousandContactsHaveMeanAndModulus) {
+    SpecimenRequest request = rectangle_of(67000);
+    Specimen s = make_specimen(request);
+    EXPECT_EQ(s.contact_strength_factor.size(), 0U) << "none unless requested";
+    ASSERT_NEAR(static_cast<double>(s.n_contacts()), 1e5, 1e3);
+    std::vector<int> crystals(s.n_grains());
+    for (std::size_t g = 0; g < crystals.size(); ++g) crystals[g] = static_cast<int>(g);
+    for (const double modulus : {1.5, 5.0, 20.0}) {
+        assign_strength_factors(s, crystals, 0, {modulus, {}, {}});
+        ASSERT_EQ(s.contact_strength_factor.size(), s.n_contacts());
+        // Four standard errors of the mean are 0.009 at m = 1.5; 0.8 % is four times 0.78/√1e5 of the modulus.
+        EXPECT_NEAR(mean_of(s.contact_strength_factor), 1, 0.01) << modulus;
+        EXPECT_NEAR(fitted_modulus(s.contact_strength_factor) / modulus, 1, 0.03) << modulus;
+    }
+    // Correlated over half of a per cent of the height: the mean over the specimen is that over seeds.
+    assign_strength_factors(s, crystals, 0, {5, 0.8e-3, {}});
+    EXPECT_NEAR(mean_of(s.contact_strength_factor), 1, 0.01);
+    EXPECT_NEAR(fitted_modulus(s.contact_strength_factor) / 5, 1, 0.03);
+}
+
+TEST(StrengthField, FactorsAreThoseOfTheirQuantiles) {
+    EXPECT_NEAR(weibull_factor(std::log(0.5), 2), std::sqrt(std::numbers::ln2) / (0.5 * std::sqrt(std::numbers::pi)), 1e-14);
+    EXPECT_NEAR(weibull_factor(-1, 5), 1 / std::tgamma(1.2), 1e-14);
+}
+
+// The autocorrelation exp(−d/L) of the field and of the factors, over one realisation 1,000 lengths wide.
+TEST(StrengthField, TheAutocorrelationIsExponential) {
+    constexpr double length = 0.01;
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const GaussianField field(length, seed);
+        RandomNumbers random(seed);
+        for (const double distance : {0.5, 1.0, 2.0}) {
+            std::vector<double> z[2];
+            for (int i = 0; i < 20000; ++i) {
+                const Point at{1000 * length * random.uniform(), 1000 * length * random.uniform()};
+                const double direction = 2 * std::numbers::pi * random.uniform();
+                z[0].push_back(field(at));
+                z[1].push_back(field(at + (distance * length) * Point{std::cos(direction), std::sin(direction)}));
+            }
+            EXPECT_NEAR(correlation_of(z[0], z[1]), std::exp(-distance), 0.03) << "seed " << seed << ", distance " << distance;
+            if (distance != 1.0) continue;
+            EXPECT_NEAR(-1 / std::log(correlation_of(z[0], z[1])), 1, 0.1) << "length";
+            EXPECT_NEAR(correlation_of(z[0], z[0]), 1, 1e-12);
+            EXPECT_NEAR(mean_of(z[0]), 0, 0.03);
+            double squares = 0;
+            double fourth = 0;
+            for (const double value : z[0]) {
+                squares += value * value;
+                fourth += value * value * value * value;
+            }
+            EXPECT_NEAR(squares / 20000, 1, 0.04);
+            EXPECT_NEAR(fourth * 20000 / (squares * squares), 3, 0.15);
+        }
+    }
+}
+
+// The same in a specimen, with the factors of pairs of grain boundaries.
+TEST(StrengthField, FactorsAreCorrelatedOverTheLength) {
+    constexpr double length = 2e-3;
+    SpecimenRequest request = rectangle_of(30000);
+    request.strength = {5, length, {}};
+    const Specimen s = make_specimen(request);
+    std::vector<Point> middle;
+    for (const auto& nodes : s.contact_nodes) {
+        const auto& p = s.node_position[static_cast<std::size_t>(nodes[0])];
+        const auto& q = s.node_position[static_cast<std::size_t>(nodes[1])];
+        middle.push_back({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])});
+    }
+    std::vector<double> factor[2];
+    for (std::size_t i = 0; i < middle.size(); i += 10) {
+        for (std::size_t j = 0; j < middle.size(); ++j) {
+            const double distance = graincrack::mesher::length(middle[i] - middle[j]);
+            if (std::abs(distance / length - 1) > 0.03) continue;
+            factor[0].push_back(s.contact_strength_factor[i]);
+            factor[1].push_back(s.contact_strength_factor[j]);
+        }
+    }
+    ASSERT_GT(factor[0].size(), 10000U);
+    EXPECT_NEAR(-1 / std::log(correlation_of(factor[0], factor[1])), 1, 0.1);
+}
+
+TEST(StrengthField, ContactsOfAGrainBoundaryHaveOneFactorWhateverTheElements) {
+    for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
+        SpecimenRequest request = rectangle_of(1122);
+        request.strength = {5, correlation, {}};
+        const Specimen coarse = make_specimen(request);
+        EXPECT_EQ(make_specimen(request).contact_strength_factor, coarse.contact_strength_factor);
+        request.elements_per_edge = 3;
+        const Specimen fine = make_specimen(request);
+        ASSERT_EQ(fine.n_contacts(), 3 * coarse.n_contacts());
+        for (std::size_t c = 0; c < fine.n_contacts(); ++c) {
+            const auto boundary = static_cast<std::size_t>(fine.contact_grain_boundary[c]);
+            EXPECT_EQ(fine.contact_strength_factor[c], coarse.contact_strength_factor[boundary]);
+        }
+        request.strength.seed = request.seed;
+        EXPECT_EQ(make_specimen(request).contact_strength_factor, fine.contact_strength_factor);
+        request.strength.seed = 2;
+        const Specimen other = make_specimen(request);
+        EXPECT_NE(other.contact_strength_factor, fine.contact_strength_factor);
+        EXPECT_EQ(other.node_position, fine.node_position);
+    }
+}
+
+TEST(StrengthField, FactorsTurnWithADisc) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 6, 0};
+    request.grains = 452;
+    for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
+        request.strength = {5, correlation, {}};
+        const auto sorted = [&](int loaded) {
+            request.shape.loaded_diameter = loaded;
+            std::vector<double> factors = make_specimen(request).contact_strength_factor;
+            std::sort(factors.begin(), factors.end());
+            return factors;
+        };
+        const std::vector<double> first = sorted(0);
+        const std::vector<double> turned = sorted(4);
+        for (std::size_t c = 0; c < first.size(); ++c) EXPECT_NEAR(turned[c], first[c], 1e-9);
+    }
+}
+
+TEST(StrengthField, BadRequestsNameTheirOption) {
+    const auto refused = [](const StrengthRequest& strength) -> std::string {
+        SpecimenRequest request = rectangle_of(1122);
+        request.strength = strength;
+        try {
+            plan_mesh(request);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refused({5, 0.01, 3}), "");
+    EXPECT_EQ(refused({{}, 0.01, {}}).rfind("--strength-correlation", 0), 0U);
+    EXPECT_EQ(refused({{}, {}, 3}).rfind("--strength-seed", 0), 0U);
+    EXPECT_EQ(refused({0.5, {}, {}}).rfind("--strength-modulus", 0), 0U);
+    EXPECT_EQ(refused({std::nan(""), {}, {}}).rfind("--strength-modulus", 0), 0U);
+    EXPECT_EQ(refused({5, 0, {}}).rfind("--strength-correlation", 0), 0U);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
