@@ -115,17 +115,17 @@ void H5Input::require_kind(std::string_view kind) {
             fmt::format("{}: an HDF5 file, but not a Graincrack one (no root attribute format = graincrack)", state_->name));
     }
     require_tree(state_->file.get(), state_->name);
-    if (const auto version = attribute<std::int64_t>("/", "schema_version"); version != schema_version) {
-        throw InputError(
-            fmt::format("{}: has schema version {}, but this build reads {}; {}", state_->name, version, schema_version,
-                        version < schema_version ? "make the file again, or read it with the Graincrack that wrote it"
-                                                 : "use a newer Graincrack"));
-    }
     state_->kind = attribute_or<std::string>("/", "kind", "");
     if (!kind.empty() && state_->kind != kind) {
         throw InputError(fmt::format("{}: is a {}, a {} is needed (graincrack-{} writes one)", state_->name,
                                      state_->kind.empty() ? "file of no known kind" : state_->kind, kind,
                                      kind == "specimen" ? "mesh" : "solve"));
+    }
+    if (const auto version = attribute<std::int64_t>("/", "schema_version"); version != schema_version) {
+        throw SchemaError(
+            fmt::format("{}: has schema version {}, but this build reads {}; {}", state_->name, version, schema_version,
+                        version < schema_version ? "make the file again, or read it with the Graincrack that wrote it"
+                                                 : "use a newer Graincrack"));
     }
 }
 H5Input::~H5Input() = default;
@@ -259,6 +259,7 @@ void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
     }
     try {
         const H5Input existing(replaced, kind);
+    } catch (const SchemaError&) {  // of this kind, from before
     } catch (const InputError&) {
         throw UsageError(
             fmt::format("{}: exists, and is no {} that could be replaced; give another name, or remove it", place.name(), kind));

@@ -10,10 +10,17 @@
 #include <string_view>
 #include <vector>
 
+#include "share/error.hpp"
+
 namespace graincrack {
 
 /// Version of the file layout that this build writes and reads; files of another one are refused.
 inline constexpr int schema_version = 4;
+
+/// A file of the wanted kind, of another schema version.
+class SchemaError : public InputError {
+    using InputError::InputError;
+};
 
 /// Version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();

@@ -14,8 +14,8 @@ test_packages=(libgtest-dev python3-h5py python3-matplotlib)
 benchmark_packages=(libbenchmark-dev)
 # What checks the form of the sources.
 rule_packages=(clang-format clang-tidy git perl-base python3 shellcheck)
-# What the build with the other compiler adds.
-clang_packages=(clang)
+# What the builds with the other compiler add, with its sanitizers and the names in their reports.
+clang_packages=(clang libclang-rt-dev llvm)
 
 say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
 
