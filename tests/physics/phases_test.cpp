@@ -93,5 +93,20 @@ TEST(Phases, ANodeEdgeContactHasTheLawOfItsTwoGrains) {
     }
 }
 
+// Grains of three phases thrown at each other without damping: what they had is stored, dissipated or still motion.
+TEST(Phases, EnergyIsBalancedWithScatteredStrengths) {
+    SmallRun run = test::varied_phases(test::jittered_grid(6, 10, 0.02, 0.03, 0.25)).run(LawVariant::consistent, 0.3);
+    constexpr double speed = 6;  // m/s, at the ends
+    run.set_velocity([&](const Vector2& x) { return Vector2{0, -speed * x.y / 0.015}; });
+    run.begin();
+    const double initial = run.measured().energies.kinetic;
+    run.steps(1500);
+    EXPECT_GT(run.failed_points(), 50U);
+    const Energies last = run.measured().energies;
+    EXPECT_GT(last.fracture_tension + last.fracture_shear, 0.02 * initial);
+    test::verify("phases: energy balance with scattered strengths, over the initial energy",
+                 (last.balance_error() + initial) / initial, 0, 2e-3, "conservation of energy", 1);
+}
+
 }  // namespace
 }  // namespace graincrack
