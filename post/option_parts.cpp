@@ -1,5 +1,8 @@
 #include "post/option_parts.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "share/command_line.hpp"
 
 namespace graincrack {
@@ -73,14 +76,17 @@ void add_trend(CLI::App& app, TrendOptions& options) {
     add_names(app, "--group", options.groups, "COLUMN", "a fit for each different entry of this column; may be given again");
 }
 
-void add_crack_label(CLI::App& app, CrackLabel& label) {
-    add_choice<CrackEvent>(
-        app, "--crack-event", label.event, {{"failed", CrackEvent::failed}, {"broken", CrackEvent::broken}},
-        "a contact point is a micro-crack once it failed (passed its peak), or once it broke (less than 10 % of "
-        "its cohesion was left)");
+void add_crack_label(CLI::App& app, CrackLabelChoice& label) {
+    std::vector<std::pair<std::string, std::optional<CrackEvent>>> events;
+    for (const CrackEvent event : all_crack_events) events.emplace_back(name_of(event), event);
+    add_choice<std::optional<CrackEvent>>(app, "--crack-event", label.event, events,
+                                          "a contact point is a micro-crack once it failed (passed its peak), or once less than "
+                                          "50 or 10 % of its cohesion was left; "
+                                          "unless given half-damaged for laws with friction beside cohesion, failed for others");
     add_choice<CrackModeRule>(app, "--crack-mode", label.mode,
-                              {{"sign", CrackModeRule::sign}, {"displacement", CrackModeRule::displacement}},
-                              "it is tensile if it was open then, or if it had opened more than slid then");
+                              {{"traction", CrackModeRule::traction}, {"sign", CrackModeRule::sign}},
+                              "it is tensile if it passed its peak open and under more tension than shear traction, or if it was "
+                              "open at the event");
 }
 
 void add_events(CLI::App& app, EventOptions& options) {

@@ -36,8 +36,8 @@ inline constexpr FileArguments trend_tables{"tables",
                                             "tables: tab-separated with one header line; their rows are taken together"};
 /// --x, --y, --power, --group: a line or power law through columns of tables.
 void add_trend(CLI::App& app, TrendOptions& options);
-/// --crack-event failed|broken, --crack-mode sign|displacement: what counts as a micro-crack, and which are tensile.
-void add_crack_label(CLI::App& app, CrackLabel& label);
+/// --crack-event failed|half-damaged|broken, --crack-mode traction|sign: what counts as a micro-crack, and which are tensile.
+void add_crack_label(CLI::App& app, CrackLabelChoice& label);
 /// --event-distance, --event-time: the window of an acoustic event.
 void add_events(CLI::App& app, EventOptions& options);
 

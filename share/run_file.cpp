@@ -42,8 +42,8 @@ const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)>
     {"non_conservative_work", Dimension::energy, "energy lost (positive) or made (negative) where the law has no potential"},
     {"energy_balance_error", Dimension::one, "(external - sum of the others) / largest stored energy so far"},
     {"unbalanced_ratio", Dimension::one, "mean unbalanced nodal force over mean magnitude of the forces at a node"},
-    {"tensile_cracks", Dimension::one, "contacts that failed in tension (points / 2)"},
-    {"shear_cracks", Dimension::one, "contacts that failed in shear (points / 2)"},
+    {"tensile_cracks", Dimension::one, "contacts that failed while open (points / 2)"},
+    {"shear_cracks", Dimension::one, "contacts that failed while closed (points / 2)"},
     {"platen_speed", Dimension::speed, "speed of each platen, approach positive"},
     {"damping_load", Dimension::one, "load that damping carries by holding the mean motion back, over that of the platens"},
     {"energy_numerical", Dimension::energy, "lost by mass scaling where clusters of nodes meet or leave platens"},
@@ -143,6 +143,7 @@ struct HeaderReader {
 void write_header(H5Output& file, const RunHeader& header) {
     file.create_group(schema::run_group);
     file.attribute(schema::run_group, "plane", std::string(name_of(header.plane)));
+    file.attribute(schema::run_group, "crack_event", std::string(name_of(header.crack_event)));
     visit_header(header, HeaderWriter{file});
 }
 
@@ -212,10 +213,22 @@ Fabric read_fabric(const H5Input& file) {
     return fabric;
 }
 
+CrackEvent read_crack_event(const H5Input& file) {
+    const auto name = file.attribute<std::string>(schema::run_group, "crack_event");
+    const auto* const event =
+        std::find_if(all_crack_events.begin(), all_crack_events.end(), [&](CrackEvent e) { return name_of(e) == name; });
+    if (event == all_crack_events.end()) {
+        throw InputError(fmt::format("{}: attribute crack_event of {} is \"{}\"; failed, half-damaged or broken is needed",
+                                     file.name(), schema::run_group, name));
+    }
+    return *event;
+}
+
 RunHeader read_header(const H5Input& file) {
     RunHeader header;
     const auto plane = file.attribute<std::string>(schema::run_group, "plane");
     header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
+    header.crack_event = read_crack_event(file);
     visit_header(header, HeaderReader{file});
     header.fabric = read_fabric(file);
     if (header.time_step <= 0 || header.steps < 0) {
@@ -269,16 +282,32 @@ void write_column(H5Output& file, const schema::Dataset& dataset, const std::vec
     file.write<T>(dataset.path, std::span<const T>(values), extents, dataset.unit, dataset.description);
 }
 
-/// A column of /cracks that is NaN where a point has not been damaged so far.
-struct DamageColumn {
-    schema::Dataset dataset;
-    double Crack::*value;
+/// Columns of /cracks that are NaN where a point has not come so far.
+struct MomentColumns {
+    CrackMoment Crack::*moment;
+    std::array<schema::Dataset, 3> datasets;  ///< of time, opening and sliding
 };
-constexpr std::array damage_columns{DamageColumn{schema::crack_time_damaged_10, &Crack::time_damaged_10},
-                                    DamageColumn{schema::crack_time_damaged_50, &Crack::time_damaged_50},
-                                    DamageColumn{schema::crack_time_broken, &Crack::time_broken},
-                                    DamageColumn{schema::crack_opening_broken, &Crack::opening_broken},
-                                    DamageColumn{schema::crack_sliding_broken, &Crack::sliding_broken}};
+constexpr std::array moment_columns{
+    MomentColumns{&Crack::damaged_10,
+                  {schema::crack_time_damaged_10, schema::crack_opening_damaged_10, schema::crack_sliding_damaged_10}},
+    MomentColumns{&Crack::damaged_50,
+                  {schema::crack_time_damaged_50, schema::crack_opening_damaged_50, schema::crack_sliding_damaged_50}},
+    MomentColumns{&Crack::broken, {schema::crack_time_broken, schema::crack_opening_broken, schema::crack_sliding_broken}},
+    MomentColumns{&Crack::separated,
+                  {schema::crack_time_separated, schema::crack_opening_separated, schema::crack_sliding_separated}}};
+
+/// Visits each of these columns once: its dataset, and a function that gives its entry of a crack.
+template <class Visit>
+void visit_moments(const Visit& visit) {
+    constexpr std::array values{&CrackMoment::time, &CrackMoment::opening, &CrackMoment::sliding};
+    for (const MomentColumns& columns : moment_columns) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            visit(
+                columns.datasets[i],
+                [ moment = columns.moment, value = values[i] ](auto& crack) -> auto& { return crack.*moment.*value; });
+        }
+    }
+}
 
 void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     file.create_group(schema::cracks_group);
@@ -300,24 +329,23 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     write_column(file, schema::crack_opening, column_of<double>(cracks, [](const Crack& c) { return c.opening; }));
     write_column(file, schema::crack_sliding, column_of<double>(cracks, [](const Crack& c) { return c.sliding; }));
     write_column(file, schema::crack_energy, column_of<double>(cracks, [](const Crack& c) { return c.energy_released; }));
-    write_column(file, schema::crack_time_separated, column_of<double>(cracks, [](const Crack& c) { return c.time_separated; }));
-    for (const DamageColumn& column : damage_columns) {
+    visit_moments([&](const schema::Dataset& dataset, const auto& value) {
         std::vector<double> values;
         for (const Crack& crack : cracks) {
-            values.push_back(crack.*column.value);
+            values.push_back(value(crack));
         }
-        write_column(file, column.dataset, values);
-    }
+        write_column(file, dataset, values);
+    });
 }
 
-void read_damage_columns(const H5Input& file, std::vector<Crack>& cracks) {
-    for (const DamageColumn& column : damage_columns) {
-        const std::vector<double> values = file.read<double>(column.dataset.path, {cracks.size()});
-        require_all(file, column.dataset.path, values, "a finite number or NaN", [](double v) { return !std::isinf(v); });
+void read_moments(const H5Input& file, std::vector<Crack>& cracks) {
+    visit_moments([&](const schema::Dataset& dataset, const auto& value) {
+        const std::vector<double> values = file.read<double>(dataset.path, {cracks.size()});
+        require_all(file, dataset.path, values, "a finite number or NaN", [](double v) { return !std::isinf(v); });
         for (std::size_t i = 0; i < cracks.size(); ++i) {
-            cracks[i].*column.value = values[i];
+            value(cracks[i]) = values[i];
         }
-    }
+    });
 }
 
 /// Links the last frame as fields of the static VTKHDF view.
@@ -516,9 +544,6 @@ std::vector<Crack> RunReader::cracks() const {
     const std::vector<double> opening = numbers(schema::crack_opening);
     const std::vector<double> sliding = numbers(schema::crack_sliding);
     const std::vector<double> energy = numbers(schema::crack_energy);
-    const auto separated = f.read<double>(schema::crack_time_separated.path, {n});
-    require_all(f, schema::crack_time_separated.path, separated, "a finite number or NaN",
-                [](double value) { return !std::isinf(value); });
     std::vector<Crack> cracks(n);
     for (std::size_t i = 0; i < n; ++i) {
         cracks[i] = {time[i],
@@ -532,10 +557,9 @@ std::vector<Crack> RunReader::cracks() const {
                      length[i],
                      opening[i],
                      sliding[i],
-                     energy[i],
-                     separated[i]};
+                     energy[i]};
     }
-    read_damage_columns(f, cracks);
+    read_moments(f, cracks);
     return cracks;
 }
 

@@ -25,11 +25,12 @@ inline constexpr double trusted_damping_load = 0.01;
 
 /// Attributes of /run. An attribute has the name of its member. SI units.
 struct RunHeader {
-    std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
-    std::string material;                ///< name of the material
-    std::string contact_law;             ///< a name of solver/law/table.hpp
-    std::string coupling;                ///< "full" | "none"
-    std::string fracture_energy_choice;  ///< "mixed" | "mode-i" | "value"; "none" for a law without fracture energy
+    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
+    std::string material;                         ///< name of the material
+    std::string contact_law;                      ///< a name of solver/law/table.hpp
+    CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law
+    std::string coupling;                         ///< "full" | "none"
+    std::string fracture_energy_choice;           ///< "mixed" | "mode-i" | "value"; "none" for a law without fracture energy
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
@@ -113,6 +114,14 @@ struct History {
 /// Reads /history of a run, finished or not. \throws InputError
 History read_history(const H5Input& file);
 
+/// When something happened to a contact point, and its relative displacement at the end of that step; NaN if it did not.
+struct CrackMoment {
+    double time = std::numeric_limits<double>::quiet_NaN();     ///< s
+    double opening = std::numeric_limits<double>::quiet_NaN();  ///< m
+    double sliding = std::numeric_limits<double>::quiet_NaN();  ///< m
+    friend bool operator==(const CrackMoment&, const CrackMoment&) = default;
+};
+
 /// One row of the crack log: a contact point that passed its peak strength. Quantities are those at that instant.
 struct Crack {
     double time = 0;  ///< s
@@ -127,12 +136,10 @@ struct Crack {
     double opening = 0;                ///< m
     double sliding = 0;                ///< m
     double energy_released = 0;        ///< J: fracture energy dissipated by this point until the end of the run
-    double time_separated = std::numeric_limits<double>::quiet_NaN();   ///< s
-    double time_damaged_10 = std::numeric_limits<double>::quiet_NaN();  ///< s, when 10 % of its cohesion was lost
-    double time_damaged_50 = std::numeric_limits<double>::quiet_NaN();  ///< s, when 50 % was lost
-    double time_broken = std::numeric_limits<double>::quiet_NaN();      ///< s, when 90 % was lost
-    double opening_broken = std::numeric_limits<double>::quiet_NaN();   ///< m, then
-    double sliding_broken = std::numeric_limits<double>::quiet_NaN();   ///< m, then
+    CrackMoment damaged_10 = {};       ///< 10 % of its cohesion was lost
+    CrackMoment damaged_50 = {};       ///< 50 % was lost
+    CrackMoment broken = {};           ///< 90 % was lost
+    CrackMoment separated = {};        ///< all tensile strength was lost
 };
 
 /// State of the assemblage at one time; lengths as in Specimen.

@@ -46,7 +46,7 @@ inline constexpr Dataset crack_time{"/cracks/time", "s", "time at which the cont
 inline constexpr Dataset crack_step{"/cracks/step", "1", "step at which it did"};
 inline constexpr Dataset crack_contact{"/cracks/contact", "1", "row of /contacts"};
 inline constexpr Dataset crack_point{"/cracks/point", "1", "0 at a1, 1 at a2"};
-inline constexpr Dataset crack_mode{"/cracks/mode", "1", "index into the attribute names: tensile if the contact was open then, else shear"};
+inline constexpr Dataset crack_mode{"/cracks/mode", "1", "by the sign of the opening, index into the attribute names: tensile if the contact was open then, else shear"};
 inline constexpr Dataset crack_mode_angle{"/cracks/mode_angle", "rad", "atan2(|shear traction|, normal traction) at the end of the step before, the last one short of the peak"};
 inline constexpr Dataset crack_position{"/cracks/position", "m", "position x y then"};
 inline constexpr Dataset crack_orientation{"/cracks/orientation", "rad", "direction of the contact from x, counter-clockwise, in [0, pi)"};
@@ -54,12 +54,18 @@ inline constexpr Dataset crack_length{"/cracks/length", "m", "half the edge"};
 inline constexpr Dataset crack_opening{"/cracks/opening", "m", "opening then"};
 inline constexpr Dataset crack_sliding{"/cracks/sliding", "m", "sliding then"};
 inline constexpr Dataset crack_energy{"/cracks/energy_released", "J", "fracture energy dissipated by the point until the end of the run"};
-inline constexpr Dataset crack_time_separated{"/cracks/time_separated", "s", "time at which it lost all tensile strength, NaN until then"};
 inline constexpr Dataset crack_time_damaged_10{"/cracks/time_damaged_10", "s", "time at which less than 90 % of its cohesion was left, NaN until then"};
+inline constexpr Dataset crack_opening_damaged_10{"/cracks/opening_damaged_10", "m", "opening when 10 % of its cohesion was lost, NaN until then"};
+inline constexpr Dataset crack_sliding_damaged_10{"/cracks/sliding_damaged_10", "m", "sliding when 10 % of its cohesion was lost, NaN until then"};
 inline constexpr Dataset crack_time_damaged_50{"/cracks/time_damaged_50", "s", "time at which less than 50 % of its cohesion was left, NaN until then"};
+inline constexpr Dataset crack_opening_damaged_50{"/cracks/opening_damaged_50", "m", "opening when 50 % of its cohesion was lost, NaN until then"};
+inline constexpr Dataset crack_sliding_damaged_50{"/cracks/sliding_damaged_50", "m", "sliding when 50 % of its cohesion was lost, NaN until then"};
 inline constexpr Dataset crack_time_broken{"/cracks/time_broken", "s", "time at which it broke: less than 10 % of its cohesion was left, NaN until then"};
 inline constexpr Dataset crack_opening_broken{"/cracks/opening_broken", "m", "opening when it broke, NaN until then"};
 inline constexpr Dataset crack_sliding_broken{"/cracks/sliding_broken", "m", "sliding when it broke, NaN until then"};
+inline constexpr Dataset crack_time_separated{"/cracks/time_separated", "s", "time at which it lost all tensile strength, NaN until then"};
+inline constexpr Dataset crack_opening_separated{"/cracks/opening_separated", "m", "opening when it separated, NaN until then"};
+inline constexpr Dataset crack_sliding_separated{"/cracks/sliding_separated", "m", "sliding when it separated, NaN until then"};
 // clang-format on
 
 // Inside /frames/NNNN; `path` is the last part.

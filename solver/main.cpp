@@ -61,8 +61,8 @@ void print_summary(const SimulationSummary& s) {
     const std::string strength =
         h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa (plane {}); ", strength_of(h) * 1e-6, name_of(h.plane)) : "";
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
-    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s{}; {}micro-cracks {} tensile, {} shear\n", h.test, h.stop_reason,
-               h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
+    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s{}; {}contacts past their peak {} open, {} closed then\n", h.test,
+               h.stop_reason, h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
     fmt::print(stderr,
                "{}: energy balance closes to {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} "
                "% of the "

@@ -51,9 +51,9 @@ Pairs pairs_of(const Specimen& specimen) {
 
 }  // namespace
 
-ModeCounts count_modes(const std::vector<Crack>& cracks, const CrackLabel& label, double time) {
+ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, double time) {
     ModeCounts counts;
-    for (const Crack& crack : labelled(cracks, label)) {
+    for (const Crack& crack : labelled(log, label)) {
         if (crack.time <= time) counts.add(crack);
     }
     return counts;
@@ -62,7 +62,7 @@ ModeCounts count_modes(const std::vector<Crack>& cracks, const CrackLabel& label
 const std::vector<std::string>& label_columns() {
     static const std::vector<std::string> columns = [] {
         std::vector<std::string> names;
-        for (const char* ending : {"_by_displacement", "_broken", "_broken_by_displacement"}) {
+        for (const char* ending : {"_by_sign", "_broken", "_broken_by_sign"}) {
             names.push_back(std::string("tensile_cracks") + ending);
             names.push_back(std::string("shear_cracks") + ending);
         }
@@ -71,30 +71,26 @@ const std::vector<std::string>& label_columns() {
     return columns;
 }
 
-std::vector<Cell> label_cells(const std::vector<Crack>& cracks, double time) {
+std::vector<Cell> label_cells(const std::vector<Crack>& log, CrackEvent event, double time) {
     std::vector<Cell> cells;
-    for (const CrackLabel& label : all_crack_labels) {
-        if (label == CrackLabel{}) continue;
-        const ModeCounts counts = count_modes(cracks, label, time);
+    const std::array labels = table_labels(event);
+    for (std::size_t i = 1; i < labels.size(); ++i) {
+        const ModeCounts counts = count_modes(log, labels[i], time);
         cells.push_back(count_cell(counts.tensile));
         cells.push_back(count_cell(counts.shear));
     }
     return cells;
 }
 
-RunData read_labelled_run(const RunReader& reader, const CrackLabel& label) {
-    RunData run = run_data(reader);
-    if (label == CrackLabel{}) return run;
-    std::vector<Crack> cracks = read_labelled_cracks(reader, reader.specimen(), label);
+void count_in_history(std::vector<Crack> cracks, History& history) {
     std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
     ModeCounts now;
     auto next = cracks.begin();
-    for (std::size_t row = 0; row < run.history.size(); ++row) {
-        for (; next != cracks.end() && next->time <= run.history[HistoryColumn::time][row]; ++next) now.add(*next);
-        run.history[HistoryColumn::tensile_cracks][row] = now.tensile;
-        run.history[HistoryColumn::shear_cracks][row] = now.shear;
+    for (std::size_t row = 0; row < history.size(); ++row) {
+        for (; next != cracks.end() && next->time <= history[HistoryColumn::time][row]; ++next) now.add(*next);
+        history[HistoryColumn::tensile_cracks][row] = now.tensile;
+        history[HistoryColumn::shear_cracks][row] = now.shear;
     }
-    return run;
 }
 
 CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,

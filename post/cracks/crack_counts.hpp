@@ -20,15 +20,15 @@ struct ModeCounts {
 };
 
 /// Cracks of a log by a label, up to a time (s).
-ModeCounts count_modes(const std::vector<Crack>& cracks, const CrackLabel& label, double time);
+ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, double time);
 
-/// Columns of tables of runs, behind those of `tensile_cracks` and `shear_cracks`: the counts by the other labels.
+/// Columns of tables of runs, behind those of `tensile_cracks` and `shear_cracks`: the counts by the other `table_labels`.
 const std::vector<std::string>& label_columns();
 /// Their entries at a time (s).
-std::vector<Cell> label_cells(const std::vector<Crack>& cracks, double time);
+std::vector<Cell> label_cells(const std::vector<Crack>& log, CrackEvent event, double time);
 
-/// A run whose history counts the cracks of a label. \throws InputError as `read_labelled_cracks`
-RunData read_labelled_run(const RunReader& run, const CrackLabel& label);
+/// Replaces the counts of a history by those of some labelled cracks.
+void count_in_history(std::vector<Crack> cracks, History& history);
 
 /// Counts of all cracks and for each pair of minerals ("feldspar-quartz", names in alphabetical order) at moments.
 struct CrackCounts {

@@ -187,8 +187,8 @@ void add_present_data(CrackArrays& arrays, const Frame& frame, const ContactPara
     arrays.real("shear_traction", "Pa", [&](const Crack& c) { return frame.traction[index(c)][2 * c.point + 1]; });
     arrays.real("stored_energy", "J", [&](const Crack& c) { return stored_energy(frame, c, contact); });
     arrays.real("damage", "1", [&](const Crack& c) { return frame.damage[index(c)][c.point]; });
-    arrays.byte("separated", [&](const Crack& c) { return c.time_separated <= frame.time; });  // false for NaN
-    arrays.byte("broken", [&](const Crack& c) { return c.time_broken <= frame.time; });
+    arrays.byte("separated", [&](const Crack& c) { return c.separated.time <= frame.time; });  // false for NaN
+    arrays.byte("broken", [&](const Crack& c) { return c.broken.time <= frame.time; });
 }
 
 /// What is the same in all frames.
@@ -198,11 +198,9 @@ void add_failure_data(CrackArrays& arrays) {
     arrays.real("sliding_at_failure", "m", [](const Crack& c) { return c.sliding; });
     arrays.byte("mode", [](const Crack& c) { return c.mode; });
     arrays.real("mode_angle", "rad", [](const Crack& c) { return c.mode_angle; });
-    arrays.byte("mode_by_displacement", [](const Crack& c) {
-        return *mode_of(c, {CrackEvent::failed, CrackModeRule::displacement});
-    });
+    arrays.byte("mode_by_sign", [](const Crack& c) { return c.opening >= 0 ? CrackMode::tensile : CrackMode::shear; });
     arrays.real("fracture_energy_at_end", "J", [](const Crack& c) { return c.energy_released; });
-    arrays.real("time_broken", "s", [](const Crack& c) { return c.time_broken; });
+    arrays.real("time_broken", "s", [](const Crack& c) { return c.broken.time; });
     arrays.byte("point", [](const Crack& c) { return c.point; });
 }
 

@@ -33,12 +33,11 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
 /// Cell data of the frame: opening, sliding (m), normal_traction (tension positive), shear_traction (Pa), stored_energy (J: what
 /// the point would give back), damage, separated (1 if it had lost all strength by then), broken (1 if less than 10 % of its
 /// cohesion was left by then). Cell data of the failure, or of the other event of the label: time_of_failure (s),
-/// opening_at_failure, sliding_at_failure (m), mode (0 tensile, 1 shear), mode_angle (rad), mode_by_displacement (0: opening >
-/// |sliding|, then). Of the whole run: fracture_energy_at_end (J), time_broken (s, NaN until the end of the run). Besides
-/// contact, point, phase_a, phase_b. Field data: crack_label, the definition of the label in words; mode_names. Point data:
-/// displacement (m), from the place of failure to the place in this frame, so that warping grains and cracks by `displacement`
-/// keeps them together. \param labelled_cracks of the whole run \param contact of the run, for the stored energy \throws
-/// OutputError
+/// opening_at_failure, sliding_at_failure (m), mode (0 tensile, 1 shear), mode_angle (rad), mode_by_sign (0: open then). Of the
+/// whole run: fracture_energy_at_end (J), time_broken (s, NaN until the end of the run). Besides contact, point, phase_a,
+/// phase_b. Field data: crack_label, the definition of the label in words; mode_names. Point data: displacement (m), from the
+/// place of failure to the place in this frame, so that warping grains and cracks by `displacement` keeps them together. \param
+/// labelled_cracks of the whole run \param contact of the run, for the stored energy \throws OutputError
 void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& labelled_cracks,
                   const Frame& frame, const CrackLabel& label, const ContactParameters& contact, const FrameMoment& moment);
 

@@ -1,34 +1,18 @@
 #include "post/cracks/crack_summary.hpp"
 
-#include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
+#include "post/cracks/run_state.hpp"
 
 namespace graincrack {
 
 namespace {
 
-const std::vector<std::string> first_columns{"file",
-                                             "at",
-                                             "time_s",
-                                             "axial_strain",
-                                             "tensile_cracks",
-                                             "shear_cracks",
-                                             "separated",
-                                             "tensile_with_more_sliding",
-                                             "share_with_more_sliding",
-                                             "mode_angle_below_45_deg",
-                                             "fragments",
-                                             "single_grains",
-                                             "events",
-                                             "b_value",
-                                             "b_value_error",
-                                             "b_value_completeness",
-                                             "b_value_events",
-                                             "peak_kind"};
+const std::vector<std::string> first_columns{
+    "file",          "at",     "time_s",  "axial_strain",  "tensile_cracks",       "shear_cracks",   "separated", "fragments",
+    "single_grains", "events", "b_value", "b_value_error", "b_value_completeness", "b_value_events", "peak_kind"};
 
 std::vector<std::string> all_columns() {
     std::vector<std::string> columns = first_columns;
@@ -38,18 +22,12 @@ std::vector<std::string> all_columns() {
 }
 
 std::vector<Cell> balance_cells(const CrackBalance& b) {
-    return {count_cell(b.tensile),        count_cell(b.shear),
-            count_cell(b.separated),      count_cell(b.tensile_more_sliding),
-            cell(b.share_more_sliding()), count_cell(b.tensile_by_traction)};
+    return {count_cell(b.tensile), count_cell(b.shear), count_cell(b.separated)};
 }
 
 /// Length of the tensile cracks until a time, the share of it along the load, and that of all facets.
-std::vector<Cell> direction_cells(const CrackRows& cracks, double time) {
-    std::vector<Crack> so_far;
-    for (const Crack& crack : cracks.all) {
-        if (crack.time <= time) so_far.push_back(crack);
-    }
-    const Rosette rosette = crack_rosette(so_far, cracks.specimen);
+std::vector<Cell> direction_cells(const std::vector<Crack>& cracks, const Specimen& specimen, double time) {
+    const Rosette rosette = crack_rosette(cracks_until(cracks, time), specimen);
     return {std::accumulate(rosette.tensile.begin(), rosette.tensile.end(), 0.0), cell(share_along_load(rosette.tensile)),
             cell(share_along_load(rosette.facet))};
 }
@@ -64,40 +42,33 @@ std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
 
 }  // namespace
 
-std::optional<double> CrackBalance::share_more_sliding() const {
-    return tensile > 0 ? std::optional(tensile_more_sliding / tensile) : std::nullopt;
-}
-
 CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time) {
     CrackBalance balance;
     for (const Crack& crack : cracks) {
         if (crack.time > time) continue;
-        const bool tensile = crack.mode == CrackMode::tensile;
-        (tensile ? balance.tensile : balance.shear) += 0.5;
-        if (crack.time_separated <= time) balance.separated += 0.5;
-        if (tensile && std::abs(crack.sliding) > crack.opening) balance.tensile_more_sliding += 0.5;
-        if (crack.mode_angle < std::numbers::pi / 4) balance.tensile_by_traction += 0.5;
+        balance.add(crack);
+        if (crack.separated.time <= time) balance.separated += 0.5;
     }
     return balance;
 }
 
-void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve, const CrackRows& cracks,
+void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve, const CrackRows& log,
                          const std::vector<EmissionEvent>& events, const Fragments& fragments, TableFormat format) {
     TableWriter table(out, all_columns(), format);
+    const std::vector<Crack> cracks = labelled(log.all, log.label);
     const auto begin = [&](const char* at, std::size_t row_index) {
         const double time = run.history[HistoryColumn::time][row_index];
         std::vector<Cell> row{run.name, std::string(at), time, curve ? Cell(curve->axial_strain[row_index]) : Cell()};
-        for (Cell& each : balance_cells(balance_cracks(cracks.all, time))) row.push_back(std::move(each));
+        for (Cell& each : balance_cells(balance_cracks(cracks, time))) row.push_back(std::move(each));
         return row;
     };
     const Cell kind = curve ? Cell(peak_kind(run, *curve)) : Cell();
     const auto finish = [&](std::vector<Cell> row, std::size_t row_index) {
         row.resize(first_columns.size() - 1);
         row.push_back(kind);
-        for (Cell& each : label_cells(cracks.all, run.history[HistoryColumn::time][row_index])) {
-            row.push_back(std::move(each));
-        }
-        for (Cell& each : direction_cells(cracks, run.history[HistoryColumn::time][row_index])) row.push_back(std::move(each));
+        const double time = run.history[HistoryColumn::time][row_index];
+        for (Cell& each : label_cells(log.all, run.header.crack_event, time)) row.push_back(std::move(each));
+        for (Cell& each : direction_cells(cracks, log.specimen, time)) row.push_back(std::move(each));
         table.row(row);
     };
     if (curve) finish(begin("peak", curve->peak), curve->peak);

@@ -118,7 +118,7 @@ std::optional<LoadCurve> curve_if_any(const RunData& data) {
 
 }  // namespace
 
-void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format) {
+void write_crack_table(std::ostream& out, const std::vector<Crack>& log, TableFormat format) {
     TableWriter table(out,
                       {"time_s",
                        "step",
@@ -133,61 +133,52 @@ void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, Tabl
                        "opening_m",
                        "sliding_m",
                        "energy_released_J",
-                       "time_separated_s",
                        "time_damaged_10_s",
+                       "opening_damaged_10_m",
+                       "sliding_damaged_10_m",
                        "time_damaged_50_s",
+                       "opening_damaged_50_m",
+                       "sliding_damaged_50_m",
                        "time_broken_s",
                        "opening_broken_m",
                        "sliding_broken_m",
-                       "mode_by_displacement",
-                       "mode_broken",
-                       "mode_broken_by_displacement"},
+                       "time_separated_s",
+                       "opening_separated_m",
+                       "sliding_separated_m",
+                       "mode_by_sign",
+                       "mode_damaged_50_by_sign",
+                       "mode_broken_by_sign"},
                       format);
-    for (const Crack& c : cracks) {
+    for (const Crack& c : log) {
         const auto mode = [&c](const CrackLabel& label) {
             const std::optional<CrackMode> found = mode_of(c, label);
             return found ? Cell(std::string(*found == CrackMode::tensile ? "tensile" : "shear")) : Cell();
         };
-        std::vector<Cell> row{c.time,
-                              c.step,
-                              std::int64_t{c.contact},
-                              std::int64_t{c.point},
-                              mode({}),
-                              c.mode_angle,
-                              c.position[0],
-                              c.position[1],
-                              c.orientation,
-                              c.length,
-                              c.opening,
-                              c.sliding,
-                              c.energy_released,
-                              c.time_separated,
-                              c.time_damaged_10,
-                              c.time_damaged_50,
-                              c.time_broken,
-                              c.opening_broken,
-                              c.sliding_broken};
-        for (const CrackLabel& label : all_crack_labels) {
-            if (!(label == CrackLabel{})) row.push_back(mode(label));
+        std::vector<Cell> row{c.time,       c.step,        std::int64_t{c.contact}, std::int64_t{c.point}, mode({}),
+                              c.mode_angle, c.position[0], c.position[1],           c.orientation,         c.length,
+                              c.opening,    c.sliding,     c.energy_released};
+        for (const CrackMoment& moment : {c.damaged_10, c.damaged_50, c.broken, c.separated}) {
+            row.insert(row.end(), {moment.time, moment.opening, moment.sliding});
         }
+        for (const CrackEvent event : all_crack_events) row.push_back(mode({event, CrackModeRule::sign}));
         table.row(row);
     }
 }
 
-std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
-                                       const EventOptions& options) {
+std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options) {
     EmissionWindow window = default_window(run.header().rock, specimen.statistics.mean_edge);
     window.distance = options.distance.value_or(window.distance);
     window.time = options.time.value_or(window.time);
-    return find_events(cracks, run.header().rock, window);
+    return find_events(read_labelled_cracks(run, specimen), run.header().rock, window);
 }
 
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity) {
     const std::vector<double> all_times = run.frame_times();
     if (all_times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
     const Specimen specimen = run.specimen();
-    const std::vector<Crack> cracks = read_cracks(run, specimen);
-    const std::vector<Crack> shown = read_labelled_cracks(run, specimen, options.label);
+    const std::vector<Crack> log = read_cracks(run, specimen);
+    const CrackLabel label = options.label.of(run.header());
+    const std::vector<Crack> shown = labelled(log, label);
     const RunData data = run_data(run);
     const std::optional<LoadCurve> curve = curve_if_any(data);
     const std::vector<std::size_t> frames = distinct_frames(all_times);
@@ -197,19 +188,19 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const OutputLock lock(folder + "/cracks");
     // The lists of files come last: a folder without them is not whole.
     for (const char* list : {"/grains.pvd", "/cracks.pvd"}) remove_file(folder + list);
-    const Series series{run, specimen, data, shown, options.label, folder};
+    const Series series{run, specimen, data, shown, label, folder};
     const Breakup breakup = write_frames(series, frames, verbosity);
-    const std::vector<EmissionEvent> events = emission_of(run, specimen, cracks, options.events);
+    const std::vector<EmissionEvent> events = emission_of(run, specimen, options.events);
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
     const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };
-    table("cracks", [&](std::ostream& out) { write_crack_table(out, cracks, format); });
+    table("cracks", [&](std::ostream& out) { write_crack_table(out, log, format); });
     table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(shown, specimen), format); });
     table("events", [&](std::ostream& out) { write_events(out, events, format); });
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
     table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
     table("summary", [&](std::ostream& out) {
-        write_crack_summary(out, data, curve, {cracks, specimen}, events, breakup.last, format);
+        write_crack_summary(out, data, curve, {log, specimen, label}, events, breakup.last, format);
     });
     if (curve) {
         table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });

@@ -22,7 +22,7 @@ struct EventOptions {
 /// Options of the export.
 struct CrackExportOptions {
     EventOptions events;
-    CrackLabel label;                       ///< of the maps, the rosette and the counts
+    CrackLabelChoice label;                 ///< of the maps, the rosette and the counts
     TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
     bool paraview = false;                  ///< a Python state beside the series
 };
@@ -33,11 +33,10 @@ struct CrackExportOptions {
 /// peak in summary.tsv. \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
 
-/// The events of a run by its window.
-std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const std::vector<Crack>& cracks,
-                                       const EventOptions& options);
+/// The events of a run by its window, made of the micro-cracks of its contact law.
+std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options);
 
 /// The crack log, every column with its unit.
-void write_crack_table(std::ostream& out, const std::vector<Crack>& cracks, TableFormat format);
+void write_crack_table(std::ostream& out, const std::vector<Crack>& log, TableFormat format);
 
 }  // namespace graincrack

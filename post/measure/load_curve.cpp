@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "post/cracks/crack_counts.hpp"
 #include "share/error.hpp"
 #include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
@@ -54,8 +55,10 @@ SpecimenSummary specimen_summary(const H5Input& file) {
     return summary;
 }
 
-RunData run_data(const RunReader& run) {
-    return {run.name(), run.header(), run.history(), specimen_summary(run.file()), run.wall_time()};
+RunData run_data(const RunReader& run, const CrackLabelChoice& label) {
+    RunData data{run.name(), run.header(), run.history(), specimen_summary(run.file()), run.wall_time()};
+    count_in_history(labelled(run.cracks(), label.of(run.header())), data.history);
+    return data;
 }
 
 RunData read_run_data(const std::string& path) { return run_data(RunReader(path)); }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "post/cracks/crack_label.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {
@@ -36,7 +37,9 @@ struct RunData {
 RunData read_run_data(const std::string& path);
 /// The same for each of several, in their order.
 std::vector<RunData> read_runs(const std::vector<std::string>& paths);
-RunData run_data(const RunReader& run);
+/// \param label of the cracks that the history then counts; the file itself counts points past their peak, by the sign of the
+///        opening
+RunData run_data(const RunReader& run, const CrackLabelChoice& label = {});
 
 struct LoadCurve {
     std::vector<double> axial_strain;    ///< platen approach over height

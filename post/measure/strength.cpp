@@ -76,7 +76,7 @@ std::optional<BrazilianSplit> append_split(std::vector<Cell>& row, const RunRead
         return std::nullopt;
     }
     const Specimen specimen = reader.specimen();
-    BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
+    BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_labelled_cracks(reader, specimen));
     row.push_back(megapascal(split.spanning_stress));
     row.push_back(cell(split.first_crack_radius));
     row.emplace_back(specimen.loading_arc / degree);
@@ -144,7 +144,7 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
         row.emplace_back(value);
     }
     const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
-    for (Cell& each : label_cells(reader.cracks(), time_of_peak)) row.push_back(std::move(each));
+    for (Cell& each : label_cells(reader.cracks(), run.header.crack_event, time_of_peak)) row.push_back(std::move(each));
     row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
 }

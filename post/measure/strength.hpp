@@ -33,7 +33,7 @@ struct Strength {
     std::optional<FirstPeak> first_peak;  ///< uniaxial, triaxial
     /// Stress where the platen strain first reaches `strain_marks`, before or after the peak; empty if the test ended earlier.
     std::array<std::optional<double>, 3> stress_at_marks;
-    double tensile_cracks = 0;  ///< contacts (points ÷ 2) failed by the time of the peak
+    double tensile_cracks = 0;  ///< contacts (points ÷ 2) by the time of the peak, as the history of the run counts them
     double shear_cracks = 0;
 };
 

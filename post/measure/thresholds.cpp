@@ -88,15 +88,15 @@ std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& c
 
 InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
                                         double share) {
-    constexpr double Crack::*times_of_damage[] = {&Crack::time_damaged_10, &Crack::time_damaged_50, &Crack::time_broken};
+    constexpr std::array damages{&Crack::damaged_10, &Crack::damaged_50, &Crack::broken};
     const auto& row_times = run.history[HistoryColumn::time];
     InitiationByDamage initiation;
     for (std::size_t level = 0; level < initiation.size(); ++level) {
         std::vector<double> counts(row_times.size());
         for (const Crack& crack : cracks) {
-            const auto row = std::lower_bound(row_times.begin(), row_times.end(), crack.*times_of_damage[level]);
-            if (row != row_times.end() && crack.*times_of_damage[level] <= *row)
-                counts[static_cast<std::size_t>(row - row_times.begin())] += 1;
+            const double time = (crack.*damages[level]).time;
+            const auto row = std::lower_bound(row_times.begin(), row_times.end(), time);
+            if (row != row_times.end() && time <= *row) counts[static_cast<std::size_t>(row - row_times.begin())] += 1;
         }
         std::partial_sum(counts.begin(), counts.end(), counts.begin());
         initiation[level] = where_counts_begin(curve, counts, share);

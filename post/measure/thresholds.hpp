@@ -31,7 +31,7 @@ inline constexpr double elastic_share[2] = {0.1, 0.3};
 
 Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind);
 
-/// Stress at which as many contacts have failed as `share` of those failed at the peak, Pa; empty without any.
+/// Stress at which there are as many cracks in the history as `share` of those at the peak, Pa; empty without any.
 std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share = 0.01);
 
 /// The same by the contact points that were damaged by 10, 50 and 90 %, Pa: where as many were as `share` of those that were so

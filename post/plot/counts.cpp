@@ -58,7 +58,7 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
 
 Command counts_plot() {
     struct Options : PlotOptions {
-        CrackLabel label;
+        CrackLabelChoice label;
     };
     return make_plot<Options>(
         "counts", "micro-cracks over the loading by mode and pair of minerals",
@@ -72,8 +72,8 @@ Command counts_plot() {
             const RunData data = run_data(run);
             const Specimen specimen = run.specimen();
             const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
-            return draw_counts(count_cracks(data, load_curve(data), specimen, cracks), data, definition_of(options.label),
-                               options.style);
+            return draw_counts(count_cracks(data, load_curve(data), specimen, cracks), data,
+                               definition_of(options.label.of(run.header())), options.style);
         });
 }
 

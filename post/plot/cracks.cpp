@@ -144,7 +144,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
         {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
         {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    map.draw_legend(legend, definition_of(scene.options.label));
+    map.draw_legend(legend, definition_of(scene.options.label.of(scene.data.header)));
     return std::move(map).drawing();
 }
 
@@ -214,7 +214,8 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
         page,
         {{Stroke{palette::tensile, 6}, "tensile cracks"}, {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}},
         column, page.height() + 6);
-    page.set_height(draw_heading(page, {"", {definition_of(scene.options.label)}}, column, end.bottom) + 14);
+    page.set_height(draw_heading(page, {"", {definition_of(scene.options.label.of(scene.data.header))}}, column, end.bottom) +
+                    14);
     return page;
 }
 

@@ -17,7 +17,7 @@ struct CrackMapOptions {
     std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side
     std::optional<double> time;  ///< s
     double magnification = 1;    ///< of the displacements
-    CrackLabel label = {};
+    CrackLabelChoice label = {};
 };
 
 /// \throws InputError, UsageError as `choose_frames` and `read_labelled_cracks`

@@ -205,7 +205,7 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
 Command curve_plot() {
     struct Options : PlotOptions {
         std::vector<std::string> laboratory;  ///< tables of measured curves
-        CrackLabel label;                     ///< of the cracks that are counted beside the curve of one run
+        CrackLabelChoice label;               ///< of the cracks that are counted beside the curve of one run
     };
     return make_plot<Options>(
         "curve", "stress against axial and lateral strain, several runs on one plot",
@@ -226,13 +226,13 @@ Command curve_plot() {
             std::vector<std::string> lines;  // of the only run
             for (const std::string& file : call.files) {
                 const RunReader reader(file);
-                runs.push_back(read_labelled_run(reader, options.label));
+                runs.push_back(run_data(reader, options.label));
                 const std::vector<Objection> objections = objections_to(reader, runs.back());
                 doubts.add(runs.back(), objections);
                 for (const Objection& objection : objections) lines.push_back(subtitle_line(objection));
             }
-            return draw_curves(runs, laboratory, definition_of(options.label), runs.size() == 1 ? lines : doubts.lines(),
-                               options.style);
+            return draw_curves(runs, laboratory, definition_of(options.label.of(runs.front().header)),
+                               runs.size() == 1 ? lines : doubts.lines(), options.style);
         });
 }
 

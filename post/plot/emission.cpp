@@ -64,8 +64,7 @@ Command emission_plot() {
         [](const Options& options, const Call& call) {
             const RunReader run(call.file());
             const Specimen specimen = run.specimen();
-            return draw_emission(emission_of(run, specimen, read_cracks(run, specimen), options.events), test_title(run.header()),
-                                 run.name(), options.style);
+            return draw_emission(emission_of(run, specimen, options.events), test_title(run.header()), run.name(), options.style);
         });
 }
 

@@ -123,7 +123,7 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
 
 Command rosette_plot() {
     struct Options : PlotOptions {
-        CrackLabel label;
+        CrackLabelChoice label;
     };
     return make_plot<Options>(
         "rosette", "directions of the cracks by mode, over those of the facets",
@@ -136,7 +136,8 @@ Command rosette_plot() {
             const RunReader run(call.file());
             const Specimen specimen = run.specimen();
             return draw_rosette(crack_rosette(read_labelled_cracks(run, specimen, options.label), specimen),
-                                test_title(run.header()), run.name(), definition_of(options.label), options.style);
+                                test_title(run.header()), run.name(), definition_of(options.label.of(run.header())),
+                                options.style);
         });
 }
 

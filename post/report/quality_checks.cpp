@@ -18,8 +18,6 @@ namespace {
 
 using html::number;
 
-std::string percent(double share) { return number(100 * share, 3) + "\u00a0%"; }
-
 std::string law_label(const RunHeader& header) {
     const auto& laws = all_contact_laws();
     const auto law =
@@ -44,13 +42,6 @@ std::string confinement_label(const TestReport& t) {
 
 std::string ending_label(const TestReport& t) {
     return t.strength.peak_kind.empty() ? "stopped (" + t.data.header.stop_reason + ")" : t.strength.peak_kind;
-}
-
-std::string sliding_label(const CrackBalance& b) {
-    const auto share = b.share_more_sliding();
-    return share
-               ? fmt::format("{} of {} ({})", whole_contacts(b.tensile_more_sliding), whole_contacts(b.tensile), percent(*share))
-               : "no tensile cracks";
 }
 
 std::vector<double> modes(const ModeCounts& counts) { return {counts.tensile, counts.shear}; }
@@ -174,17 +165,12 @@ const std::vector<Check>& checks() {
          .contacts = [](const TestReport& t) -> std::vector<double> {
              return {t.at_peak.tensile, t.at_peak.shear};
          }},
-        {"tensile cracks with more sliding than opening, at the peak",
-         [](const TestReport& t) { return sliding_label(t.at_peak); }},
+        {"what counts as a crack", [](const TestReport& t) { return definition_of({t.data.header.crack_event}); }},
         {.name = "failed open : closed, by the end",
          .contacts = [](const TestReport& t) -> std::vector<double> {
              return {t.branches.open, t.branches.closed};
          }},
-        {.name = "opened more than slid : not, when they failed, by the end",
-         .contacts = [](const TestReport& t) { return modes(t.failed_by_displacement); }},
         {.name = "broken open : closed, by the end", .contacts = [](const TestReport& t) { return modes(t.broken); }},
-        {.name = "opened more than slid : not, when they broke, by the end",
-         .contacts = [](const TestReport& t) { return modes(t.broken_by_displacement); }},
         {.name = "by traction angle < 45° : 45–90° : compressed",
          .contacts = [](const TestReport& t) -> std::vector<double> {
              return {t.branches.by_tension, t.branches.by_shear, t.branches.compressed};

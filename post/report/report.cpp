@@ -54,7 +54,7 @@ std::string name_of_row(const SizedStrengths& row) {
 }
 
 /// Pictures of one run of a kind, two by two.
-std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabel& label) {
+std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabelChoice& label) {
     const Specimen specimen = run.specimen();
     std::string figures;
     if (run.n_frames() > 0) {
@@ -64,7 +64,7 @@ std::string map_figures(const RunReader& run, const TestReport& t, const std::st
     const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, label);
     if (!cracks.empty()) {
         figures += html::figure(draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name,
-                                             definition_of(label), html::figure_style()),
+                                             definition_of(label.of(t.data.header)), html::figure_style()),
                                 "directions of the cracks by the end");
     }
     figures += html::figure(draw_energy(t.data, html::figure_style()), "energy balance");
@@ -98,7 +98,7 @@ void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
 }
 
 /// Pictures of the first run of each kind, and of the first specimen of each shape and grain size: no map stands there twice.
-void add_maps(Content& content, const std::vector<std::string>& runs, const CrackLabel& label) {
+void add_maps(Content& content, const std::vector<std::string>& runs, const CrackLabelChoice& label) {
     std::set<std::string> seen;
     for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
         const std::size_t first = row.runs.front();
@@ -120,7 +120,7 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         throw_if_interrupted();
         const RunReader run(runs[i]);
         content.tests.push_back(read_test_report(run));
-        content.curves.push_back(read_labelled_run(run, options.label));
+        content.curves.push_back(run_data(run, options.label));
         const TestReport& t = content.tests.back();
         require_same_material(t.data, content.tests.front().data, "a report");
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
@@ -186,7 +186,7 @@ std::string objection_paragraphs(const Content& content) {
 std::string kind_of(const RunHeader& header) { return is_compression(header) ? "compression" : header.test; }
 
 /// Tests whose stresses mean the same share a chart.
-std::string curve_figures(const Content& content, const CrackLabel& label) {
+std::string curve_figures(const Content& content, const CrackLabelChoice& label) {
     std::map<std::string, std::vector<RunData>> kinds;
     for (const RunData& run : content.curves) {
         kinds[kind_of(run.header)].push_back(run);
@@ -194,8 +194,8 @@ std::string curve_figures(const Content& content, const CrackLabel& label) {
     std::string figures;
     for (const auto& [kind, runs] : kinds) {
         const auto lines = objection_lines(content, [&, of = kind](const RunHeader& h) { return kind_of(h) == of; });
-        figures +=
-            html::figure(draw_curves(runs, {}, definition_of(label), lines, html::figure_style()), "stress and strain: " + kind);
+        figures += html::figure(draw_curves(runs, {}, definition_of(label.of(runs.front().header)), lines, html::figure_style()),
+                                "stress and strain: " + kind);
     }
     return figures;
 }

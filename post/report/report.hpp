@@ -14,7 +14,7 @@ namespace graincrack {
 struct ReportOptions {
     std::string material;  ///< name or file, for laboratory values; "" for none
     StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
-    CrackLabel label = {};  ///< of the cracks in maps, roses and curves
+    CrackLabelChoice label = {};  ///< of the cracks in maps, roses and curves
 };
 
 /// The page: key figures, fitted and predicted, quality checks, curves, envelope, maps, energy balance, parameters, provenance.

@@ -34,9 +34,9 @@ ProvenanceEntries provenance_of(const H5Input& file) {
 
 }  // namespace
 
-FailureBranches count_branches(const std::vector<Crack>& cracks) {
+FailureBranches count_branches(const std::vector<Crack>& log) {
     FailureBranches branches;
-    for (const Crack& crack : cracks) {
+    for (const Crack& crack : log) {
         (crack.mode == CrackMode::tensile ? branches.open : branches.closed) += 0.5;
         if (crack.mode_angle < std::numbers::pi / 4) {
             branches.by_tension += 0.5;
@@ -45,7 +45,7 @@ FailureBranches count_branches(const std::vector<Crack>& cracks) {
         } else {
             branches.compressed += 0.5;
         }
-        if (crack.time_separated < std::numeric_limits<double>::infinity()) branches.separated += 0.5;
+        if (crack.separated.time < std::numeric_limits<double>::infinity()) branches.separated += 0.5;
     }
     return branches;
 }
@@ -57,13 +57,14 @@ TestReport read_test_report(const RunReader& run) {
     report.strength = measure_strength(report.data);
     report.moduli = measure_moduli(report.data);
     const Specimen specimen = run.specimen();
-    const std::vector<Crack> cracks = read_cracks(run, specimen);
+    const std::vector<Crack> log = read_cracks(run, specimen);
     const RunHeader& header = report.data.header;
+    const std::vector<Crack> cracks = labelled(log, {header.crack_event});
     report.predicted = predict_moduli(header, specimen);
     if (is_compression(header)) {
         report.thresholds = measure_thresholds(report.curve, VolumeKind::plane);
         report.initiation = initiation_by_count(report.data, report.curve);
-        report.initiation_by_damage = initiation_by_damage(report.data, report.curve, cracks);
+        report.initiation_by_damage = initiation_by_damage(report.data, report.curve, log);
     }
     std::optional<BrazilianSplit> split;
     if (header.test == "brazilian") split = measure_split(report.data, report.curve, specimen, cracks);
@@ -71,10 +72,8 @@ TestReport read_test_report(const RunReader& run) {
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.at_end = balance_cracks(cracks, times.back());
-    report.failed_by_displacement = count_modes(cracks, {CrackEvent::failed, CrackModeRule::displacement}, times.back());
-    report.broken = count_modes(cracks, {CrackEvent::broken, CrackModeRule::sign}, times.back());
-    report.broken_by_displacement = count_modes(cracks, {CrackEvent::broken, CrackModeRule::displacement}, times.back());
-    report.branches = count_branches(cracks);
+    report.broken = count_modes(log, {CrackEvent::broken, CrackModeRule::sign}, times.back());
+    report.branches = count_branches(log);
     report.sensitivity = read_sensitivity(run.file());
     report.contact_zone_length =
         fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);

@@ -25,7 +25,7 @@ struct FailureBranches {
     double compressed = 0;  ///< mode angle above 90°
     double separated = 0;
 };
-FailureBranches count_branches(const std::vector<Crack>& cracks);
+FailureBranches count_branches(const std::vector<Crack>& log);
 
 /// The provenance that a file records, as names and values.
 using ProvenanceEntries = std::vector<std::pair<std::string, std::string>>;
@@ -40,13 +40,10 @@ struct TestReport {
     std::optional<double> initiation;      ///< by crack count, Pa
     InitiationByDamage initiation_by_damage;
     std::vector<Objection> objections;  ///< what speaks against the strength
-    CrackBalance at_peak;
+    CrackBalance at_peak;               ///< by the event of the run
     CrackBalance at_end;
     FailureBranches branches;
-    // Contacts by the end, by the other labels.
-    ModeCounts failed_by_displacement;
-    ModeCounts broken;
-    ModeCounts broken_by_displacement;
+    ModeCounts broken;                        ///< by the end, by the sign of the opening then
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;

@@ -30,6 +30,7 @@ struct CohesiveFrictional {
         .name = "cohesive-frictional",
         .meaning = "friction beside a cohesion that softens over G_II",
         .potential = true,
+        .friction_beside_cohesion = true,
         .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
                        &ContactParameters::open_shear_strength, &ContactParameters::residual_friction_angle}};
     static constexpr bool damages_intact = true;

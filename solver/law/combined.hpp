@@ -47,6 +47,7 @@ struct Combined {
         .name = "combined",
         .meaning = "softening of FEM/DEM codes with G_I and G_II",
         .potential = true,
+        .friction_beside_cohesion = true,
         .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
                        &ContactParameters::residual_friction_angle}};
     static constexpr bool damages_intact = false;

@@ -33,8 +33,14 @@ struct LawDescription {
     std::string_view meaning;  ///< in a few words
     bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
     bool coupling = false;     ///< --coupling; a law without couples the modes by nature
+    bool friction_beside_cohesion = false;  ///< friction bears beside what is left of the cohesion: under pressure a point that
+                                            ///< passes the peak of its cohesion has not lost its strength
     std::array<ContactValue, 6> parameters{};  ///< contact parameters it reads beside those that every law reads
 
+    /// By which micro-cracks are counted.
+    [[nodiscard]] constexpr CrackEvent crack_event() const {
+        return friction_beside_cohesion ? CrackEvent::half_damaged : CrackEvent::failed;
+    }
     [[nodiscard]] constexpr bool reads(ContactValue parameter) const {
         return std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
     }

@@ -27,16 +27,13 @@ Crack make_crack(const ContactEvent& event, double length, double time) {
 
 /// An event of a point after its failure, or in the same step.
 void note_later_event(const ContactEvent& event, double time, Crack& crack) {
+    const CrackMoment now{time, event.motion.opening, event.motion.sliding};
     switch (event.kind) {
         case ContactEventKind::failure: break;
-        case ContactEventKind::damaged_10: crack.time_damaged_10 = time; break;
-        case ContactEventKind::damaged_50: crack.time_damaged_50 = time; break;
-        case ContactEventKind::broken:
-            crack.time_broken = time;
-            crack.opening_broken = event.motion.opening;
-            crack.sliding_broken = event.motion.sliding;
-            break;
-        case ContactEventKind::separation: crack.time_separated = time; break;
+        case ContactEventKind::damaged_10: crack.damaged_10 = now; break;
+        case ContactEventKind::damaged_50: crack.damaged_50 = now; break;
+        case ContactEventKind::broken: crack.broken = now; break;
+        case ContactEventKind::separation: crack.separated = now; break;
     }
 }
 

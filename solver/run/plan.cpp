@@ -44,10 +44,9 @@ constexpr std::size_t size_of_row(const Columns&... /*columns*/) {
 }
 std::size_t size_of_crack() {
     const auto [time, step, contact, point, mode, mode_angle, position, orientation, length, opening, sliding, energy_released,
-                time_separated, time_damaged_10, time_damaged_50, time_broken, opening_broken, sliding_broken] = Crack{};
+                damaged_10, damaged_50, broken, separated] = Crack{};
     return size_of_row(time, step, contact, point, mode, mode_angle, position, orientation, length, opening, sliding,
-                       energy_released, time_separated, time_damaged_10, time_damaged_50, time_broken, opening_broken,
-                       sliding_broken);
+                       energy_released, damaged_10, damaged_50, broken, separated);
 }
 
 /// The state in the first step, with histories of all contact points as if all had failed.

@@ -52,6 +52,7 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.test = name_of(r.loading.test);
     h.material = r.material.name;
     h.contact_law = name_of(r.law);
+    h.crack_event = description_of(r.law).crack_event();
     h.coupling = name_of(r.coupling);
     h.fracture_energy_choice = r.fracture_energy_choice;
     h.plane = r.plane;
@@ -348,7 +349,7 @@ private:
 
     void show_progress() {
         progress_.update(driver_.progress(view()),
-                         fmt::format("stress {:.1f} MPa, {} tensile and {} shear micro-cracks", absolute_stress() * 1e-6,
+                         fmt::format("stress {:.1f} MPa, {} contacts past their peak open, {} closed", absolute_stress() * 1e-6,
                                      whole_contacts(crack_log_.tensile_points()), whole_contacts(crack_log_.shear_points())));
     }
 

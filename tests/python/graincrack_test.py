@@ -65,7 +65,10 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
         self.assertEqual(run.history["tensile_cracks"][-1], (run.cracks["mode"] == 0).sum() / 2)
         peak_time = run.history["time"][run.history["axial_stress"].argmin()]
         before = run.cracks["time"] <= peak_time
-        self.assertEqual(strength["shear_cracks"][0], (run.cracks["mode"][before] == 1).sum() / 2)
+        self.assertEqual(strength["shear_cracks_by_sign"][0], (run.cracks["mode"][before] == 1).sum() / 2)
+        self.assertEqual(run["crack_event"], "failed")
+        tensile = (run.cracks["opening"] >= 0) & (run.cracks["mode_angle"] < np.pi / 4)
+        self.assertEqual(strength["tensile_cracks"][0], tensile[before].sum() / 2)
 
     def test_attributes_and_specimen(self):
         run, specimen = Run("run.h5"), Specimen("specimen.h5")

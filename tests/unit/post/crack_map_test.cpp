@@ -106,7 +106,7 @@ TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
             EXPECT_EQ(data("opening_at_failure"), present[i].opening);
             EXPECT_EQ(data("fracture_energy_at_end"), present[i].energy_released);
             EXPECT_EQ(data("mode_angle"), present[i].mode_angle);
-            EXPECT_EQ(data("separated"), present[i].time_separated <= time ? 1 : 0);
+            EXPECT_EQ(data("separated"), present[i].separated.time <= time ? 1 : 0);
             EXPECT_EQ(data("contact"), present[i].contact);
             EXPECT_EQ(data("damage"), 0);
             EXPECT_EQ(data("phase_a"), 0);
@@ -219,16 +219,15 @@ TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
     const std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     EXPECT_EQ(test::parse_tsv(crack_log).size(), cracks.size() + 1);
     EXPECT_EQ(test::field(crack_log, "mode", 0), cracks[0].mode == CrackMode::tensile ? "tensile" : "shear");
-    EXPECT_EQ(test::field(crack_log, "time_separated_s", 1), "");             // not separated
-    EXPECT_EQ(test::field(crack_log, "mode_by_displacement", 0), "tensile");  // 2 µm of opening, 1 µm of sliding
-    EXPECT_EQ(test::field(crack_log, "mode_broken", 0), "");
+    EXPECT_EQ(test::field(crack_log, "time_separated_s", 1), "");  // not separated
+    EXPECT_EQ(test::field(crack_log, "mode_by_sign", 0), "tensile");
+    EXPECT_EQ(test::field(crack_log, "mode_broken_by_sign", 0), "");
     EXPECT_EQ(test::parse_tsv(test::read_text(map("rosette.tsv"))).size(), 19U);
     const std::string summary = test::read_text(map("summary.tsv"));
     EXPECT_EQ(test::field(summary, "at", 0), "peak");
     EXPECT_EQ(test::field(summary, "at", 1), "end");
     EXPECT_EQ(test::field(summary, "peak_kind", 0), "drop");
     EXPECT_EQ(test::field(summary, "peak_kind", 1), "drop");
-    EXPECT_EQ(test::field(summary, "share_with_more_sliding", 1), "0");  // 1 µm against 2 µm of opening
     EXPECT_EQ(test::field(summary, "fragments", 1), "1");
     const Rosette rosette = crack_rosette(cracks, recipe_.specimen);
     const auto share = [](const std::optional<double>& value) { return cell(value).text(); };

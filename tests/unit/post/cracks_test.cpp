@@ -170,24 +170,19 @@ TEST(Emission, ALineThatMissesItsDataIsKnown) {
 
 TEST(Emission, CompletenessIsTheMostFrequentMagnitude) { EXPECT_NEAR(completeness_of({-6, -5, -5.01, -5.02, -4}), -5.05, 1e-12); }
 
-TEST(CrackBalance, SeparatesModesAndTellsSlidingFromOpening) {
+TEST(CrackBalance, SeparatesModesAndCountsWhatIsSeparated) {
     std::vector<Crack> cracks{crack_at(0, 1, 1e-6, 2e-6), crack_at(0, 1, 2e-6, -1e-6), crack_at(0, 2, 1e-6, -2e-6),
                               crack_at(0, 2, 0, 1e-6)};
     cracks[3].mode = CrackMode::shear;
-    cracks[3].mode_angle = 2.5;
-    cracks[0].time_separated = 1.5;
-    cracks[2].time_separated = 9;
+    cracks[0].separated.time = 1.5;
+    cracks[2].separated.time = 9;
     const CrackBalance early = balance_cracks(cracks, 1);
     EXPECT_DOUBLE_EQ(early.tensile, 1);
     EXPECT_DOUBLE_EQ(early.separated, 0);
-    EXPECT_DOUBLE_EQ(*early.share_more_sliding(), 0.5);
     const CrackBalance late = balance_cracks(cracks, 3);
     EXPECT_DOUBLE_EQ(late.tensile, 1.5);
     EXPECT_DOUBLE_EQ(late.shear, 0.5);
     EXPECT_DOUBLE_EQ(late.separated, 0.5);
-    EXPECT_DOUBLE_EQ(late.tensile_more_sliding, 1);
-    EXPECT_DOUBLE_EQ(late.tensile_by_traction, 1.5);  // the mode angle of the others is 0
-    EXPECT_FALSE(balance_cracks({}, 1).share_more_sliding().has_value());
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(ReportBranches, CountsByModeAndByAngle) {
     cracks[1].mode_angle = 1.2;
     cracks[2].mode_angle = 2.0;
     cracks[2].mode = CrackMode::shear;
-    cracks[2].time_separated = 1;
+    cracks[2].separated.time = 1;
     const FailureBranches b = count_branches(cracks);
     EXPECT_DOUBLE_EQ(b.open, 1);
     EXPECT_DOUBLE_EQ(b.closed, 0.5);

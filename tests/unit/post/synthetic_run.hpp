@@ -105,6 +105,7 @@ struct Recipe {
     double yield_share = 2;  ///< from this share of the peak on the tangent is halved; > 1: never
     Specimen specimen = grid_specimen(8, 16, 0.08, 0.16);
     int rows = 101;
+    CrackEvent crack_event = CrackEvent::failed;
 };
 
 /// Elastic loading in equal steps of stress up to the peak at time 1 s, then a straight fall until 1.25 s. A triaxial
@@ -163,6 +164,7 @@ inline RunHeader synthetic_header(const Recipe& r) {
     header.test = r.test;
     header.material = "Augig granite";
     header.contact_law = "scaled";
+    header.crack_event = r.crack_event;
     header.coupling = "full";
     header.fracture_energy_choice = "mode-i";
     header.plane = r.plane;
@@ -242,7 +244,7 @@ inline std::vector<Crack> synthetic_cracks(const Specimen& s) {
     for (std::size_t i = 0; i < cracks.size(); ++i) {
         cracks[i].time = 0.5 + 0.7 * static_cast<double>(i) / static_cast<double>(cracks.size());
         cracks[i].step = static_cast<std::int64_t>(1000 * cracks[i].time);
-        if (i % 2 == 0) cracks[i].time_separated = cracks[i].time;
+        if (i % 2 == 0) cracks[i].separated.time = cracks[i].time;
     }
     return cracks;
 }

@@ -32,6 +32,7 @@ RunHeader header() {
     h.test = "triaxial";
     h.material = "Augig granite";
     h.contact_law = "continuous";
+    h.crack_event = CrackEvent::half_damaged;
     h.coupling = "none";
     h.fracture_energy_choice = "mixed";
     h.plane = PlaneCondition::stress;
@@ -105,8 +106,7 @@ Frame frame_at(double time) {
 }
 
 std::vector<Crack> cracks() {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    return {{0.5, 500, 3, 1, CrackMode::tensile, 0.1, {0.001, -0.002}, 1.2, 0.005, 1e-6, -2e-6, 0.75, nan},
+    return {{0.5, 500, 3, 1, CrackMode::tensile, 0.1, {0.001, -0.002}, 1.2, 0.005, 1e-6, -2e-6, 0.75},
             {0.6,
              6000000000,
              2,
@@ -119,12 +119,10 @@ std::vector<Crack> cracks() {
              -1e-7,
              3e-6,
              0.25,
-             0.9,
-             0.65,
-             0.7,
-             0.8,
-             2e-6,
-             -4e-6}};
+             {0.65, 1e-7, 1e-6},
+             {0.7, 2e-7, 2e-6},
+             {0.8, 2e-6, -4e-6},
+             {0.9, 3e-6, 5e-6}}};
 }
 
 /// Writes a run, to which `write` may add data before the file is finished.
@@ -146,6 +144,7 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(r.coupling, "none");
     EXPECT_EQ(r.fracture_energy_choice, "mixed");
     EXPECT_EQ(r.plane, PlaneCondition::stress);
+    EXPECT_EQ(r.crack_event, CrackEvent::half_damaged);
     EXPECT_EQ(r.mass_scaling, "selective");
     EXPECT_EQ(r.rate, "blocks");
     EXPECT_EQ(r.rate_tolerance, 0.25);
@@ -188,6 +187,19 @@ TEST(RunFile, HeaderRoundTrip) {
     EXPECT_EQ(run.wall_time(), 12.25);
     EXPECT_EQ(run.threads(), 3);
     EXPECT_EQ(run.specimen().contact_nodes, specimen().contact_nodes);
+}
+
+TEST(RunFile, AnUnknownCrackEventIsRefused) {
+    const TemporaryFolder folder;
+    write_run(folder.file("new.h5"), [](RunWriter& w) { w.append_history(history(1)); });
+    std::ifstream input(folder.file("new.h5"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    const std::size_t at = bytes.find("half-damaged");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at] = 'c';
+    std::ofstream(folder.file("other.h5"), std::ios::binary) << bytes;
+    expect_one_line<InputError>([&] { RunReader(folder.file("other.h5")); },
+                                {"other.h5", "crack_event", "calf-damaged", "failed, half-damaged or broken"});
 }
 
 // Imitated by giving the attribute another name.
@@ -320,13 +332,14 @@ TEST(RunFile, Cracks) {
         EXPECT_EQ(read[i].sliding, expected[i].sliding);
         EXPECT_EQ(read[i].energy_released, expected[i].energy_released);
     }
-    EXPECT_TRUE(std::isnan(read[0].time_separated) && std::isnan(read[0].time_damaged_10) && std::isnan(read[0].time_broken));
-    EXPECT_EQ(read[1].time_separated, 0.9);
-    EXPECT_EQ(read[1].time_damaged_10, 0.65);
-    EXPECT_EQ(read[1].time_damaged_50, 0.7);
-    EXPECT_EQ(read[1].time_broken, 0.8);
-    EXPECT_EQ(read[1].opening_broken, 2e-6);
-    EXPECT_EQ(read[1].sliding_broken, -4e-6);
+    EXPECT_TRUE(std::isnan(read[0].separated.time) && std::isnan(read[0].damaged_10.time) && std::isnan(read[0].broken.time));
+    EXPECT_EQ(read[1].damaged_10, expected[1].damaged_10);
+    EXPECT_EQ(read[1].damaged_50, expected[1].damaged_50);
+    EXPECT_EQ(read[1].broken, expected[1].broken);
+    EXPECT_EQ(read[1].separated, expected[1].separated);
+    const H5Input file(folder.file("r.h5"));
+    EXPECT_EQ(file.read<double>("/cracks/sliding_damaged_50")[1], 2e-6);
+    EXPECT_EQ(file.read<double>("/cracks/opening_separated")[1], 3e-6);
 }
 
 TEST(RunFile, ARunWithoutCracksAndFramesReadsBack) {

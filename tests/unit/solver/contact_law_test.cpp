@@ -38,6 +38,13 @@ TEST(ContactLawTable, EveryParameterIsReadByEveryLawOrByThoseThatNameIt) {
     }
 }
 
+TEST(ContactLawTable, LawsWithFrictionBesideCohesionCountDamage) {
+    for (const LawDescription& law : all_contact_laws()) {
+        const bool beside = law.variant == LawVariant::combined || law.variant == LawVariant::cohesive_frictional;
+        EXPECT_EQ(law.crack_event(), beside ? CrackEvent::half_damaged : CrackEvent::failed) << law.name;
+    }
+}
+
 TEST(ContactLawPoint, ConstantsFromTheParameters) {
     const ContactParameters p = augig_contact();
     const ContactLaw literal = make_contact_law(p, LawVariant::literal, Coupling::none);

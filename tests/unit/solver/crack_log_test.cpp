@@ -49,7 +49,7 @@ TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
         EXPECT_EQ(rows[i].contact, contacts[i]);
         EXPECT_EQ(rows[i].step, i < 3 ? 5 : 6);
         expect_close(rows[i].time, i < 3 ? 5e-3 : 6e-3, 1e-15, 1e-3);
-        EXPECT_TRUE(std::isnan(rows[i].time_separated));
+        EXPECT_TRUE(std::isnan(rows[i].separated.time));
         EXPECT_EQ(rows[i].length, run.assemblage.contacts[static_cast<std::size_t>(contacts[i])].point_area);
     }
     EXPECT_EQ(rows[1].energy_released, 0.25);
@@ -71,7 +71,7 @@ TEST(CrackLog, SeparationIsNoCrackOfItsOwn) {
     run.state.events[0] = {separation, event(9, 4, 1)};  // both at once, in any order
     crack_log.collect(run.assemblage, 1.0, run.state);
     ASSERT_EQ(crack_log.rows(run.assemblage, run.state).size(), 1U);
-    EXPECT_EQ(crack_log.rows(run.assemblage, run.state)[0].time_separated, 9);
+    EXPECT_EQ(crack_log.rows(run.assemblage, run.state)[0].separated.time, 9);
     separation.contact = 5;  // a crack that was there before the run
     run.state.events[0] = {separation};
     crack_log.collect(run.assemblage, 1.0, run.state);
@@ -91,17 +91,16 @@ TEST(CrackLog, LaterEventsCompleteTheRow) {
     run.state.events[0] = {later(7, ContactEventKind::damaged_50), later(7, ContactEventKind::damaged_10), event(7, 4, 1)};
     crack_log.collect(run.assemblage, 1.0, run.state);
     Crack row = crack_log.rows(run.assemblage, run.state).at(0);
-    EXPECT_TRUE(std::isnan(row.time_broken) && std::isnan(row.opening_broken) && std::isnan(row.sliding_broken));
+    EXPECT_TRUE(std::isnan(row.broken.time) && std::isnan(row.broken.opening) && std::isnan(row.broken.sliding));
+    EXPECT_TRUE(std::isnan(row.separated.time) && std::isnan(row.separated.opening) && std::isnan(row.separated.sliding));
     run.state.events[0] = {later(9, ContactEventKind::broken), later(11, ContactEventKind::separation)};
     crack_log.collect(run.assemblage, 1.0, run.state);
     ASSERT_EQ(crack_log.rows(run.assemblage, run.state).size(), 1U);
     row = crack_log.rows(run.assemblage, run.state)[0];
-    EXPECT_EQ(row.time_damaged_10, 7);
-    EXPECT_EQ(row.time_damaged_50, 7);
-    EXPECT_EQ(row.time_broken, 9);
-    EXPECT_EQ(row.opening_broken, 1e-6 * 9);
-    EXPECT_EQ(row.sliding_broken, -2e-6);
-    EXPECT_EQ(row.time_separated, 11);
+    EXPECT_EQ(row.damaged_10, (CrackMoment{7, 1e-6 * 7, -2e-6}));
+    EXPECT_EQ(row.damaged_50, (CrackMoment{7, 1e-6 * 7, -2e-6}));
+    EXPECT_EQ(row.broken, (CrackMoment{9, 1e-6 * 9, -2e-6}));
+    EXPECT_EQ(row.separated, (CrackMoment{11, 1e-6 * 11, -2e-6}));
     EXPECT_EQ(row.opening, -1e-7);  // at failure, as before
 }
 
@@ -131,11 +130,13 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
         expect_close(std::remainder(crack.orientation, std::numbers::pi), 0, 1e-3, 1);
         EXPECT_GT(crack.opening, run.parameters.laws[0].dct);
         EXPECT_LT(std::abs(crack.mode_angle), 0.5);  // mostly opening
-        EXPECT_GT(crack.time_damaged_10, crack.time);
-        EXPECT_GT(crack.time_damaged_50, crack.time_damaged_10);
-        EXPECT_GT(crack.time_broken, crack.time_damaged_50);
-        EXPECT_GT(crack.time_separated, crack.time_broken);
-        EXPECT_GT(crack.opening_broken, crack.opening);
+        EXPECT_GT(crack.damaged_10.time, crack.time);
+        EXPECT_GT(crack.damaged_50.time, crack.damaged_10.time);
+        EXPECT_GT(crack.broken.time, crack.damaged_50.time);
+        EXPECT_GT(crack.separated.time, crack.broken.time);
+        EXPECT_GT(crack.damaged_50.opening, crack.opening);
+        EXPECT_GT(crack.broken.opening, crack.damaged_50.opening);
+        EXPECT_GT(crack.separated.opening, crack.broken.opening);
         const double whole =
             0.01 * test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i).fracture_energy;
         expect_close(crack.energy_released, whole, 1e-12, whole);
