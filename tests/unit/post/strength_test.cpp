@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "post/cracks/crack_counts.hpp"
 #include "share/error.hpp"
 #include "synthetic_run.hpp"
 
