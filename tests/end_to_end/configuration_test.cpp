@@ -35,7 +35,7 @@ TEST(Configuration, FlagsWinOverEnvironmentOverFile) {
     const Shell shell;
     write_text(shell.file("config.toml"), "seed = 1\n[disc]\ndiameter = \"20mm\"\ngrains = 60\n");
     const auto seed = [&](const std::string& before, const std::string& after) {
-        return shell.must(before + " graincrack-mesh disc --config config.toml " + after + " --print-config | grep seed");
+        return shell.must(before + " graincrack-mesh disc --config config.toml " + after + " --print-config | grep '^seed'");
     };
     EXPECT_EQ(seed("", ""), "seed = 1\n");
     EXPECT_EQ(seed("GRAINCRACK_SEED=2", ""), "seed = 2\n");

@@ -25,7 +25,7 @@ TEST(Help, ExamplesOfTheMesherRun) {
     const auto examples = examples_of(shell.must("graincrack-mesh --help"));
     ASSERT_EQ(examples.size(), 3u);
     for (const std::string& example : examples) shell.must(example);
-    EXPECT_EQ(shell.names(), "disc.h5\nspecimen.h5\n");
+    EXPECT_EQ(shell.names(), "disc.h5\nminerals.h5\nspecimen.h5\n");
 }
 
 TEST(Help, ExamplesOfTheSolverAreRight) {
@@ -101,7 +101,7 @@ TEST(Help, EverySubcommandExplainsItself) {
         EXPECT_EQ(outcome.exit_code, 0) << command;
         EXPECT_EQ(outcome.err, "") << command;
         EXPECT_NE(outcome.out.find("Usage: graincrack-"), std::string::npos) << command;
-        EXPECT_EQ(examples_of(outcome.out).size(), 2u) << command;
+        EXPECT_GE(examples_of(outcome.out).size(), 2u) << command;
     }
 }
 
