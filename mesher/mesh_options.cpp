@@ -47,8 +47,10 @@ void add_mesh_options(CLI::App& shape, MeshOptions& options) {
                                "seed of the strength of grain boundaries; default: that of --seed", 0);
     detail::add_value(
         shape, "--material", [&options](const std::string& text) { options.material = text; },
-        "material (name or TOML file) whose phases and scatter of strengths are taken unless given, and whose bounds of the grain "
-        "size are printed", "NAME|FILE", "");
+        "material (name or TOML file) whose phases and scatter of strengths are taken unless given, and whose bounds of the "
+        "grain "
+        "size are printed",
+        "NAME|FILE", "");
     detail::add_value(
         shape, "-o,--output", [&options](const std::string& text) { options.output = text; },
         "specimen file to write; - for stdout", "FILE|-", "");

@@ -131,7 +131,8 @@ void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::s
         MaterialFabric read;
         for (const TomlEntry& entry : toml.entries) {
             std::optional<TomlKeys> table = entry.section.empty() ? std::nullopt : fabric_table(read, entry.section);
-            if (!table) throw InputError(fmt::format("{}: line {}: only tables of phases are wanted here", toml.file, entry.line));
+            if (!table)
+                throw InputError(fmt::format("{}: line {}: only tables of phases are wanted here", toml.file, entry.line));
             table->read(toml.file, entry);
         }
         fabric.phases.merge(read.phases);

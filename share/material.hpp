@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "share/contact_parameters.hpp"
-#include "share/material_fabric.hpp"
 #include "share/fracture_process_zone.hpp"
+#include "share/material_fabric.hpp"
 #include "share/quantities.hpp"
 
 namespace graincrack {

@@ -55,9 +55,7 @@ std::string comment_of_example(const std::string& line) {
     return at == std::string::npos ? "" : line.substr(at + 4);
 }
 
-bool is_in(const TomlEntry& entry, const std::string& table) {
-    return fmt::format("{}", fmt::join(entry.section, ".")) == table;
-}
+bool is_in(const TomlEntry& entry, const std::string& table) { return fmt::format("{}", fmt::join(entry.section, ".")) == table; }
 
 /// Lines of a file, and those to add behind some of them.
 class Edit {

@@ -19,7 +19,7 @@ struct TomlKey {
     std::function<void(double)> set;
     bool needed = false;
     bool found = false;
-    std::vector<std::string> words = {};                        ///< that a key of a word may have; none: any
+    std::vector<std::string> words = {};                         ///< that a key of a word may have; none: any
     std::function<void(const std::string&)> set_word = nullptr;  ///< of a key of a word
 
     [[nodiscard]] bool is_word() const { return set_word != nullptr; }

@@ -101,8 +101,9 @@ void add_contact_options(CLI::App& command, ContactOptions& o) {
         ->type_name("NAME");
     std::vector<std::string> laws;
     for (const LawDescription& law : all_contact_laws()) laws.emplace_back(law.name);
-    add_choice(command, "--contact-law", o.law, laws,
-               fmt::format("contact law; see share/doc/laws.md; default: the material's, else {}", name_of(SimulationRequest{}.law)));
+    add_choice(
+        command, "--contact-law", o.law, laws,
+        fmt::format("contact law; see share/doc/laws.md; default: the material's, else {}", name_of(SimulationRequest{}.law)));
     add_choice<Coupling>(command, "--coupling", o.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
                          "full: failure in one mode takes the cohesion in both; none: each mode for itself");
     add_parameters(command, o);

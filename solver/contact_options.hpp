@@ -13,7 +13,7 @@ namespace graincrack {
 struct ContactOptions {
     std::string material;
     std::string plane;  ///< "strain", "stress" or empty: strain, but stress for brazilian
-    std::string law;  ///< "": the material's, else that of a request
+    std::string law;    ///< "": the material's, else that of a request
     Coupling coupling = Coupling::full;
     GivenContact given;                                   ///< in place of the material's; its fracture energy is the next
     std::optional<FractureEnergyChoice> fracture_energy;  ///< --fracture-energy

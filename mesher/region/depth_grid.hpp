@@ -39,7 +39,8 @@ private:
         const double x = (p.x - low_.x) * inv_size_;
         const double y = (p.y - low_.y) * inv_size_;
         if (!(x >= 0 && y >= 0 && x < width_ && y < height_)) return nullptr;
-        return &cells_[static_cast<std::size_t>(static_cast<int>(y) * n_x_ + static_cast<int>(x))];
+        const int index = static_cast<int>(y) * n_x_ + static_cast<int>(x);
+        return &cells_[index];
     }
     [[nodiscard]] static Nearest nearest(const Cell& cell, Point p);
     [[nodiscard]] bool is_deep_in(const Cell& cell, Point p, double depth) const;

@@ -172,7 +172,8 @@ void Chart::point_apart(double x, double y, const Marker& marker) {
     };
     Pixel at = own;
     for (int step = 1; taken(at) && step < 40; ++step) {
-        at.x = own.x + (step % 2 == 1 ? -1 : 1) * distance * ((step + 1) / 2);
+        const int places = (step + 1) / 2;
+        at.x = own.x + (step % 2 == 1 ? -1 : 1) * distance * places;
         if (!inside(at)) at = own;  // not this side
     }
     if (at.x != own.x) drawing_.line(own, at, 1.6, marker.colour);

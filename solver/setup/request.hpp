@@ -64,10 +64,10 @@ struct LoadingRequest {
 
 /// Everything a run is made of, besides the specimen.
 struct SimulationRequest {
-    LoadingRequest loading;          ///< of a standard test; of a program only what platens are like
-    std::optional<Program> program;  ///< to run; that of the standard test if missing (`program_of`)
-    Material material;               ///< with the contact parameters to use
-    ContactParameters contact;       ///< derived from it, validated
+    LoadingRequest loading;                               ///< of a standard test; of a program only what platens are like
+    std::optional<Program> program;                       ///< to run; that of the standard test if missing (`program_of`)
+    Material material;                                    ///< with the contact parameters to use
+    ContactParameters contact;                            ///< derived from it, validated
     std::optional<FractureEnergyChoice> fracture_energy;  ///< in place of the material's
     std::string fracture_energy_choice = "mode-i";
     PlaneCondition plane = PlaneCondition::strain;

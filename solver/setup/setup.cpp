@@ -16,14 +16,16 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
     if (r.material.fabric.phases.empty()) {
         return uniform_fabric(r.material.rock, r.contact, specimen.phase_names.size());
     }
-    const Fabric fabric = graincrack::fabric_of(r.material, r.plane, r.fracture_energy, specimen.phase_names);
+    Fabric fabric = graincrack::fabric_of(r.material, r.plane, r.fracture_energy, specimen.phase_names);
     const std::vector<std::string> names = contact_class_names(specimen.phase_names);
     for (std::size_t k = 0; k < fabric.contacts.size(); ++k) {
         const FractureEnergies least = min_fracture_energies(make_contact_law(fabric.contacts[k], r.law, Coupling::full));
-        if (!(fabric.contacts[k].fracture_energy >= least.opening && fabric.contacts[k].mode_ii_fracture_energy >= least.sliding)) {
-            throw InputError(fmt::format("{}: the fracture energies of contacts {} are less than such a contact of the law {} takes "
-                                         "to its peak; at least {:.4g} J/m2 in opening and {:.4g} J/m2 in sliding fit",
-                                         r.material.file.string(), names[k], name_of(r.law), least.opening, least.sliding));
+        if (!(fabric.contacts[k].fracture_energy >= least.opening &&
+              fabric.contacts[k].mode_ii_fracture_energy >= least.sliding)) {
+            throw InputError(
+                fmt::format("{}: the fracture energies of contacts {} are less than such a contact of the law {} takes "
+                            "to its peak; at least {:.4g} J/m2 in opening and {:.4g} J/m2 in sliding fit",
+                            r.material.file.string(), names[k], name_of(r.law), least.opening, least.sliding));
         }
     }
     return fabric;
