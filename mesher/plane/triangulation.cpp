@@ -175,8 +175,8 @@ std::vector<int> hilbert_order(std::span<const Point> points) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    const double extent = std::max({high.x - low.x, high.y - low.y, std::numeric_limits<double>::min()});
-    const double scale = 16777215.0 / extent;
+    const double extent = std::max(high.x - low.x, high.y - low.y);
+    const double scale = extent > 0 ? 16777215.0 / extent : 0;  // one point has no extent
     std::vector<std::pair<std::uint64_t, int>> keyed(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto x = static_cast<std::uint32_t>((points[i].x - low.x) * scale);
