@@ -176,9 +176,8 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const std::vector<double> all_times = run.frame_times();
     if (all_times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
     const Specimen specimen = run.specimen();
-    const std::vector<Crack> log = read_cracks(run, specimen);
     const CrackLabel label = options.label.of(run.header());
-    const std::vector<Crack> shown = labelled(log, label);
+    const std::vector<Crack> shown = labelled(read_cracks(run, specimen), label);
     const RunData data = run_data(run);
     const std::optional<LoadCurve> curve = curve_if_any(data);
     const std::vector<std::size_t> frames = distinct_frames(all_times);
@@ -191,6 +190,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const Series series{run, specimen, data, shown, label, folder};
     const Breakup breakup = write_frames(series, frames, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, options.events);
+    const std::vector<Crack> log = read_cracks(run, specimen);
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
     const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };
