@@ -1,8 +1,9 @@
 // Checkpoints: what a long test writes beside its run file now and then, for another run to go on to the same end.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "share/run_file.hpp"
 
@@ -14,13 +15,14 @@ inline std::string checkpoint_of(const std::string& output) { return output + ".
 /// Wall time since something was last done.
 class WallClock {
 public:
-    [[nodiscard]] double elapsed() const {  ///< s
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    }
-    void restart() { begin_ = std::chrono::steady_clock::now(); }
+    /// \param seconds what a clock shows, s
+    explicit WallClock(std::function<double()> seconds) : seconds_(std::move(seconds)) {}
+    [[nodiscard]] double elapsed() const { return seconds_() - begin_; }  ///< s
+    void restart() { begin_ = seconds_(); }
 
 private:
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::function<double()> seconds_;
+    double begin_ = seconds_();
 };
 
 /// Makes way for the checkpoints of a new run: another one of that name is refused unless it is to be discarded.

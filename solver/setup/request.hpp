@@ -1,6 +1,7 @@
 // What is asked of a run, besides the specimen.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -62,6 +63,11 @@ struct LoadingRequest {
     }
 };
 
+/// What the machine's clock that is never set shows, s.
+inline double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Everything a run is made of, besides the specimen.
 struct SimulationRequest {
     LoadingRequest loading;                               ///< of a standard test; of a program only what platens are like
@@ -82,6 +88,7 @@ struct SimulationRequest {
     bool save_state = false;                    ///< at the end, for another run to go on from
     std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
     std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
+    std::function<double()> wall_clock = steady_seconds;  ///< that `checkpoint_interval` counts, s
     bool discard_checkpoint = false;            ///< of a run of the same output that has not ended
     /// Asked after each row of the history, with the number of rows: whether to stop there with a checkpoint, as on a signal.
     std::function<bool(std::size_t)> stops_after;
