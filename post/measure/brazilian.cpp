@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/cracks/crack_label.hpp"
 #include "post/cracks/crack_network.hpp"
 
 namespace graincrack {
@@ -28,20 +29,20 @@ std::optional<double> time_of_span(const Specimen& specimen, const std::vector<C
     return std::nullopt;
 }
 
-std::optional<double> radius_of_first(const Specimen& specimen, const std::vector<Crack>& tensile, double peak_time) {
-    const auto late = std::find_if(tensile.begin(), tensile.end(), [&](const Crack& c) { return c.time > peak_time; });
-    const auto by_peak = static_cast<std::size_t>(late - tensile.begin());
+std::optional<double> radius_of_first(const Specimen& specimen, const std::vector<Crack>& open, double peak_time) {
+    const auto late = std::find_if(open.begin(), open.end(), [&](const Crack& c) { return c.time > peak_time; });
+    const auto by_peak = static_cast<std::size_t>(late - open.begin());
     if (by_peak == 0) return std::nullopt;
     const std::size_t n = std::clamp<std::size_t>(by_peak / 20, std::min<std::size_t>(2, by_peak), by_peak);
     double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += std::hypot(tensile[i].position[0], tensile[i].position[1]);
+    for (std::size_t i = 0; i < n; ++i) sum += std::hypot(open[i].position[0], open[i].position[1]);
     return sum / static_cast<double>(n) / (specimen.width / 2);
 }
 
 std::vector<Objection> find_objections(const BrazilianSplit& split, double peak) {
     std::vector<Objection> found;
     if (!split.spanning_stress) {
-        const std::string text = fmt::format("tensile cracks never span {:.2g} D", spanning_share);
+        const std::string text = fmt::format("open cracks never span {:.2g} D", spanning_share);
         found.push_back({text, text});
     } else if (const double off = 1 - *split.spanning_stress / peak; std::abs(off) > 0.05) {
         found.push_back({"the largest load is not that of the split",
@@ -62,8 +63,10 @@ std::string BrazilianSplit::warning() const {
     return label;
 }
 
-BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks) {
+BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen,
+                             const std::vector<Crack>& log) {
     const auto& times = run.history[HistoryColumn::time];
+    std::vector<Crack> cracks = labelled(log, {CrackEvent::failed, CrackModeRule::sign});
     std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
     BrazilianSplit split;
     if (const auto time = time_of_span(specimen, cracks)) split.spanning_stress = at_time(times, curve.stress, *time);

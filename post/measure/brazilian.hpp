@@ -11,10 +11,10 @@
 namespace graincrack {
 
 struct BrazilianSplit {
-    /// 2F/(π t D) when the tensile cracks of one network (linked by cracks of either mode) first span `spanning_share` of the
+    /// 2F/(π t D) when the open cracks of one network (linked by closed ones too) first span `spanning_share` of the
     /// diameter along the load, Pa; empty if they never do.
     std::optional<double> spanning_stress;
-    /// Mean distance of the first tensile cracks (the first 5 % of those at the peak, two points at least) from the centre
+    /// Mean distance of the first open cracks (the first 5 % of those at the peak, two points at least) from the centre
     /// over the radius; empty without any.
     std::optional<double> first_crack_radius;
     /// Why 2Fmax/(π t D) may not be the tensile strength.
@@ -24,7 +24,8 @@ struct BrazilianSplit {
 };
 inline constexpr double spanning_share = 0.8;
 
-/// \param cracks of the run, in any order
-BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks);
+/// What splits a disc is what opens, whatever traction it began with: cracks are points past their peak, told by the sign of
+/// opening. \param log crack log of the run, in any order
+BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, const std::vector<Crack>& log);
 
 }  // namespace graincrack

@@ -44,7 +44,7 @@ std::vector<Objection> objections_to(const RunData& run, const std::optional<Bra
 std::vector<Objection> objections_to(const RunReader& reader, const RunData& run) {
     if (run.header.test != "brazilian") return objections_to(run, std::nullopt);
     const Specimen specimen = reader.specimen();
-    return objections_to(run, measure_split(run, load_curve(run), specimen, read_labelled_cracks(reader, specimen)));
+    return objections_to(run, measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen)));
 }
 
 std::string subtitle_line(const Objection& objection) {

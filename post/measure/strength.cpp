@@ -76,7 +76,7 @@ std::optional<BrazilianSplit> append_split(std::vector<Cell>& row, const RunRead
         return std::nullopt;
     }
     const Specimen specimen = reader.specimen();
-    BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_labelled_cracks(reader, specimen));
+    BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
     row.push_back(megapascal(split.spanning_stress));
     row.push_back(cell(split.first_crack_radius));
     row.emplace_back(specimen.loading_arc / degree);

@@ -98,8 +98,22 @@ TEST(Brazilian, LoadAtTheSpanIsThatOfItsTime) {
     EXPECT_NEAR(std::stod(warning_of(split(recipe.specimen, 8), "spanning_strength_MPa")), 4, 1e-3);
     EXPECT_EQ(warning_of(split(recipe.specimen, 8), "warning"), "load at the span is 60 % below the largest");
     EXPECT_EQ(warning_of(split(recipe.specimen, 6), "spanning_strength_MPa"), "");
-    EXPECT_EQ(warning_of(split(recipe.specimen, 6), "warning"), "tensile cracks never span 0.8 D");
+    EXPECT_EQ(warning_of(split(recipe.specimen, 6), "warning"), "open cracks never span 0.8 D");
     EXPECT_NEAR(std::stod(warning_of(split(recipe.specimen, 8), "loading_arc_deg")), 0.1 * 180 / 3.14159265358979, 1e-5);
+}
+
+TEST(Brazilian, WhatOpensSplitsWhateverTractionItBeganWith) {
+    const Recipe recipe = disc();
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    run.specimen.width = run.specimen.height = 0.08;
+    const LoadCurve curve = load_curve(run);
+    std::vector<Crack> cracks = split(recipe.specimen, 8);
+    for (Crack& crack : cracks) crack.mode_angle = 1.2;  // more shear than tension: open cracks of shear by their traction
+    EXPECT_TRUE(measure_split(run, curve, recipe.specimen, cracks).spanning_stress);
+    for (Crack& crack : cracks) crack.opening = -1e-6;
+    EXPECT_FALSE(measure_split(run, curve, recipe.specimen, cracks).spanning_stress);
 }
 
 TEST(Brazilian, NoWarningWhenTheSplitIsThePeakAndBeginsInside) {

@@ -175,7 +175,7 @@ TEST_F(Picture, SubtitlesSayWhatSpeaksAgainstAStrength) {
     test::Recipe disc;
     disc.test = "brazilian";  // the synthetic cracks span half of the height
     test::write_run(path("disc.h5"), disc);
-    const std::string line = "against this strength: tensile cracks never span 0.8 D";
+    const std::string line = "against this strength: open cracks never span 0.8 D";
     for (const char* frame : {"last", "first,last"}) {
         const std::string map = to_svg(draw_cracks(RunReader(path("disc.h5")), {frame, std::nullopt, 1}));
         EXPECT_NE(map.find(line), std::string::npos) << frame;
@@ -191,7 +191,7 @@ TEST_F(Picture, SubtitlesSayWhatSpeaksAgainstAStrength) {
     };
     const std::string run = path("disc.h5");
     EXPECT_NE(svg_of({"plot", "curve", run.c_str()}).find(line), std::string::npos);
-    EXPECT_NE(svg_of({"plot", "strength", run.c_str()}).find("Brazilian: tensile cracks never span 0.8 D (1 of 1 run)"),
+    EXPECT_NE(svg_of({"plot", "strength", run.c_str()}).find("Brazilian: open cracks never span 0.8 D (1 of 1 run)"),
               std::string::npos);
 }
 
