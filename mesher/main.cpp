@@ -17,7 +17,6 @@
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/material.hpp"
-#include "share/printable.hpp"
 #include "share/progress.hpp"
 #include "share/provenance.hpp"
 
@@ -86,7 +85,7 @@ int run(int argc, char** argv) {
     if (options->verbosity != Verbosity::quiet) {
         print(std::cerr, describe_mesh(specimen, options->request, report));
         if (material) {
-            for (const std::string& note : material->notes) std::cerr << "graincrack-mesh: " << printable(note) << '\n';
+            write_notes(std::cerr, "graincrack-mesh", *material);
             print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
         }
     }

@@ -62,6 +62,7 @@ std::vector<Command> commands() {
         calibrate_command(),
         claims_command(),
         cracks_command(),
+        classes_command(),
         report_command(),
         page_command(),
         plot_command(),

@@ -53,6 +53,18 @@ void add_laboratory_material(CLI::App& app, std::string& material) {
     app.add_option("--material", material, "material whose laboratory values stand beside the results");
 }
 
+Material read_material_of(const Call& call, const std::string& name_or_file) {
+    Material material = read_material(name_or_file);
+    write_notes(call.diagnostics(), call.command, material);
+    return material;
+}
+
+IncompleteMaterial read_incomplete_material_of(const Call& call, const std::string& name_or_file) {
+    IncompleteMaterial read = read_incomplete_material(name_or_file);
+    write_notes(call.diagnostics(), call.command, read.material);
+    return read;
+}
+
 void add_model(CLI::App& app, ccd::ModelOptions& options) {
     add_names(app, "--factor", options.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, if the table has no x1");
     add_choice<bool>(app, "--model", options.choice.reduce, {{"full", false}, {"backward", true}},
@@ -87,6 +99,11 @@ void add_crack_label(CLI::App& app, CrackLabelChoice& label) {
                               {{"traction", CrackModeRule::traction}, {"sign", CrackModeRule::sign}},
                               "it is tensile if it passed its peak open and under more tension than shear traction, or if it was "
                               "open at the event");
+}
+
+void add_classes(CLI::App& app, std::vector<std::string>& classes) {
+    add_names(app, "--class", classes, "PAIR",
+              "contacts of two phases alone, as quartz-mica, in either order; may be given again; all contacts unless given");
 }
 
 void add_events(CLI::App& app, EventOptions& options) {

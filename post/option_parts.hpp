@@ -11,6 +11,7 @@
 #include "post/fit/trend.hpp"
 #include "post/measure/strength.hpp"
 #include "post/table/table.hpp"
+#include "share/incomplete_material.hpp"
 
 namespace graincrack {
 
@@ -27,6 +28,10 @@ void add_names(CLI::App& app, const std::string& option, std::vector<std::string
                const std::string& help);
 /// --material of a command that shows laboratory values of a rock beside results.
 void add_laboratory_material(CLI::App& app, std::string& material);
+/// The material of an option; notes on its values go to the diagnostics of the call. \throws InputError as `read_material`
+Material read_material_of(const Call& call, const std::string& name_or_file);
+/// The same of a material that may lack keys.
+IncompleteMaterial read_incomplete_material_of(const Call& call, const std::string& name_or_file);
 inline constexpr FileArguments design_table{"table", "table of the runs: x1, x2, … and the responses"};
 /// --factor, --model, --alpha: how a model is fitted to the runs of a design.
 void add_model(CLI::App& app, ccd::ModelOptions& options);
@@ -38,6 +43,8 @@ inline constexpr FileArguments trend_tables{"tables",
 void add_trend(CLI::App& app, TrendOptions& options);
 /// --crack-event failed|half-damaged|broken, --crack-mode traction|sign: what counts as a micro-crack, and which are tensile.
 void add_crack_label(CLI::App& app, CrackLabelChoice& label);
+/// --class PAIR, which may be given again: what a picture of cracks is limited to.
+void add_classes(CLI::App& app, std::vector<std::string>& classes);
 /// --event-distance, --event-time: the window of an acoustic event.
 void add_events(CLI::App& app, EventOptions& options);
 

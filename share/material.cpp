@@ -12,6 +12,7 @@
 
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
+#include "share/printable.hpp"
 #include "share/toml_file.hpp"
 #include "share/toml_keys.hpp"
 #include "share/units.hpp"
@@ -265,6 +266,10 @@ Material read_material(const std::string& name_or_file) {
     Material material = read_material_file(file, missing, values);
     refuse_missing(file, missing);
     return material;
+}
+
+void write_notes(std::ostream& out, std::string_view program, const Material& material) {
+    for (const std::string& note : material.notes) out << program << ": " << printable(note) << '\n';
 }
 
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,8 @@ struct Material {
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
     FittedProperties fitted;
-    std::vector<std::string> notes;  ///< on its values, for stderr: "note: …" without a unit, "warning: …" far off any rock's
+    std::vector<std::string>
+        notes;  ///< on its values, for `write_notes`: "note: …" without a unit, "warning: …" far off any rock's
 };
 
 /// Keys [laboratory] may hold: young_modulus, poisson_ratio, tensile_strength, compressive_strength, cohesion,
@@ -45,6 +47,9 @@ const std::vector<Quantity>& laboratory_quantities();
 /// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
 ///         message names file and key and says what would be right.
 Material read_material(const std::string& name_or_file);
+
+/// Writes the notes on the values of a material, a line each: "PROGRAM: note: …".
+void write_notes(std::ostream& out, std::string_view program, const Material& material);
 
 /// How the fracture energy of a contact is chosen (--fracture-energy).
 struct FractureEnergyChoice {

@@ -497,7 +497,14 @@ RunReader::RunReader(RunReader&&) noexcept = default;
 
 const std::string& RunReader::name() const { return state_->file.name(); }
 const RunHeader& RunReader::header() const { return state_->header; }
-Specimen RunReader::specimen() const { return read_specimen(state_->file); }
+Specimen RunReader::specimen() const {
+    Specimen specimen = read_specimen(state_->file);
+    if (specimen.phase_names.size() != header().fabric.phases.size()) {
+        throw InputError(fmt::format("{}: {} has {} phases, the specimen has {}; as many are needed", name(),
+                                     schema::phases_group, header().fabric.phases.size(), specimen.phase_names.size()));
+    }
+    return specimen;
+}
 const H5Input& RunReader::file() const { return state_->file; }
 
 History read_history(const H5Input& file) {

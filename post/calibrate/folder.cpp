@@ -329,9 +329,11 @@ std::string report_text(const Material& rock, const Study& study, const Decision
     return text;
 }
 
-Decision calibrate_folder(const std::string& folder, const std::string& material, const std::vector<std::string>& settings) {
+Decision calibrate_folder(const std::string& folder, const std::string& material, const std::vector<std::string>& settings,
+                          std::ostream& diagnostics) {
     const fs::path place(folder);
     const Material rock = read_rock(material.empty() ? (place / "material.toml").string() : material);
+    write_notes(diagnostics, "calibrate", rock);
     const Study study = read_study(rock, settings);
     std::vector<FinishedRun> finished;
     if (fs::exists(place / "strength.tsv")) finished = read_finished(folder);

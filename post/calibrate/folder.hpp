@@ -11,6 +11,7 @@
 //     report.md        targets, results, values with intervals, every step              written in the end
 #pragma once
 
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,9 @@ std::string report_text(const Material& rock, const Study& study, const Decision
 
 /// Decides, and writes what follows to the folder; removes what was written before and holds no longer.
 /// \param material file; empty: material.toml of the folder \param settings as of `read_study`
+/// \param diagnostics for notes on the values of the material
 /// \throws InputError, OutputError, UsageError
 Decision calibrate_folder(const std::string& folder, const std::string& material = "",
-                          const std::vector<std::string>& settings = {});
+                          const std::vector<std::string>& settings = {}, std::ostream& diagnostics = std::cerr);
 
 }  // namespace graincrack::calibrate

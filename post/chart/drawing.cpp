@@ -15,7 +15,7 @@ Colour palette::series(std::size_t i) {
 }
 
 Colour palette::phase(std::size_t i) {
-    static constexpr std::array<Colour, 5> colours{{grain, {198, 216, 240}, {222, 186, 152}, {156, 190, 166}, {164, 142, 180}}};
+    static constexpr std::array<Colour, 5> colours{{grain, {178, 204, 235}, {214, 168, 126}, {128, 168, 140}, {138, 112, 160}}};
     return colours[i % colours.size()];
 }
 

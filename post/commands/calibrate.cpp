@@ -21,7 +21,8 @@ struct Options {
 
 void write(const Options& options, const Call& call) {
     using calibrate::Ending;
-    const calibrate::Decision decision = calibrate::calibrate_folder(call.file(), options.material, options.settings);
+    const calibrate::Decision decision =
+        calibrate::calibrate_folder(call.file(), options.material, options.settings, call.diagnostics());
     if (decision.ending == Ending::wanted) {
         fmt::print(call.out, "{}/wanted.tsv\n", call.file());
         const std::size_t n = decision.wanted.size();

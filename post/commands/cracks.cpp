@@ -1,6 +1,8 @@
 #include "post/commands/cracks.hpp"
 
+#include "post/cracks/class_counts.hpp"
 #include "post/option_parts.hpp"
+#include "post/table/table_form.hpp"
 #include "share/command_line.hpp"
 
 namespace graincrack {
@@ -24,6 +26,25 @@ Command cracks_command() {
         },
         [](const Options& options, const Call& call) {
             export_cracks(RunReader(call.file()), options.folder, options.crack_export, call.verbosity);
+        });
+}
+
+Command classes_command() {
+    struct Options {
+        TableForm form = TableForm::automatic;
+        CrackLabelChoice label;
+    };
+    return make_command<Options>(
+        "classes", "contacts and their micro-cracks by class, the pair of phases (minerals) of their grains, a row a class",
+        {"uniaxial.h5", "uniaxial.h5 brazilian.h5 --crack-event broken --format jsonl"}, several_runs,
+        [](CLI::App& app, Options& options) {
+            add_crack_label(app, options.label);
+            add_form(app, options.form);
+        },
+        [](const Options& options, const Call& call) {
+            std::vector<RunClasses> runs;
+            for (const std::string& file : call.files) runs.push_back(read_classes(RunReader(file), options.label));
+            write_class_counts(call.out, runs, format_of(options.form, call.out));
         });
 }
 

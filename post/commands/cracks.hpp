@@ -6,5 +6,6 @@
 namespace graincrack {
 
 Command cracks_command();
+Command classes_command();
 
 }  // namespace graincrack

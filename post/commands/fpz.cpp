@@ -166,8 +166,7 @@ std::vector<double> edges_of(const FpzOptions& options, const Material& material
 }
 
 /// \param notes gets a sentence for each value that was not measured
-KnownRock known_rock(const FpzOptions& options, std::vector<std::string>& notes) {
-    const IncompleteMaterial read = read_incomplete_material(options.material);
+KnownRock known_rock(const IncompleteMaterial& read, const FpzOptions& options, std::vector<std::string>& notes) {
     const GivenContact& contact = read.material.contact;
     KnownRock rock{rock_of_laboratory(read, notes), contact.tensile_strength, contact.cohesion, edges_of(options, read.material)};
     if (!rock.contact_tensile_strength) {
@@ -192,7 +191,7 @@ Command fpz_command() {
         },
         [](const FpzOptions& options, const Call& call) {
             std::vector<std::string> notes;
-            const KnownRock rock = known_rock(options, notes);
+            const KnownRock rock = known_rock(read_incomplete_material_of(call, options.material), options, notes);
             write_fpz_table(call.out, rock, options.format);
             for (const std::string& note : notes) fmt::print(call.diagnostics(), "fpz: note: {}\n", note);
         });

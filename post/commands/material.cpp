@@ -69,9 +69,9 @@ std::string_view table_unit(Dimension dimension) {
 }
 
 /// \param unit "": that of tables
-void write_value(std::ostream& out, const std::string& key, const std::string& name_or_file, const std::string& unit) {
+void write_value(const Call& call, const std::string& key, const std::string& name_or_file, const std::string& unit) {
     const Quantity quantity = material_quantity(key);
-    const IncompleteMaterial read = read_incomplete_material(name_or_file);
+    const IncompleteMaterial read = read_incomplete_material_of(call, name_or_file);
     const auto value = read.values.find(key);
     if (value == read.values.end()) {
         throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity.meaning));
@@ -85,7 +85,7 @@ void write_value(std::ostream& out, const std::string& key, const std::string& n
                                      fmt::join(symbols, ", ")));
     }
     const std::string_view shown = unit.empty() ? table_unit(quantity.dimension) : std::string_view(unit);
-    fmt::print(out, "{}\n", format_number(in_unit(value->second, quantity.dimension, shown), 6));
+    fmt::print(call.out, "{}\n", format_number(in_unit(value->second, quantity.dimension, shown), 6));
 }
 
 Command value_command() {
@@ -103,7 +103,7 @@ Command value_command() {
             app.add_option("--unit", options.unit,
                            "unit of the number; unless given MPa, deg, mm or MPa.m^0.5, and SI for what has none of these");
         },
-        [](const Options& options, const Call& call) { write_value(call.out, options.key, options.material, options.unit); });
+        [](const Options& options, const Call& call) { write_value(call, options.key, options.material, options.unit); });
 }
 
 Command with_command() {

@@ -38,7 +38,7 @@ Command moduli_command() {
     return make_command<TableForm>(
         "moduli",
         "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
-        "and predicted from contact compliance",
+        "and predicted from contact compliance; Voigt and Reuss bounds of the grains",
         {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_form,
         [](const TableForm& form, const Call& call) { write_moduli_table(call.out, call.files, format_of(form, call.out)); });
 }

@@ -3,7 +3,6 @@
 #include "post/option_parts.hpp"
 #include "post/report/properties.hpp"
 #include "share/command_line.hpp"
-#include "share/incomplete_material.hpp"
 
 namespace graincrack {
 
@@ -24,7 +23,7 @@ Command properties_command() {
             add_format(app, options.format);
         },
         [](const Options& options, const Call& call) {
-            const Material material = read_incomplete_material(options.material).material;
+            const Material material = read_incomplete_material_of(call, options.material).material;
             write_properties(
                 call.out, measure_properties(read_runs(call.files), material, {options.strain_limit_runs, StrengthKind::largest}),
                 options.format);

@@ -9,20 +9,23 @@ namespace graincrack {
 Command report_command() {
     struct Options {
         ReportOptions report;
+        std::string material;
         std::string page;
     };
     return make_command<Options>(
         "report", "a test or a set as one self-contained HTML page",
         {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
         [](CLI::App& app, Options& options) {
-            add_laboratory_material(app, options.report.material);
+            add_laboratory_material(app, options.material);
             add_strain_limit_runs(app, options.report.strain_limit_runs);
             add_crack_label(app, options.report.label);
             add_output(app, options.page, "page: .html");
         },
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");
-            write_whole_file(options.page, make_report(call.files, options.report, call.verbosity));
+            ReportOptions report = options.report;
+            if (!options.material.empty()) report.material = read_material_of(call, options.material);
+            write_whole_file(options.page, make_report(call.files, report, call.verbosity));
         });
 }
 

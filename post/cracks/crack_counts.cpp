@@ -1,7 +1,8 @@
 #include "post/cracks/crack_counts.hpp"
 
 #include <algorithm>
-#include <map>
+
+#include "post/cracks/contact_classes.hpp"
 
 namespace graincrack {
 
@@ -19,34 +20,6 @@ std::vector<std::size_t> moments_of(const LoadCurve& curve, std::size_t n) {
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
-}
-
-/// The pair of minerals of each contact, as an index into sorted names.
-struct Pairs {
-    std::vector<std::string> names;
-    std::vector<std::size_t> of_contact;
-};
-
-Pairs pairs_of(const Specimen& specimen) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    std::vector<std::string> name(specimen.n_contacts());
-    std::map<std::string, std::size_t> index;
-    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        const auto phase = [&](std::size_t k) {
-            const auto g = static_cast<std::size_t>(grain[static_cast<std::size_t>(specimen.contact_nodes[c][k])]);
-            return specimen.phase_names[specimen.grain_phase[g]];
-        };
-        const std::array<std::string, 2> sides{phase(0), phase(2)};
-        name[c] = std::min(sides[0], sides[1]) + "-" + std::max(sides[0], sides[1]);
-        index[name[c]] = 0;
-    }
-    Pairs pairs;
-    for (auto& [label, i] : index) {
-        i = pairs.names.size();
-        pairs.names.push_back(label);
-    }
-    for (const std::string& label : name) pairs.of_contact.push_back(index.at(label));
-    return pairs;
 }
 
 }  // namespace
@@ -96,16 +69,16 @@ void count_in_history(std::vector<Crack> cracks, History& history) {
 CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
                          std::size_t n_moments) {
     std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
-    const Pairs pairs = pairs_of(specimen);
+    const ContactClasses classes = classes_of(specimen);
     const auto& times = run.history[HistoryColumn::time];
-    CrackCounts counts{pairs.names, {}};
+    CrackCounts counts{classes.names, {}};
     CrackCounts::Moment now;
-    now.by_pair.resize(pairs.names.size());
+    now.by_class.resize(classes.names.size());
     auto next = cracks.begin();
     for (const std::size_t row : moments_of(curve, n_moments)) {
         for (; next != cracks.end() && next->time <= times[row]; ++next) {
             now.all.add(*next);
-            now.by_pair[pairs.of_contact[static_cast<std::size_t>(next->contact)]].add(*next);
+            now.by_class[classes.of_contact[static_cast<std::size_t>(next->contact)]].add(*next);
         }
         now.time = times[row];
         now.axial_strain = curve.axial_strain[row];
@@ -118,9 +91,9 @@ CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Speci
 
 void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableFormat format) {
     std::vector<std::string> columns{"time_s", "axial_strain", "stress_MPa", "is_peak", "tensile_cracks", "shear_cracks"};
-    for (const std::string& pair : counts.pairs) {
-        columns.push_back("tensile_cracks_" + pair);
-        columns.push_back("shear_cracks_" + pair);
+    for (const std::string& name : counts.classes) {
+        columns.push_back("tensile_cracks_" + name);
+        columns.push_back("shear_cracks_" + name);
     }
     TableWriter table(out, columns, format);
     for (const CrackCounts::Moment& m : counts.moments) {
@@ -130,9 +103,9 @@ void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableForma
                               std::int64_t{m.is_peak ? 1 : 0},
                               count_cell(m.all.tensile),
                               count_cell(m.all.shear)};
-        for (const ModeCounts& pair : m.by_pair) {
-            row.push_back(count_cell(pair.tensile));
-            row.push_back(count_cell(pair.shear));
+        for (const ModeCounts& each : m.by_class) {
+            row.push_back(count_cell(each.tensile));
+            row.push_back(count_cell(each.shear));
         }
         table.row(row);
     }

@@ -1,4 +1,4 @@
-// Counts of micro-cracks by mode and pair of minerals over the loading.
+// Counts of micro-cracks by mode and class of contacts over the loading.
 #pragma once
 
 #include <array>
@@ -17,6 +17,11 @@ struct ModeCounts {
     double tensile = 0;
     double shear = 0;
     void add(const Crack& crack) { (crack.mode == CrackMode::tensile ? tensile : shear) += 0.5; }
+    ModeCounts& operator+=(const ModeCounts& other) {
+        tensile += other.tensile;
+        shear += other.shear;
+        return *this;
+    }
 };
 
 /// Cracks of a log by a label, up to a time (s).
@@ -30,7 +35,7 @@ std::vector<Cell> label_cells(const std::vector<Crack>& log, CrackEvent event, d
 /// Replaces the counts of a history by those of some labelled cracks.
 void count_in_history(std::vector<Crack> cracks, History& history);
 
-/// Counts of all cracks and for each pair of minerals ("feldspar-quartz", names in alphabetical order) at moments.
+/// Counts of all cracks and for each class of contacts at moments.
 struct CrackCounts {
     struct Moment {
         double time = 0;  ///< s
@@ -38,9 +43,9 @@ struct CrackCounts {
         double stress = 0;  ///< Pa
         bool is_peak = false;
         ModeCounts all;
-        std::vector<ModeCounts> by_pair;
+        std::vector<ModeCounts> by_class;
     };
-    std::vector<std::string> pairs;  ///< those with contacts in the specimen
+    std::vector<std::string> classes;  ///< those with contacts in the specimen
     std::vector<Moment> moments;
 };
 
@@ -48,8 +53,8 @@ struct CrackCounts {
 CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
                          std::size_t n_moments = 100);
 
-/// Table: time_s, axial_strain, stress_MPa, is_peak, tensile_cracks, shear_cracks, then for each pair
-/// tensile_cracks_PAIR, shear_cracks_PAIR.
+/// Table: time_s, axial_strain, stress_MPa, is_peak, tensile_cracks, shear_cracks, then for each class
+/// tensile_cracks_CLASS, shear_cracks_CLASS.
 void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableFormat format);
 
 }  // namespace graincrack

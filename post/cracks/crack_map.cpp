@@ -178,14 +178,16 @@ double stored_energy(const Frame& frame, const Crack& crack, const ContactParame
     return per_area * crack.length;
 }
 
-/// What changes from frame to frame.
-void add_present_data(CrackArrays& arrays, const Frame& frame, const ContactParameters& contact) {
-    const auto index = [](const Crack& c) { return static_cast<std::size_t>(c.contact); };
+std::size_t index(const Crack& crack) { return static_cast<std::size_t>(crack.contact); }
+
+/// What changes from frame to frame. \param classes of all contacts \param contacts their parameters by class
+void add_present_data(CrackArrays& arrays, const Frame& frame, const std::vector<std::uint8_t>& classes,
+                      const std::vector<ContactParameters>& contacts) {
     arrays.real("opening", "m", [&](const Crack& c) { return frame.opening[index(c)][c.point]; });
     arrays.real("sliding", "m", [&](const Crack& c) { return frame.sliding[index(c)][c.point]; });
     arrays.real("normal_traction", "Pa", [&](const Crack& c) { return frame.traction[index(c)][2 * c.point]; });
     arrays.real("shear_traction", "Pa", [&](const Crack& c) { return frame.traction[index(c)][2 * c.point + 1]; });
-    arrays.real("stored_energy", "J", [&](const Crack& c) { return stored_energy(frame, c, contact); });
+    arrays.real("stored_energy", "J", [&](const Crack& c) { return stored_energy(frame, c, contacts.at(classes[index(c)])); });
     arrays.real("damage", "1", [&](const Crack& c) { return frame.damage[index(c)][c.point]; });
     arrays.byte("separated", [&](const Crack& c) { return c.separated.time <= frame.time; });  // false for NaN
     arrays.byte("broken", [&](const Crack& c) { return c.broken.time <= frame.time; });
@@ -204,17 +206,20 @@ void add_failure_data(CrackArrays& arrays) {
     arrays.byte("point", [](const Crack& c) { return c.point; });
 }
 
-/// Minerals on both sides.
-void add_phases(vtkCellData* cells, const std::vector<Crack>& cracks, const Specimen& specimen) {
+/// Minerals on both sides, their class and, where the contacts have one, their strength factor.
+void add_phases(CrackArrays& arrays, const std::vector<std::uint8_t>& classes, const Specimen& specimen) {
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
     const auto phase = [&](const char* name, std::size_t side) {
-        cells->AddArray(make_array<vtkUnsignedCharArray>(name, 1, cracks.size(), [&](std::size_t i, unsigned char* v) {
-            const auto node = static_cast<std::size_t>(specimen.contact_nodes[static_cast<std::size_t>(cracks[i].contact)][side]);
-            *v = specimen.grain_phase[static_cast<std::size_t>(grain[node])];
-        }));
+        arrays.byte(name, [&](const Crack& c) {
+            const auto node = static_cast<std::size_t>(specimen.contact_nodes[index(c)][side]);
+            return specimen.grain_phase[static_cast<std::size_t>(grain[node])];
+        });
     };
     phase("phase_a", 0);
     phase("phase_b", 2);
+    arrays.byte("class", [&](const Crack& c) { return classes[index(c)]; });
+    if (specimen.contact_strength_factor.empty()) return;
+    arrays.real("strength_factor", "1", [&](const Crack& c) { return specimen.contact_strength_factor[index(c)]; });
 }
 
 }  // namespace
@@ -235,6 +240,7 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
     triangles->AllocateExact(static_cast<vtkIdType>(specimen.n_elements()), 3 * static_cast<vtkIdType>(specimen.n_elements()));
     for (const auto& nodes : specimen.element_nodes) triangles->InsertNextCell({nodes[0], nodes[1], nodes[2]});
     grid->SetCells(VTK_TRIANGLE, triangles);
+    add_texts(grid, "phase_names", specimen.phase_names);
     cells->AddArray(scalars<vtkIntArray>("grain", specimen.element_grain));
     cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, specimen.n_elements(), [&](std::size_t i, unsigned char* v) {
         *v = specimen.grain_phase[static_cast<std::size_t>(specimen.element_grain[i])];
@@ -246,7 +252,8 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
 }
 
 void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& labelled_cracks,
-                  const Frame& frame, const CrackLabel& label, const ContactParameters& contact, const FrameMoment& moment) {
+                  const Frame& frame, const CrackLabel& label, const std::vector<ContactParameters>& contacts,
+                  const FrameMoment& moment) {
     const std::vector<Crack> present = cracks_until(labelled_cracks, frame.time);
     std::vector<std::array<double, 2>> ends;
     std::vector<std::array<double, 2>> moves;
@@ -269,11 +276,14 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     data->SetLines(lines);
     data->GetPointData()->AddArray(with_unit(vectors("displacement", moves), "m"));
     CrackArrays arrays(data->GetCellData(), present);
-    add_present_data(arrays, frame, contact);
+    const std::vector<std::uint8_t> classes = contact_classes(specimen);
+    add_present_data(arrays, frame, classes, contacts);
     add_failure_data(arrays);
     data->GetCellData()->AddArray(
         make_array<vtkIntArray>("contact", 1, present.size(), [&](std::size_t i, int* v) { *v = present[i].contact; }));
-    add_phases(data->GetCellData(), present, specimen);
+    add_phases(arrays, classes, specimen);
+    add_texts(data, "phase_names", specimen.phase_names);
+    add_texts(data, "class_names", contact_class_names(specimen.phase_names));
     add_texts(data, "crack_label", {definition_of(label)});
     add_texts(data, "mode_names", {"tensile", "shear"});
     add_moment(data, moment);

@@ -21,7 +21,8 @@ struct FrameMoment {
 /// One frame as .vtu: triangles in reference position.
 ///
 /// Cell data: grain, phase, fragment (0 the largest), stress (XX YY ZZ XY YZ XZ, Pa, tension positive),
-/// principal_stress_1 ≥ principal_stress_2 in the plane (Pa). Point data: displacement (m), velocity (m/s), as 3-vectors.
+/// principal_stress_1 ≥ principal_stress_2 in the plane (Pa). Point data: displacement (m), velocity (m/s), as 3-vectors. Field
+/// data: phase_names.
 /// Places and displacements are doubles, the rest floats; LZ4. \param frame is consumed: its arrays are released as they are
 /// written \throws OutputError
 void write_grains(const std::string& path, const Specimen& specimen, Frame frame, const Fragments& fragments,
@@ -35,11 +36,13 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
 /// cohesion was left by then). Cell data of the failure, or of the other event of the label: time_of_failure (s),
 /// opening_at_failure, sliding_at_failure (m), mode (0 tensile, 1 shear), mode_angle (rad), mode_by_sign (0: open then). Of the
 /// whole run: fracture_energy_at_end (J), time_broken (s, NaN until the end of the run). Besides contact, point, phase_a,
-/// phase_b. Field data: crack_label, the definition of the label in words; mode_names. Point data: displacement (m), from the
-/// place of failure to the place in this frame, so that warping grains and cracks by `displacement` keeps them together. \param
-/// labelled_cracks of the whole run \param contact of the run, for the stored energy \throws OutputError
+/// phase_b, class (as /contacts/class) and, where contacts have one, strength_factor. Field data: crack_label, the definition of
+/// the label in words; mode_names, phase_names, class_names. Point data: displacement (m), from the place of failure to the place
+/// in this frame, so that warping grains and cracks by `displacement` keeps them together. \param labelled_cracks of the whole
+/// run \param contacts of the run by class, for the stored energy \throws OutputError
 void write_cracks(const std::string& path, const Specimen& specimen, const std::vector<Crack>& labelled_cracks,
-                  const Frame& frame, const CrackLabel& label, const ContactParameters& contact, const FrameMoment& moment);
+                  const Frame& frame, const CrackLabel& label, const std::vector<ContactParameters>& contacts,
+                  const FrameMoment& moment);
 
 /// Both platens as .vtp: rectangles that touch the specimen at the start. Cell data: platen (0 below, 1 above). Point data:
 /// displacement (m). \throws OutputError

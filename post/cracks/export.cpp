@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "post/cracks/class_counts.hpp"
+#include "post/cracks/contact_classes.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_map.hpp"
 #include "post/cracks/crack_summary.hpp"
@@ -97,8 +99,8 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
         };
         breakup.last = find_fragments(series.specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
-        write_cracks(file("cracks", "vtp"), series.specimen, series.cracks, frame, series.label, series.data.header.contact,
-                     moment);
+        write_cracks(file("cracks", "vtp"), series.specimen, series.cracks, frame, series.label,
+                     series.data.header.fabric.contacts, moment);
         if (series.has_platens()) write_platens(file("platens", "vtp"), series.specimen, moment);
         write_grains(file("grains", "vtu"), series.specimen, std::move(frame), breakup.last, moment);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(n), fmt::format("frame {}", i + 1));
@@ -107,18 +109,11 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
     return breakup;
 }
 
-/// Empty for a run that was never loaded along its axis, such as a program of other motions.
-std::optional<LoadCurve> curve_if_any(const RunData& data) {
-    try {
-        return load_curve(data);
-    } catch (const InputError&) {
-        return std::nullopt;
-    }
-}
-
 }  // namespace
 
-void write_crack_table(std::ostream& out, const std::vector<Crack>& log, TableFormat format) {
+void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format) {
+    const ContactClasses classes = classes_of(specimen);
+    const bool has_phases = specimen.phase_names.size() > 1;
     TableWriter table(out,
                       {"time_s",
                        "step",
@@ -147,7 +142,8 @@ void write_crack_table(std::ostream& out, const std::vector<Crack>& log, TableFo
                        "sliding_separated_m",
                        "mode_by_sign",
                        "mode_damaged_50_by_sign",
-                       "mode_broken_by_sign"},
+                       "mode_broken_by_sign",
+                       "class"},
                       format);
     for (const Crack& c : log) {
         const auto mode = [&c](const CrackLabel& label) {
@@ -161,6 +157,7 @@ void write_crack_table(std::ostream& out, const std::vector<Crack>& log, TableFo
             row.insert(row.end(), {moment.time, moment.opening, moment.sliding});
         }
         for (const CrackEvent event : all_crack_events) row.push_back(mode({event, CrackModeRule::sign}));
+        row.push_back(has_phases ? Cell(classes.name_of(c)) : Cell());
         table.row(row);
     }
 }
@@ -179,7 +176,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const CrackLabel label = options.label.of(run.header());
     const std::vector<Crack> shown = labelled(read_cracks(run, specimen), label);
     const RunData data = run_data(run);
-    const std::optional<LoadCurve> curve = curve_if_any(data);
+    const std::optional<LoadCurve> curve = load_curve_if_any(data);
     const std::vector<std::size_t> frames = distinct_frames(all_times);
     std::vector<double> times;
     for (const std::size_t frame : frames) times.push_back(all_times[frame]);
@@ -194,7 +191,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const TableFormat format = options.format;
     const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
     const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };
-    table("cracks", [&](std::ostream& out) { write_crack_table(out, log, format); });
+    table("cracks", [&](std::ostream& out) { write_crack_table(out, log, specimen, format); });
     table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(shown, specimen), format); });
     table("events", [&](std::ostream& out) { write_events(out, events, format); });
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
@@ -205,6 +202,9 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     if (curve) {
         table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });
     }
+    const std::optional<double> peak = curve ? std::optional(data.history[HistoryColumn::time][curve->peak]) : std::nullopt;
+    const std::vector<RunClasses> classes{{data.name, definition_of(label), count_by_class(specimen, shown, peak)}};
+    table("classes", [&](std::ostream& out) { write_class_counts(out, classes, format); });
     std::vector<Part> blocks{{"grains", "vtu"}};
     if (series.has_platens()) blocks.push_back({"platens", "vtp"});
     if (options.paraview) {

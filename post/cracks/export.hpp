@@ -28,15 +28,15 @@ struct CrackExportOptions {
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
-/// counts.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that exists is complete. On
-/// request open_in_paraview.py, a state that opens both series. A run whose axial stress never rises has no counts.tsv and no
-/// peak in summary.tsv. \throws InputError for a run without frames, OutputError
+/// counts.tsv, classes.tsv, events.tsv, fragments.tsv, fragment-counts.tsv; the .pvd files last, so that a series that exists is
+/// complete. On request open_in_paraview.py, a state that opens both series. A run whose axial stress never rises has no
+/// counts.tsv and no peak in summary.tsv. \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
 
 /// The events of a run by its window, made of the micro-cracks of its contact law.
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options);
 
-/// The crack log, every column with its unit.
-void write_crack_table(std::ostream& out, const std::vector<Crack>& log, TableFormat format);
+/// The crack log, every column with its unit; the class of the contact where the specimen has several phases.
+void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format);
 
 }  // namespace graincrack

@@ -24,7 +24,7 @@ MAGNIFY = 1
 
 constexpr const char* scene = R"py(
 GRAIN_ARRAY = "principal_stress_1"  # the largest in the plane, tension positive; or principal_stress_2, fragment, grain, phase
-CRACK_ARRAY = "mode"  # or broken, separated, time_of_failure, opening, sliding, damage
+CRACK_ARRAY = "mode"  # or broken, separated, time_of_failure, opening, sliding, damage, class, strength_factor
 
 
 def series(name):

@@ -16,13 +16,14 @@ struct Rosette {
     static constexpr std::size_t n_bins = 18;
     std::array<double, n_bins> tensile{};  ///< length of tensile cracks, m
     std::array<double, n_bins> shear{};    ///< length of shear cracks, m
-    std::array<double, n_bins> facet{};    ///< length of grain-to-grain facets of the specimen (all contacts), m
+    std::array<double, n_bins> facet{};    ///< length of the contacts of the specimen, m
 };
 
 /// Bin of an orientation in rad, of any size: an orientation and its opposite are the same.
 std::size_t rosette_bin(double orientation);
 
-Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen);
+/// \param contacts those whose cracks and facets count [c]; empty: all
+Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen, const std::vector<bool>& contacts = {});
 
 /// Share of a length by orientation that lies within 30° of the load (y), by whole bins; empty where there is no length at all.
 std::optional<double> share_along_load(const std::array<double, Rosette::n_bins>& length);

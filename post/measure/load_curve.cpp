@@ -102,6 +102,14 @@ LoadCurve load_curve(const RunData& run) {
     return curve;
 }
 
+std::optional<LoadCurve> load_curve_if_any(const RunData& run) {
+    try {
+        return load_curve(run);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 double CurvePoint::of(const std::vector<double>& column) const {
     if (share == 0) return column[row];
     return column[row] + share * (column[row + 1] - column[row]);

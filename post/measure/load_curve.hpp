@@ -55,6 +55,8 @@ struct LoadCurve {
 
 /// \throws InputError if the history is too short, or never loads the specimen in the sense of its test
 LoadCurve load_curve(const RunData& run);
+/// Empty for a run that was never loaded along its axis, such as a program of other motions.
+std::optional<LoadCurve> load_curve_if_any(const RunData& run);
 
 /// A point between two rows: share 0 is `row`, share 1 is `row + 1`.
 struct CurvePoint {

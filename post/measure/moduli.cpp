@@ -22,6 +22,8 @@ const std::vector<std::string> columns{"file",
                                        "platen_young_modulus_GPa",
                                        "predicted_young_modulus_GPa",
                                        "predicted_poisson_ratio",
+                                       "voigt_young_modulus_GPa",
+                                       "reuss_young_modulus_GPa",
                                        "tangent_young_modulus_GPa",
                                        "tangent_poisson_ratio",
                                        "plane_tangent_young_modulus_GPa",
@@ -90,7 +92,9 @@ std::vector<Cell> moduli_row(const std::string& path) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
     const std::optional<Moduli> measured = measure_moduli(run);
-    const fpz::AssemblageModuli predicted = predict_moduli(run.header, reader.specimen());
+    const Specimen specimen = reader.specimen();
+    const fpz::AssemblageModuli predicted = predict_moduli(run.header, specimen);
+    const GrainModuli grains = grain_moduli(run.header, specimen);
     const LoadCurve curve = load_curve(run);
     const std::string kind = peak_kind(run, curve);
     std::vector<Cell> row{run.name};
@@ -99,11 +103,13 @@ std::vector<Cell> moduli_row(const std::string& path) {
     row.push_back(measured ? Cell(measured->platen_young_modulus * 1e-9) : Cell());
     row.emplace_back(predicted.young_modulus * 1e-9);
     row.emplace_back(predicted.poisson_ratio);
+    row.emplace_back(grains.voigt * 1e-9);
+    row.emplace_back(grains.reuss * 1e-9);
     if (measured) {
         for (const ElasticPair& pair : {measured->tangent, measured->average, measured->secant}) append(row, pair);
         row.push_back(cell(measured->post_peak_slope_ratio));
     }
-    row.resize(21);
+    row.resize(23);
     row.emplace_back(kind);
     if (is_compression(run.header) && !kind.empty()) append_thresholds(row, run, curve);
     row.resize(columns.size() - n_damage_columns - 2);
@@ -190,23 +196,21 @@ double contact_length_per_area(const Specimen& specimen) {
     return length / std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
 }
 
-namespace {
-
-/// Mean of Voigt and Reuss (Hill) of E over the area of the phases, and the mean of ν.
-Phase mean_grain(const RunHeader& header, const Specimen& specimen) {
-    double area = 0;
-    double voigt = 0;
-    double reuss = 0;
-    double poisson = 0;
-    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
-        const Phase& phase = header.fabric.phases.at(specimen.grain_phase[g]);
-        area += specimen.grain_area[g];
-        voigt += specimen.grain_area[g] * phase.young_modulus;
-        reuss += specimen.grain_area[g] / phase.young_modulus;
-        poisson += specimen.grain_area[g] * phase.poisson_ratio;
+GrainModuli grain_moduli(const RunHeader& header, const Specimen& specimen) {
+    const std::vector<double> fractions = phase_fractions(specimen);
+    GrainModuli grains;
+    double compliance = 0;
+    for (std::size_t p = 0; p < fractions.size(); ++p) {
+        const Phase& phase = header.fabric.phases.at(p);
+        grains.voigt += fractions[p] * phase.young_modulus;
+        compliance += fractions[p] / phase.young_modulus;
+        grains.poisson_ratio += fractions[p] * phase.poisson_ratio;
     }
-    return {0.5 * (voigt / area + area / reuss), poisson / area, 0};
+    grains.reuss = 1 / compliance;
+    return grains;
 }
+
+namespace {
 
 /// Stiffness of all contacts in series over their number: one of many classes by its mean compliance.
 double mean_stiffness(const RunHeader& header, const std::vector<std::uint8_t>& classes, ContactValue stiffness) {
@@ -224,9 +228,9 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
     double normal = header.contact.normal_stiffness;
     double shear = header.contact.shear_stiffness;
     if (header.fabric.phases.size() > 1) {
-        const Phase grain = mean_grain(header, specimen);
-        rock.young_modulus = grain.young_modulus;
-        rock.poisson_ratio = grain.poisson_ratio;
+        const GrainModuli grains = grain_moduli(header, specimen);
+        rock.young_modulus = grains.hill();
+        rock.poisson_ratio = grains.poisson_ratio;
         const std::vector<std::uint8_t> classes = contact_classes(specimen);
         if (!classes.empty()) {
             normal = mean_stiffness(header, classes, &ContactParameters::normal_stiffness);

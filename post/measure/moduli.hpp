@@ -42,7 +42,17 @@ inline constexpr double gauge_tolerance = 0.03;
 /// Empty for a brazilian test, whose stress is not uniform. \throws InputError if the curve has no elastic part
 std::optional<Moduli> measure_moduli(const RunData& run);
 
-/// The moduli that the rock and the compliance of its contacts predict for this assemblage (fpz::assemblage_moduli).
+/// E and ν of the grains alone, without their contacts, from those of the phases by area.
+struct GrainModuli {
+    double voigt = 0;  ///< mean of E: as if strains were equal, the upper bound, Pa
+    double reuss = 0;  ///< E of the mean of 1/E: as if stresses were equal, the lower bound, Pa
+    double poisson_ratio = 0;
+    [[nodiscard]] double hill() const { return 0.5 * (voigt + reuss); }  ///< Pa
+};
+GrainModuli grain_moduli(const RunHeader& header, const Specimen& specimen);
+
+/// The moduli that the grains (Hill's mean over their phases) and the compliance of their contacts predict for this assemblage
+/// (fpz::assemblage_moduli).
 fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& specimen);
 /// Length of all contacts over the area of all grains, 1/m.
 double contact_length_per_area(const Specimen& specimen);

@@ -111,6 +111,8 @@ void write_moduli_for_people(std::ostream& out, const ScriptTable& table) {
                         {"E by platens", "GPa"},
                         {"E predicted", "GPa"},
                         {"ν predicted", ""},
+                        {"E Voigt", "GPa"},
+                        {"E Reuss", "GPa"},
                         {"crack initiation", "MPa"},
                         {"crack damage", "MPa"}});
     const auto title = [](const NamedRow& row) {
@@ -123,7 +125,8 @@ void write_moduli_for_people(std::ostream& out, const ScriptTable& table) {
             people.row({row.text("file"), row.shown("young_modulus_GPa"), row.shown("poisson_ratio"),
                         row.shown("plane_young_modulus_GPa"), row.shown("plane_poisson_ratio"),
                         row.shown("platen_young_modulus_GPa"), row.shown("predicted_young_modulus_GPa"),
-                        row.shown("predicted_poisson_ratio"), row.shown("crack_initiation_count_MPa"),
+                        row.shown("predicted_poisson_ratio"), row.shown("voigt_young_modulus_GPa"),
+                        row.shown("reuss_young_modulus_GPa"), row.shown("crack_initiation_count_MPa"),
                         row.shown("crack_damage_2d_MPa")});
         }
     }

@@ -40,16 +40,16 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
         chart.line(strain, values, stroke);
         chart.legend(stroke, label);
     };
-    if (counts.pairs.size() == 1) {
+    if (counts.classes.size() == 1) {
         draw(column(counts, [](const Moment& m) { return m.all.tensile; }), Stroke{palette::tensile, 4}, "tensile");
         draw(column(counts, [](const Moment& m) { return m.all.shear; }), Stroke{palette::shear, 3.5, Dash::dashed}, "shear");
     } else {
-        for (std::size_t i = 0; i < counts.pairs.size(); ++i) {
+        for (std::size_t i = 0; i < counts.classes.size(); ++i) {
             const Colour colour = palette::series(i);
-            draw(column(counts, [i](const Moment& m) { return m.by_pair[i].tensile; }), Stroke{colour, 4},
-                 counts.pairs[i] + ", tensile");
-            draw(column(counts, [i](const Moment& m) { return m.by_pair[i].shear; }), Stroke{colour, 3, Dash::dashed},
-                 counts.pairs[i] + ", shear");
+            draw(column(counts, [i](const Moment& m) { return m.by_class[i].tensile; }), Stroke{colour, 4},
+                 counts.classes[i] + ", tensile");
+            draw(column(counts, [i](const Moment& m) { return m.by_class[i].shear; }), Stroke{colour, 3, Dash::dashed},
+                 counts.classes[i] + ", shear");
         }
     }
     chart.legend(load, "stress, right");
@@ -61,7 +61,7 @@ Command counts_plot() {
         CrackLabelChoice label;
     };
     return make_plot<Options>(
-        "counts", "micro-cracks over the loading by mode and pair of minerals",
+        "counts", "micro-cracks over the loading by mode and class of contacts (pair of minerals)",
         {"uniaxial.h5 -o counts.png", "brazilian.h5 --crack-event broken -o counts.svg"}, one_run,
         [](CLI::App& app, Options& options) {
             add_chart(app, options);

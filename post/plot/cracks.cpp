@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "post/chart/map_view.hpp"
+#include "post/cracks/contact_classes.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/measure/objections.hpp"
@@ -84,11 +85,15 @@ std::string contacts_of(std::size_t points) { return whole_contacts(0.5 * static
 struct Scene {
     const RunReader& run;
     const Specimen& specimen;
-    std::vector<Crack> cracks;
+    const std::vector<Crack>& cracks;
     RunData data;
     const CrackMapOptions& options;
     const PictureStyle& style;
     std::vector<std::string> objections = {};  ///< what speaks against the strength, a line each
+    /// What the cracks are.
+    [[nodiscard]] std::string definition() const {
+        return limited_to(definition_of(options.label.of(data.header)), options.classes);
+    }
 };
 
 std::size_t count(const std::vector<Crack>& cracks, CrackMode mode) {
@@ -144,7 +149,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
         {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
         {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    map.draw_legend(legend, definition_of(scene.options.label.of(scene.data.header)));
+    map.draw_legend(legend, scene.definition());
     return std::move(map).drawing();
 }
 
@@ -214,8 +219,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
         page,
         {{Stroke{palette::tensile, 6}, "tensile cracks"}, {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}},
         column, page.height() + 6);
-    page.set_height(draw_heading(page, {"", {definition_of(scene.options.label.of(scene.data.header))}}, column, end.bottom) +
-                    14);
+    page.set_height(draw_heading(page, {"", {scene.definition()}}, column, end.bottom) + 14);
     return page;
 }
 
@@ -224,7 +228,9 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
     const Specimen specimen = run.specimen();
-    Scene scene{run, specimen, read_labelled_cracks(run, specimen, options.label), run_data(run), options, style};
+    const std::vector<bool> contacts = contacts_of_classes(specimen, options.classes, run.name());
+    const std::vector<Crack> cracks = cracks_of(read_labelled_cracks(run, specimen, options.label), contacts);
+    Scene scene{run, specimen, cracks, run_data(run), options, style};
     for (const Objection& objection : objections_to(run, scene.data)) scene.objections.push_back(subtitle_line(objection));
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
@@ -250,6 +256,7 @@ Command cracks_plot() {
         [](CLI::App& app, MapPlotOptions& options) {
             add_map_options(app, options);
             add_crack_label(app, options.map.label);
+            add_classes(app, options.map.classes);
         },
         [](const MapPlotOptions& options, const Call& call) {
             return draw_cracks(RunReader(call.file()), options.map, options.style);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
@@ -18,9 +19,10 @@ struct CrackMapOptions {
     std::optional<double> time;  ///< s
     double magnification = 1;    ///< of the displacements
     CrackLabelChoice label = {};
+    std::vector<std::string> classes = {};  ///< of the contacts whose cracks are drawn, as `contacts_of_classes` reads them
 };
 
-/// \throws InputError, UsageError as `choose_frames` and `read_labelled_cracks`
+/// \throws InputError, UsageError as `choose_frames`, `read_labelled_cracks` and `contacts_of_classes`
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
 
 /// Options of a map of one or several frames.

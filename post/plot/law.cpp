@@ -254,8 +254,8 @@ Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
                      options.style);
 }
 
-Drawing draw_laws_of_material(const LawOptions& options) {
-    const Material material = read_material(options.material);
+Drawing draw_laws_of_material(const LawOptions& options, const Call& call) {
+    const Material material = read_material_of(call, options.material);
     const ContactParameters contact = contact_parameters(material, options.plane, options.fracture_energy);
     return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), options.law, options.style);
 }
@@ -268,7 +268,7 @@ Command law_plot() {
         {"--material augig-granite -o law.png", "uniaxial.h5 --normal-stress 50MPa -o law.svg"},
         FileArguments{"run", "run file", false}, add_options, [](const LawOptions& options, const Call& call) {
             if (!call.files.empty()) return draw_laws_of_run(options, RunReader(call.file()));
-            if (!options.material.empty()) return draw_laws_of_material(options);
+            if (!options.material.empty()) return draw_laws_of_material(options, call);
             throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
         });
 }

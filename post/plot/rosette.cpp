@@ -9,6 +9,7 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
+#include "post/cracks/contact_classes.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
@@ -124,6 +125,7 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
 Command rosette_plot() {
     struct Options : PlotOptions {
         CrackLabelChoice label;
+        std::vector<std::string> classes;
     };
     return make_plot<Options>(
         "rosette", "directions of the cracks by mode, over those of the facets",
@@ -131,13 +133,16 @@ Command rosette_plot() {
         [](CLI::App& app, Options& options) {
             add_picture(app, options);
             add_crack_label(app, options.label);
+            add_classes(app, options.classes);
         },
         [](const Options& options, const Call& call) {
             const RunReader run(call.file());
             const Specimen specimen = run.specimen();
-            return draw_rosette(crack_rosette(read_labelled_cracks(run, specimen, options.label), specimen),
-                                test_title(run.header()), run.name(), definition_of(options.label.of(run.header())),
-                                options.style);
+            const Rosette rosette = crack_rosette(read_labelled_cracks(run, specimen, options.label), specimen,
+                                                  contacts_of_classes(specimen, options.classes, run.name()));
+            const std::string definition = definition_of(options.label.of(run.header()));
+            return draw_rosette(rosette, test_title(run.header()), limited_to(run.name(), options.classes),
+                                limited_to(definition, options.classes), options.style);
         });
 }
 

@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "post/chart/map_view.hpp"
 #include "post/plot/make_plot.hpp"
+#include "share/command_line.hpp"
+#include "share/error.hpp"
 #include "share/h5_file.hpp"
 #include "share/units.hpp"
 
@@ -27,28 +33,78 @@ ChartText heading(const Specimen& specimen) {
                          mesh.psi6)}};
 }
 
+/// Lower ends of the steps of strength factors, whose mean is 1, and their colours: even steps of viridis (van der Walt & Smith
+/// 2015), the weaker the darker, so that they stay apart in grey and for colour-blind eyes.
+struct StrengthStep {
+    double from;
+    Colour colour;
+    const char* label;
+};
+constexpr std::array<StrengthStep, 5> strength_steps{{{0, {68, 1, 84}, "< 0.5"},
+                                                      {0.5, {59, 82, 139}, "0.5 to 0.75"},
+                                                      {0.75, {33, 145, 140}, "0.75 to 1"},
+                                                      {1, {94, 201, 98}, "1 to 1.25"},
+                                                      {1.25, {253, 231, 37}, "> 1.25"}}};
+
+/// Contacts as strokes, the weaker the darker and the later drawn.
+void draw_strengths(MapView& map, const Specimen& specimen, const std::string& file, std::vector<LegendEntry>& legend) {
+    const std::vector<double>& factors = specimen.contact_strength_factor;
+    if (factors.empty()) {
+        throw InputError(file + ": its contacts have no strength factors; graincrack-mesh --strength-modulus gives them");
+    }
+    map.draw_grains([](std::size_t /*grain*/) { return palette::white; });
+    const double width = std::clamp(0.12 * specimen.statistics.mean_edge * map.pixels_per_metre(), 1.2, 6.0);
+    for (auto step = strength_steps.rbegin(); step != strength_steps.rend(); ++step) {
+        const double to = step == strength_steps.rbegin() ? std::numeric_limits<double>::infinity() : std::prev(step)->from;
+        for (std::size_t c = 0; c < factors.size(); ++c) {
+            if (factors[c] < step->from || factors[c] >= to) continue;
+            const auto at = [&](std::size_t k) {
+                return map.positions()[static_cast<std::size_t>(specimen.contact_nodes[c][k])];
+            };
+            map.stroke(at(0), at(1), width, step->colour);
+        }
+    }
+    for (const StrengthStep& step : strength_steps) {
+        legend.push_back({Stroke{step.colour, 6}, (legend.empty() ? "strength factor " : "") + std::string(step.label)});
+    }
+}
+
 }  // namespace
 
-Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style) {
+Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour, const PictureStyle& style) {
     MapView map(specimen, specimen.node_position, heading(specimen), {style});
-    map.draw_grains();
-    const bool cracked = map.draw_pre_existing_cracks(4);
     std::vector<LegendEntry> legend;
-    if (specimen.phase_names.size() > 1) {
-        for (std::size_t i = 0; i < specimen.phase_names.size(); ++i)
-            legend.push_back({palette::phase(i), specimen.phase_names[i]});
+    if (colour == SpecimenColour::strength) {
+        draw_strengths(map, specimen, file, legend);
+    } else {
+        map.draw_grains();
+        if (specimen.phase_names.size() > 1) {
+            for (std::size_t i = 0; i < specimen.phase_names.size(); ++i)
+                legend.push_back({palette::phase(i), specimen.phase_names[i]});
+        }
     }
-    if (cracked) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
+    if (map.draw_pre_existing_cracks(4)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
     map.draw_legend(legend);
     return std::move(map).drawing();
 }
 
 Command specimen_plot() {
-    return make_plot<PlotOptions>("specimen", "the grains of a specimen", {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
-                                  FileArguments{"file", "specimen or run"}, add_picture,
-                                  [](const PlotOptions& options, const Call& call) {
-                                      return draw_specimen(read_specimen(H5Input(call.file())), options.style);
-                                  });
+    struct Options : PlotOptions {
+        SpecimenColour colour = SpecimenColour::phase;
+    };
+    return make_plot<Options>(
+        "specimen", "the grains of a specimen", {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
+        FileArguments{"file", "specimen or run"},
+        [](CLI::App& app, Options& options) {
+            add_picture(app, options);
+            add_choice<SpecimenColour>(app, "--colour", options.colour,
+                                       {{"phase", SpecimenColour::phase}, {"strength", SpecimenColour::strength}},
+                                       "grains by their phase (mineral), or contacts by the factor on their strengths");
+        },
+        [](const Options& options, const Call& call) {
+            const H5Input file(call.file());
+            return draw_specimen(read_specimen(file), file.name(), options.colour, options.style);
+        });
 }
 
 }  // namespace graincrack

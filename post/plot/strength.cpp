@@ -125,7 +125,7 @@ Command strength_plot() {
         },
         [](const Options& options, const Call& call) {
             std::optional<Material> material;
-            if (!options.material.empty()) material = read_material(options.material);
+            if (!options.material.empty()) material = read_material_of(call, options.material);
             ObjectionCount doubts;
             const std::vector<RunData> runs = read_doubted_runs(call.files, doubts);
             return draw_strengths(runs, material, doubts.lines(), options.style);

@@ -26,6 +26,7 @@
 #include "post/plot/thresholds.hpp"
 #include "post/report/comparison.hpp"
 #include "post/report/html.hpp"
+#include "post/report/minerals.hpp"
 #include "post/report/quality_checks.hpp"
 #include "post/report/test_report.hpp"
 #include "share/error.hpp"
@@ -44,6 +45,7 @@ struct Content {
     std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
     std::string mesh;             ///< figures of specimens
     std::string maps;             ///< figures of the first run of each series
+    Minerals minerals;            ///< of these specimens and runs
     std::vector<SizedEnvelope> envelopes;
     std::string envelope_note;
 };
@@ -98,7 +100,7 @@ void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
 }
 
 /// Pictures of the first run of each kind, and of the first specimen of each shape and grain size: no map stands there twice.
-void add_maps(Content& content, const std::vector<std::string>& runs, const CrackLabelChoice& label) {
+void add_maps(Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
     std::set<std::string> seen;
     for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
         const std::size_t first = row.runs.front();
@@ -107,9 +109,12 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Crac
         const Specimen specimen = run.specimen();
         const std::string kind = specimen.shape + (row.size.empty() ? "" : ", " + row.size);
         if (seen.insert(kind).second) {
-            content.mesh += html::figure(draw_specimen(specimen, html::figure_style()), kind + ", of " + t.data.name);
+            content.mesh += html::figure(draw_specimen(specimen, t.data.name, SpecimenColour::phase, html::figure_style()),
+                                         kind + ", of " + t.data.name);
+            content.minerals.add_phases(kind, specimen, t.data.header, options.material);
         }
-        content.maps += map_figures(run, t, name_of_row(row), label);
+        content.maps += map_figures(run, t, name_of_row(row), options.label);
+        content.minerals.add_classes(name_of_row(row), read_classes(run, options.label));
     }
 }
 
@@ -126,7 +131,7 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }
     progress.finish();
-    add_maps(content, runs, options.label);
+    add_maps(content, runs, options);
     add_envelopes(content, options.strain_limit_runs);
     return content;
 }
@@ -146,17 +151,39 @@ std::string key_figures(const Content& content) {
 }
 
 std::string run_table(const Content& content) {
-    html::Table table({"run", "test", "seed", "grains", "mean edge, mm", "strength, MPa", "ended by", "strain at peak, %",
-                       "first yield, MPa", "E, GPa", "ν", "E predicted", "ν predicted"});
+    std::vector<std::string> columns{"run",
+                                     "test",
+                                     "seed",
+                                     "grains",
+                                     "mean edge, mm",
+                                     "strength, MPa",
+                                     "ended by",
+                                     "strain at peak, %",
+                                     "first yield, MPa",
+                                     "E, GPa",
+                                     "ν",
+                                     "E predicted",
+                                     "ν predicted"};
+    const bool has_phases = std::any_of(content.tests.begin(), content.tests.end(),
+                                        [](const TestReport& t) { return t.data.header.fabric.phases.size() > 1; });
+    if (has_phases) columns.emplace_back("E of the grains, Reuss to Voigt");
+    html::Table table(columns);
     for (const TestReport& t : content.tests) {
-        table.row({t.data.name, series_label(t.data.header.test, t.data.header.confining_pressure),
-                   std::to_string(t.data.specimen.seed), std::to_string(t.data.specimen.grains),
-                   number(t.data.specimen.mean_edge * 1e3, 3), number(t.strength.value() * 1e-6), t.strength.peak_kind,
-                   number(100 * t.strength.strain_at_peak, 3),
-                   t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
-                   t.moduli ? number(t.moduli->chord.young_modulus * 1e-9) : "",
-                   t.moduli ? number(t.moduli->chord.poisson_ratio, 3) : "", number(t.predicted.young_modulus * 1e-9),
-                   number(t.predicted.poisson_ratio, 3)});
+        std::vector<std::string> row{t.data.name,
+                                     series_label(t.data.header.test, t.data.header.confining_pressure),
+                                     std::to_string(t.data.specimen.seed),
+                                     std::to_string(t.data.specimen.grains),
+                                     number(t.data.specimen.mean_edge * 1e3, 3),
+                                     number(t.strength.value() * 1e-6),
+                                     t.strength.peak_kind,
+                                     number(100 * t.strength.strain_at_peak, 3),
+                                     t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
+                                     t.moduli ? number(t.moduli->chord.young_modulus * 1e-9) : "",
+                                     t.moduli ? number(t.moduli->chord.poisson_ratio, 3) : "",
+                                     number(t.predicted.young_modulus * 1e-9),
+                                     number(t.predicted.poisson_ratio, 3)};
+        if (has_phases) row.push_back(bounds_of(t.grains));
+        table.row(row);
     }
     return table.str();
 }
@@ -209,13 +236,34 @@ std::string envelope_section(const Content& content) {
     return (figures.empty() ? "" : html::figures(figures)) + content.envelope_note;
 }
 
-std::string parameter_table(const RunHeader& h) {
-    html::Table table({"parameter", "value"});
+/// A row of a parameter of all contacts, or a cell for each class where they differ.
+std::vector<std::string> contact_row(const std::string& label, const std::vector<ContactParameters>& classes,
+                                     double ContactParameters::*value, Dimension dimension) {
+    std::vector<std::string> row{label};
+    for (const ContactParameters& each : classes) row.push_back(format_quantity(each.*value, dimension));
+    if (std::equal(row.begin() + 2, row.end(), row.begin() + 1)) row.resize(2);
+    return row;
+}
+
+std::string parameter_table(const TestReport& test) {
+    const RunHeader& h = test.data.header;
+    const std::vector<ContactParameters>& classes = h.fabric.contacts;
+    std::vector<std::string> columns{"parameter"};
+    if (classes.size() > 1) {
+        columns.insert(columns.end(), test.class_names.begin(), test.class_names.end());
+    } else {
+        columns.emplace_back("value");
+    }
+    html::Table table(columns);
     const auto add = [&](const std::string& label, double value, Dimension dimension) {
-        table.row({label, format_quantity(value, dimension)});
+        table.row_for_all(label, format_quantity(value, dimension));
     };
-    add("E of the grains", h.rock.young_modulus, Dimension::stress);
-    add("ν of the grains", h.rock.poisson_ratio, Dimension::one);
+    const auto add_contact = [&](const std::string& label, double ContactParameters::*value, Dimension dimension) {
+        table.row(contact_row(label, classes, value, dimension));
+    };
+    const std::string whose = classes.size() > 1 ? "rock" : "grains";
+    add("E of the " + whose, h.rock.young_modulus, Dimension::stress);
+    add("ν of the " + whose, h.rock.poisson_ratio, Dimension::one);
     add("density", h.rock.density, Dimension::density);
     add("K_IC", h.rock.mode_i_toughness, Dimension::toughness);
     add("K_IIC", h.rock.mode_ii_toughness, Dimension::toughness);
@@ -224,13 +272,14 @@ std::string parameter_table(const RunHeader& h) {
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == h.contact_law; });
     for (const ContactParameter& row : all_contact_parameters()) {
         if (!row.every_law && law != laws.end() && !law->reads(row.value)) continue;
-        add(std::string(row.quantity.meaning), h.contact.*row.value, row.quantity.dimension);
+        add_contact(std::string(row.quantity.meaning), row.value, row.quantity.dimension);
     }
-    add("critical opening δct", h.contact.critical_opening, Dimension::length);
-    add("critical sliding δcs", h.contact.critical_sliding, Dimension::length);
-    add("ultimate opening δut", h.contact.ultimate_opening, Dimension::length);
+    add_contact("critical opening δct", &ContactParameters::critical_opening, Dimension::length);
+    add_contact("critical sliding δcs", &ContactParameters::critical_sliding, Dimension::length);
+    add_contact("ultimate opening δut", &ContactParameters::ultimate_opening, Dimension::length);
     add("platen friction", h.platen_friction, Dimension::angle);
-    table.row({"contact law, coupling, fracture energy", h.contact_law + ", " + h.coupling + ", " + h.fracture_energy_choice});
+    table.row_for_all("contact law, coupling, fracture energy",
+                      h.contact_law + ", " + h.coupling + ", " + h.fracture_energy_choice);
     return table.str();
 }
 
@@ -240,7 +289,7 @@ std::string parameters(const Content& content) {
     for (const TestReport& t : content.tests) planes.emplace(name_of(t.data.header.plane), &t);
     std::string out = "<div class=\"columns\">\n";
     for (const auto& [plane, test] : planes) {
-        out += "<div><h3>plane " + html::escaped(std::string(plane)) + "</h3>" + parameter_table(test->data.header) + "</div>\n";
+        out += "<div><h3>plane " + html::escaped(std::string(plane)) + "</h3>" + parameter_table(*test) + "</div>\n";
     }
     return out + "</div>\n";
 }
@@ -260,8 +309,7 @@ std::string provenance(const Content& content) {
 }  // namespace
 
 std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
-    std::optional<Material> material;
-    if (!options.material.empty()) material = read_material(options.material);
+    const std::optional<Material>& material = options.material;
     const Content content = read_content(runs, options, verbosity);
     const RunHeader& header = content.tests.front().data.header;
     const std::string title =
@@ -281,6 +329,9 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);
     body += html::section("mesh", "Specimens", html::figures(content.mesh));
+    if (const std::string minerals = content.minerals.str(); !minerals.empty()) {
+        body += html::section("minerals", "Minerals", minerals);
+    }
     body += html::section("inputs", "Parameters", parameters(content));
     body += html::section("provenance", "Provenance", provenance(content));
     return html::page(title, body);

@@ -7,12 +7,13 @@
 
 #include "post/cracks/crack_label.hpp"
 #include "post/measure/strength.hpp"
+#include "share/material.hpp"
 #include "share/progress.hpp"
 
 namespace graincrack {
 
 struct ReportOptions {
-    std::string material;  ///< name or file, for laboratory values; "" for none
+    std::optional<Material> material = {};  ///< for laboratory values and fractions of phases
     StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
     CrackLabelChoice label = {};  ///< of the cracks in maps, roses and curves
 };

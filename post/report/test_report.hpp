@@ -36,6 +36,8 @@ struct TestReport {
     Strength strength;
     std::optional<Moduli> moduli;
     fpz::AssemblageModuli predicted;
+    GrainModuli grains;
+    std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
     std::optional<Thresholds> thresholds;  ///< 2D, compression tests
     std::optional<double> initiation;      ///< by crack count, Pa
     InitiationByDamage initiation_by_damage;

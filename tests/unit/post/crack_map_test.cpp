@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
@@ -121,6 +122,34 @@ vtkSmartPointer<vtkPolyData> read_lines(const std::string& path) {
     reader->SetFileName(path.c_str());
     reader->Update();
     return reader->GetOutput();
+}
+
+TEST_F(CrackMap, CracksHaveTheClassAndStrengthFactorOfTheirContact) {
+    Specimen& s = recipe_.specimen;
+    s.phase_names = {"quartz", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = g % 3 == 0 ? 1 : 0;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) s.contact_strength_factor.push_back(1 + 0.001 * static_cast<double>(c));
+    test::write_run(map("minerals.h5"), recipe_);
+    export_cracks(RunReader(map("minerals.h5")), map("minerals"), {}, Verbosity::quiet);
+    const auto lines = read_lines(map("minerals/cracks_0002.vtp"));
+    const std::vector<std::uint8_t> classes = contact_classes(s);
+    const std::vector<Crack> all = test::synthetic_cracks(s);
+    ASSERT_EQ(lines->GetNumberOfLines(), static_cast<vtkIdType>(all.size()));
+    std::set<double> seen;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto c = static_cast<std::size_t>(all[i].contact);
+        const auto data = [&](const char* name) {
+            return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
+        };
+        EXPECT_EQ(data("class"), classes[c]);
+        EXPECT_EQ(data("strength_factor"), s.contact_strength_factor[c]);
+        seen.insert(data("class"));
+    }
+    EXPECT_EQ(seen.size(), 2U);  // no two grains of mica touch here
+    auto* const names = vtkStringArray::SafeDownCast(lines->GetFieldData()->GetAbstractArray("class_names"));
+    ASSERT_NE(names, nullptr);
+    EXPECT_EQ(names->GetValue(1), "quartz-mica");
+    EXPECT_EQ(test::field(test::read_text(map("minerals/classes.tsv")), "class", 1), "quartz-mica");
 }
 
 // The crack log has the motion at failure; each frame has its own.

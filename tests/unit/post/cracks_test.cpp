@@ -80,10 +80,10 @@ TEST(CrackCounts, GoByModeAndPairOfMinerals) {
         cracks[i].mode = i < 3 ? CrackMode::tensile : CrackMode::shear;
     }
     const CrackCounts counts = count_cracks(run, curve, recipe.specimen, cracks, 20);
-    ASSERT_EQ(counts.pairs, (std::vector<std::string>{"feldspar-quartz"}));  // the grid has no others
+    ASSERT_EQ(counts.classes, (std::vector<std::string>{"quartz-feldspar"}));  // the grid has no others
     EXPECT_DOUBLE_EQ(counts.moments.front().all.tensile, 0);
     EXPECT_DOUBLE_EQ(counts.moments.back().all.tensile, 1.5);
-    EXPECT_DOUBLE_EQ(counts.moments.back().by_pair[0].shear, 0.5);
+    EXPECT_DOUBLE_EQ(counts.moments.back().by_class[0].shear, 0.5);
     std::size_t peaks = 0;
     for (const auto& m : counts.moments) {
         EXPECT_DOUBLE_EQ(m.all.tensile, 0.5 * std::min(3.0, std::floor(m.time / 0.25 + 1e-9)));
@@ -92,7 +92,7 @@ TEST(CrackCounts, GoByModeAndPairOfMinerals) {
     EXPECT_EQ(peaks, 1U);
     std::ostringstream out;
     write_crack_counts(out, counts, TableFormat::tsv);
-    EXPECT_EQ(test::field(out.str(), "tensile_cracks_feldspar-quartz", counts.moments.size() - 1), "1.5");
+    EXPECT_EQ(test::field(out.str(), "tensile_cracks_quartz-feldspar", counts.moments.size() - 1), "1.5");
 }
 
 const Rock rock{25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};

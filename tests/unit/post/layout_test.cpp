@@ -80,7 +80,7 @@ TEST_P(Layout, PicturesOfOneRun) {
     const RunData data = run_data(run);
     const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
     const std::string definition = definition_of({});
-    expect_fit_to_print(draw_specimen(recipe_.specimen, style_), "specimen");
+    expect_fit_to_print(draw_specimen(recipe_.specimen, "run.h5", SpecimenColour::phase, style_), "specimen");
     expect_fit_to_print(draw_curves({data}, {}, definition, {}, style_), "curve");
     expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "cracks");
     expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -119,6 +120,28 @@ TEST(Moduli, TensionHasPositiveModuli) {
     const std::string table = table_of(recipe);
     EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
     EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+}
+
+TEST(Moduli, VoigtAndReussAreMeansByAreaOfThePhases) {
+    Specimen specimen = test::grid_specimen(2, 5, 0.02, 0.05);  // 20 grains of equal areas
+    specimen.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < 20; ++g) specimen.grain_phase[g] = g < 6 ? 0 : g < 18 ? 1 : 2;
+    RunHeader header = test::synthetic_header({});
+    header.plane = PlaneCondition::stress;
+    header.fabric = uniform_fabric(header.rock, header.contact, 3);
+    const std::array young{36.12e9, 24.51e9, 10.32e9};
+    for (std::size_t p = 0; p < 3; ++p) header.fabric.phases[p].young_modulus = young[p];
+    header.fabric.phases[2].poisson_ratio = 0.33;
+    const GrainModuli grains = grain_moduli(header, specimen);
+    EXPECT_NEAR(grains.voigt, 26.574e9, 1e3);    // 0.3 · 36.12 + 0.6 · 24.51 + 0.1 · 10.32
+    EXPECT_NEAR(grains.reuss, 23.54305e9, 1e4);  // 1/(0.3/36.12 + 0.6/24.51 + 0.1/10.32)
+    EXPECT_NEAR(grains.poisson_ratio, 0.9 * 0.23 + 0.1 * 0.33, 1e-12);
+    // Very stiff contacts leave Hill's mean.
+    for (ContactParameters& contact : header.fabric.contacts) contact.normal_stiffness = contact.shear_stiffness = 1e30;
+    EXPECT_NEAR(predict_moduli(header, specimen).young_modulus, 0.5 * (26.574e9 + 23.54305e9), 1e4);
+    const std::string table = table_of({});  // one phase
+    EXPECT_DOUBLE_EQ(value(table, "voigt_young_modulus_GPa"), 25.8);
+    EXPECT_DOUBLE_EQ(value(table, "reuss_young_modulus_GPa"), 25.8);
 }
 
 TEST(Moduli, BrazilianHasNoneButAPrediction) {

@@ -149,7 +149,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     EXPECT_LT(draw_laws(data.header.contact, "granite", {}).height(), 1900);
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
-    expect(draw_specimen(recipe_.specimen), {"256 grains"});
+    expect(draw_specimen(recipe_.specimen, "run.h5"), {"256 grains"});
     expect(draw_curves({data}, {}, "what a crack is"), {"peak 125 MPa", "what a crack is", "plane strain"});
     expect(cracks("last"), {"tensile cracks:", "plane strain"});
     // One of the two points of a contact has failed: one micro-crack, not a half.
@@ -216,7 +216,7 @@ TEST_F(Picture, CurveAndSpecimenAreDrawn) {
     write_picture(draw_curves({read_run_data(path("run.h5"))}, {}, ""), path("curve.png"));
     EXPECT_GT(pixels_of(path("curve.png"), palette::series(0)), 2000);
     EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 300);  // counts of cracks
-    write_picture(draw_specimen(recipe_.specimen), path("specimen.png"));
+    write_picture(draw_specimen(recipe_.specimen, "run.h5"), path("specimen.png"));
     EXPECT_GT(pixels_of(path("specimen.png"), palette::grain), 200000);
 }
 

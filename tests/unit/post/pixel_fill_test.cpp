@@ -50,10 +50,10 @@ TEST(PixelFill, WhatIsOffThePageIsLeftOut) {
 
 TEST(PixelFill, APictureOfManyGrainsIsNoLargerThanItsPage) {
     const Specimen specimen = test::grid_specimen(300, 300, 0.08, 0.08);  // edges of 3 pixels
-    const Drawing drawing = draw_specimen(specimen);
+    const Drawing drawing = draw_specimen(specimen, "run.h5");
     EXPECT_LT(drawing.n_marks(), 4000U);                               // 944 rows, 1,200 edges of the rim, legend and title
     EXPECT_NEAR(area_of(drawing, palette::phase(0)), 944 * 944, 944);  // the page without its margins
-    EXPECT_GT(draw_specimen(test::grid_specimen(30, 30, 0.08, 0.08)).n_marks(), 1800U);  // each grain and outline
+    EXPECT_GT(draw_specimen(test::grid_specimen(30, 30, 0.08, 0.08), "run.h5").n_marks(), 1800U);  // each grain and outline
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ protected:
 TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
-                                  {"augig-granite", StrainLimitRuns::refuse});
+                                  {read_material("augig-granite"), StrainLimitRuns::refuse});
     for (const char* id : {"figures", "columns", "quality-checks", "envelope", "maps", "mesh", "inputs", "provenance"}) {
         expect_texts(html, {"<h2 id=\"" + std::string(id) + "\">"});
     }
@@ -64,11 +64,12 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
 
 TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     const std::vector<std::string> runs{run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
-    expect_texts(page(runs, {"augig-granite", StrainLimitRuns::refuse}), {"<h3>Results</h3>", "it has no [fitted]"});
+    expect_texts(page(runs, {read_material("augig-granite"), StrainLimitRuns::refuse}),
+                 {"<h3>Results</h3>", "it has no [fitted]"});
     std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
     const std::string calibrated = folder_.file("calibrated.toml");
     std::ofstream(calibrated) << file.rdbuf() << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190 on 30 new specimens\"\n";
-    const std::string html = page(runs, {calibrated, StrainLimitRuns::refuse});
+    const std::string html = page(runs, {read_material(calibrated), StrainLimitRuns::refuse});
     expect_texts(html, {"190 on 30 new specimens"});
     const std::size_t fitted = html.find("<h3>Fitted by the calibration</h3>");
     const std::size_t predicted = html.find("<h3>Predicted: not fitted to anything</h3>");
@@ -79,6 +80,19 @@ TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     EXPECT_EQ(first.find("UCS, MPa"), std::string::npos);
     EXPECT_NE(second.find("UCS, MPa"), std::string::npos);
     EXPECT_EQ(second.find("σ1 at 8 MPa"), std::string::npos);
+}
+
+TEST_F(Report, MineralsStandByPhaseAndClass) {
+    test::Recipe r = recipe("uniaxial", 120e6);
+    EXPECT_EQ(page({run("one.h5", r)}).find("id=\"minerals\""), std::string::npos);
+    r.specimen.phase_names = {"quartz", "mica"};
+    for (std::size_t g = 0; g < r.specimen.n_grains(); ++g) r.specimen.grain_phase[g] = g % 4 == 0 ? 1 : 0;
+    Material material = read_material("augig-granite");
+    material.fabric.phases["quartz"].fraction = 0.745;
+    const std::string html = page({run("two.h5", r)}, {material, StrainLimitRuns::refuse});
+    expect_texts(html, {"id=\"minerals\"", "<td>quartz</td><td>74.5</td><td>75</td><td>192</td><td>25.8</td><td>0.23</td>",
+                        "<td>all, Reuss to Voigt</td>", "<h3>Contacts and micro-cracks by class</h3>", "<td>quartz-mica</td>",
+                        "<th>parameter</th><th>quartz-quartz</th><th>quartz-mica</th>"});
 }
 
 TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {

@@ -1,0 +1,40 @@
+// Contacts and micro-cracks of a run by class of contacts.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "post/cracks/crack_counts.hpp"
+#include "post/table/table.hpp"
+
+namespace graincrack {
+
+/// The contacts of a class, and how many of them cracked.
+struct ClassCounts {
+    std::string name;  ///< "quartz-mica"
+    std::size_t contacts = 0;
+    double length = 0;                       ///< m
+    std::optional<ModeCounts> at_peak = {};  ///< by the time of the peak; empty for a run without one
+    ModeCounts at_end = {};
+};
+/// Those of a run, and what their cracks are.
+struct RunClasses {
+    std::string run;         ///< name of its file
+    std::string definition;  ///< of its cracks in words
+    std::vector<ClassCounts> classes;
+    [[nodiscard]] double length() const;  ///< of all contacts, m
+};
+
+/// \param cracks labelled ones of the whole run \param peak time of the peak, s
+std::vector<ClassCounts> count_by_class(const Specimen& specimen, const std::vector<Crack>& cracks,
+                                        const std::optional<double>& peak);
+/// \throws InputError as `read_cracks`
+RunClasses read_classes(const RunReader& run, const CrackLabelChoice& label);
+
+/// Table, a row a class: file, class, contacts, length_m, length_share, tensile_cracks, shear_cracks by the peak,
+/// tensile_cracks_at_end, shear_cracks_at_end. \param format for scripts; empty: for people, with the sums of each run
+void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, const std::optional<TableFormat>& format);
+
+}  // namespace graincrack
