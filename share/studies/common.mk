@@ -111,8 +111,9 @@ times = $(shell awk 'BEGIN { n = split("$(1)", s, " "); for (i = 1; i <= n; ++i)
 unique = $(if $(1),$(firstword $(1)) $(call unique,$(filter-out $(firstword $(1)),$(1))))
 # $(call lines,LIST): a line each, for the shell
 lines = printf '%s\n' $(1)
-# $(call same,TEXT,TEXT)
-same = $(and $(findstring x$(1)x,x$(2)x),$(findstring x$(2)x,x$(1)x))
+# $(call same,TEXT,TEXT), but for white space: GNU make 4.3 sometimes leaves the last line end of a file that it reads.
+same = $(call equal,x$(strip $(1))x,x$(strip $(2))x)
+equal = $(and $(findstring $(1),$(2)),$(findstring $(2),$(1)))
 # Text as one word of a list: ~ stands for a space, | is between the columns of a row.
 word_of = $(subst $(space),~,$(strip $(1)))
 
@@ -155,8 +156,11 @@ note = $(call note_all,$(1),$(2),$(3),$(4),$(5),$(6) $(call added,$(firstword $(
 note_all = $(call note_row,$(RUNS)/$(1)$(call names_of,$(6),_).h5,$(2),$(3),$(4),$(5) $(call options_of,$(6)),$(7))
 note_row = $(eval specimen_$(1) := $(2))$(eval mesh_$(2) := $(strip $(3)))$(eval material_$(1) := $(strip $(4)))$(eval solve_$(1) := $(strip $(5)))$(if \
     $(6),$(eval labels_$(1) := $(6)))$(1)
+# $(call rows_of,FILE): the rows of a table as words, with | before each column. $(call column_of,NUMBER,ROW): an entry of such a row
+rows_of = $(foreach r,$(shell tail -n +2 $(1) | tr ' \t' '~|'),|$(r))
+column_of = $(subst ~, ,$(patsubst |%,%,$(word $(1),$(subst |, |,$(2)))))
 # $(call of_test,TEST,RUNS): those of a kind of test
-of_test = $(foreach r,$(2),$(if $(filter $(1),$(firstword $(solve_$(r)))),$(r)))
+of_test = $(strip $(foreach r,$(2),$(if $(filter $(1),$(firstword $(solve_$(r)))),$(r))))
 
 
 # The table of the runs.

@@ -1,12 +1,8 @@
 # Makes the runs of the table WANTED, with what variables of this make add, and adds their measures to the tables of the calibration.
 include ../common.mk
-# A row as columns with | before each, in which ~ stands for a space.
-rows := $(foreach r,$(shell tail -n +2 $(WANTED) | tr ' \t' '~|'),|$(r))
-# $(call column_of,NUMBER,COLUMNS)
-column_of = $(subst ~, ,$(patsubst |%,%,$(word $(1),$(2))))
 run_of_row = $(call note,$(patsubst %.h5,%,$(call column_of,1,$(1))),$(call column_of,2,$(1)),$(call column_of,3,$(1)),$(call column_of,4,$(1)),$(call column_of,5,$(1)))
-runs := $(foreach r,$(rows),$(call run_of_row,$(subst |, |,$(r))))
-notched := $(foreach r,$(runs),$(if $(findstring --notch,$(mesh_$(specimen_$(r)))),$(r)))
+runs := $(foreach r,$(call rows_of,$(WANTED)),$(call run_of_row,$(r)))
+notched := $(strip $(foreach r,$(runs),$(if $(findstring --notch,$(mesh_$(specimen_$(r)))),$(r))))
 .DEFAULT_GOAL = measured
 # $(call add,COMMAND,RUNS): adds rows to a table, or makes it; complete or not at all. A run's name has its folder, which is its material.
 define add
