@@ -84,9 +84,8 @@ GF ?=
 OPEN ?=
 LAW ?=
 MAX_STRAIN ?=
-# The rate tolerance of tests; empty: the solver's default, 0.0015. This value reduces the time
-# of tests to some two thirds; share/doc/equilibrium.md has its effect on strengths.
-# Brazilian tests are short and keep the solver's default.
+# The rate tolerance of tests; empty: the solver's default, 0.0015. This value reduces the time of tests to some two thirds;
+# share/doc/equilibrium.md has its effect on strengths. Brazilian tests are short and keep the solver's default.
 UNIAXIAL ?= 0.003
 CONFINED ?= 0.003
 # Of most uniaxial tests only the peak is used, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the
@@ -154,14 +153,20 @@ sizes_of = $(foreach z,$(1),$(if $(findstring |,$(z)),$(z),$(call setting,$(z),$
 # $(call note,NAME,SPECIMEN,MESH,MATERIAL,TEST,SETTINGS,LABELS): the file of a run with such a row, for each of its columns a variable
 note = $(call note_all,$(1),$(2),$(3),$(4),$(5),$(6) $(call added,$(firstword $(5)),$(6)),$(7))
 note_all = $(call note_row,$(RUNS)/$(1)$(call names_of,$(6),_).h5,$(2),$(3),$(4),$(5) $(call options_of,$(6)),$(7))
-note_row = $(eval specimen_$(1) := $(2))$(eval mesh_$(2) := $(strip $(3)))$(eval material_$(1) := $(strip $(4)))$(eval solve_$(1) := $(strip $(5)))$(if \
-    $(6),$(eval labels_$(1) := $(6)))$(1)
+note_row = $(call require_one,$(1),$(strip $(material_$(1)) $(solve_$(1))),$(strip $(4) $(5)))$(eval $(call row_variables,$(1),$(2),$(3),$(4),$(5),$(6)))$(1)
+define row_variables
+specimen_$(1) := $(2)
+mesh_$(2) := $(strip $(3))
+material_$(1) := $(strip $(4))
+solve_$(1) := $(strip $(5))
+labels_$(1) := $(or $(6),$(labels_$(1)))
+endef
+require_one = $(if $(2),$(if $(call same,$(2),$(3)),,$(error $(notdir $(1)): two runs of one name: "$(2)" and "$(3)"; each needs one of its own)))
 # $(call rows_of,FILE): the rows of a table as words, with | before each column. $(call column_of,NUMBER,ROW): an entry of such a row
 rows_of = $(foreach r,$(shell tail -n +2 $(1) | tr ' \t' '~|'),|$(r))
 column_of = $(subst ~, ,$(patsubst |%,%,$(word $(1),$(subst |, |,$(2)))))
 # $(call of_test,TEST,RUNS): those of a kind of test
 of_test = $(strip $(foreach r,$(2),$(if $(filter $(1),$(firstword $(solve_$(r)))),$(r))))
-
 
 # The table of the runs.
 row = $(notdir $(1))|$(specimen_$(1))|$(call word_of,$(mesh_$(specimen_$(1))))|$(call word_of,$(material_$(1)))|$(call word_of,$(solve_$(1)))
