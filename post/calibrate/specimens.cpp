@@ -21,8 +21,9 @@ std::string specimen_name(const Specimens& specimens, const WantedRun& run) {
 
 std::string mesh_options(const Specimens& specimens, const WantedRun& run) {
     const bool disc = run.test == "brazilian";
-    std::string text = disc ? fmt::format("disc --diameter {:g}mm", specimens.diameter * 1e3)
-                            : fmt::format("rectangle --width {:g}mm --height {:g}mm", specimens.width * 1e3, specimens.height * 1e3);
+    std::string text =
+        disc ? fmt::format("disc --diameter {:g}mm", specimens.diameter * 1e3)
+             : fmt::format("rectangle --width {:g}mm --height {:g}mm", specimens.width * 1e3, specimens.height * 1e3);
     text += specimens.edge ? fmt::format(" --edge {:g}mm", *specimens.edge * 1e3)
                            : fmt::format(" --grains {:g}", disc ? specimens.disc_grains : specimens.grains);
     if (run.notched) text += fmt::format(" --notch {:g}mm", specimens.notch() * 1e3);

@@ -22,8 +22,8 @@ struct Specimens {
     [[nodiscard]] double notch() const { return notch_over_width * width; }  ///< m
 };
 
-/// Name of the specimen that a run needs: "rectangle80x160g1122-s1", "disc80e4-s2", "rectangle80x160g1122n32-s3"; mm, g for a number
-/// of grains, e for a mean edge, n for a notch, s for the seed.
+/// Name of the specimen that a run needs: "rectangle80x160g1122-s1", "disc80e4-s2", "rectangle80x160g1122n32-s3"; mm, g for a
+/// number of grains, e for a mean edge, n for a notch, s for the seed.
 std::string specimen_name(const Specimens& specimens, const WantedRun& run);
 /// Its options of graincrack-mesh: "disc --diameter 80mm --edge 4mm --seed 2".
 std::string mesh_options(const Specimens& specimens, const WantedRun& run);

@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "post/table/table_file.hpp"
+#include "share/error.hpp"
 #include "share/material_edit.hpp"
 #include "share/units.hpp"
-#include "share/error.hpp"
 #include "synthetic_rock.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -65,7 +65,8 @@ protected:
         const auto materials = wanted.texts("material");
         const auto solves = wanted.texts("solve");
         for (std::size_t i = 0; i < wanted.n_rows(); ++i) {
-            WantedRun run{solves[i].substr(0, solves[i].find(' ')), 0, std::stoll(values_of(meshes[i], "--seed").at(0)), {}, {}, ""};
+            WantedRun run{
+                solves[i].substr(0, solves[i].find(' ')), 0, std::stoll(values_of(meshes[i], "--seed").at(0)), {}, {}, ""};
             for (const std::string& text : values_of(solves[i], "--confining-pressure"))
                 run.confining_pressure = parse_quantity(text, quantity::confining_pressure, "pressure");
             for (const std::string& text : values_of(solves[i], "--max-strain"))
