@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <set>
 #include <span>
 #include <sstream>
 
@@ -136,7 +135,7 @@ std::string contact_text(const Material& at, const Point& point) {
         for (const ParameterRow& row : parameters()) {
             if (row.contact != &contact || !point[row.parameter]) continue;
             si = row.si;
-            unit = std::string_view(row.column).substr(std::string_view(row.column).rfind('_') + 1);
+            unit = unit_in_files(row);
         }
         text += fmt::format("{} = {}\n", contact.key(), si_text(*value, si, unit));
     }
@@ -252,33 +251,33 @@ std::vector<FinishedRun> read_finished(const std::string& folder) {
     return runs;
 }
 
-std::string grains_file(const Point& point) {
-    return fmt::format("grains-E{:.6g}-nu{:.6g}.toml", point[Parameter::young_modulus].value() * 1e-9,
-                       point[Parameter::poisson_ratio].value());
-}
-
 std::string wanted_table(const Study& study, const std::vector<WantedRun>& wanted) {
-    std::string text = "test\tconfining_pressure_MPa\tspecimen\tseed\tmaterial";
-    for (const ParameterRow& row : parameters()) {
-        if (std::string(row.key).starts_with("contact.")) text += fmt::format("\t{}", row.column);
-    }
-    text += "\tmax_strain\treason\n";
+    std::string text = "file\tspecimen\tmesh\tmaterial\tsolve\treason\n";
     for (const WantedRun& run : wanted) {
-        text += fmt::format("{}\t{:.7g}\t{}\t{}\t{}", run.test, run.confining_pressure * 1e-6, label_of(study.specimens, run),
-                            run.seed, grains_file(run.point));
+        const std::string pressure = run.test == "triaxial" ? fmt::format("{:.7g}", run.confining_pressure * 1e-6) : "";
+        const std::string specimen = specimen_name(study.specimens, run);
+        std::string file = run.test + pressure + "_" + specimen;
+        std::string settings;
         for (const ParameterRow& row : parameters()) {
-            if (!std::string(row.key).starts_with("contact.")) continue;
-            text += run.point[row.parameter] ? fmt::format("\t{:.6g}", *run.point[row.parameter] / row.si) : "\t";
+            if (!run.point[row.parameter]) continue;
+            const std::string value = fmt::format("{:.6g}", *run.point[row.parameter] / row.si);
+            file += fmt::format("_{}{}", row.name, value);
+            settings += fmt::format("{}--set {}={}{}", settings.empty() ? "" : " ", row.key, value, unit_in_files(row));
         }
-        const bool compression = run.test == "uniaxial" || run.test == "triaxial";
-        text += fmt::format("\t{}\t{}\n", compression ? fmt::format("{:.5g}", run.max_strain.value_or(study.max_strain)) : "",
-                            run.reason);
+        std::string test = run.test;
+        if (!pressure.empty()) test += fmt::format(" --confining-pressure {}MPa", pressure);
+        if (run.test == "uniaxial" || run.test == "triaxial") {
+            const std::string limit = fmt::format("{:.5g}", run.max_strain.value_or(study.max_strain));
+            file += "_cap" + limit;
+            test += " --max-strain " + limit;
+        }
+        const std::string mesh = mesh_options(study.specimens, run);
+        text += fmt::format("{}.h5\t{}\t{}\t{}\t{}\t{}\n", file, specimen, mesh, settings, test, run.reason);
     }
     return text;
 }
 
-/// \param what what the material is, behind the name of the rock \param fitted for [fitted], if it has one
-std::string material_text(const Material& rock, const Point& point, const char* what, const Decision* fitted) {
+std::string material_text(const Material& rock, const Point& point, const char* what, const Decision& fitted) {
     const Material at = material_at(rock, point);
     std::string text = fmt::format("name = \"{}, {}\"\n\n[rock]\n", rock.name, what);
     text += fmt::format(
@@ -290,9 +289,8 @@ std::string material_text(const Material& rock, const Point& point, const char* 
     text += contact_text(at, point);
     text += fmt::format("\n[platen]\nfriction_angle = {:.9g}\n\n[laboratory]\n", at.platen_friction_angle);
     for (const auto& [key, value] : rock.laboratory) text += fmt::format("{} = {:.9g}\n", key, value);
-    if (fitted == nullptr) return text;
     text += "\n[fitted]  # property: what it was fitted to, and what new specimens have\n";
-    for (const Outcome& o : fitted->outcomes) {
+    for (const Outcome& o : fitted.outcomes) {
         if (o.target.role != Role::fitted || !o.ours) continue;
         const Target& t = o.target;
         const std::string key =
@@ -340,12 +338,6 @@ Decision calibrate_folder(const std::string& folder, const std::string& material
     Decision decision = decide(rock, study, finished);
     for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md"}) remove_file((place / name).string());
     if (decision.ending == Ending::wanted) {
-        std::set<std::string> written;
-        for (const WantedRun& run : decision.wanted) {
-            const std::string name = grains_file(run.point);
-            if (written.insert(name).second)
-                write_whole_file((place / name).string(), material_text(rock, run.point, "grains", nullptr));
-        }
         write_whole_file((place / "wanted.tsv").string(), wanted_table(study, decision.wanted));
         return decision;
     }
@@ -353,7 +345,7 @@ Decision calibrate_folder(const std::string& folder, const std::string& material
     const bool calibrated = decision.ending == Ending::calibrated;
     if (calibrated || has_strengths(decision.point)) {
         write_whole_file((place / (calibrated ? "calibrated.toml" : "nearest.toml")).string(),
-                         material_text(rock, decision.point, calibrated ? "calibrated" : "nearest point", &decision));
+                         material_text(rock, decision.point, calibrated ? "calibrated" : "nearest point", decision));
     }
     return decision;
 }

@@ -5,7 +5,6 @@
 //     moduli.tsv       `moduli` of the uniaxial ones                                    given
 //     toughness.tsv    `toughness` of those with a notch                                given
 //     wanted.tsv       the next runs with their reasons                                 written while runs are missing
-//     grains-….toml    materials of these runs, in the column `material`
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
 //     nearest.toml     the same for the nearest point                                 written if it ends otherwise
 //     report.md        targets, results, values with intervals, every step              written in the end
@@ -27,14 +26,12 @@ Study read_study(const Material& rock, const std::vector<std::string>& settings 
 /// folder. Tests of other kinds than those of a calibration are passed over. \throws InputError for a missing column or table
 std::vector<FinishedRun> read_finished(const std::string& folder);
 
-/// wanted.tsv: test, confining_pressure_MPa, specimen, seed, material, the contact values that are set, max_strain, reason.
+/// wanted.tsv, a row a run: its file, its specimen, the options of graincrack-mesh, of `graincrack-post material with` and of
+/// graincrack-solve as they would be typed, and the reason.
 std::string wanted_table(const Study& study, const std::vector<WantedRun>& wanted);
 
-/// Name of the material file of the grains at a point: "grains-E27.157-nu0.2172.toml".
-std::string grains_file(const Point& point);
-
-/// A material file with the values of a point; with [fitted], what was fitted to what.
-std::string material_text(const Material& rock, const Point& point, const Decision* fitted);
+/// A material file with the values of a point. \param what what it is, behind the name of the rock \param fitted for [fitted]
+std::string material_text(const Material& rock, const Point& point, const char* what, const Decision& fitted);
 
 /// The report, in Markdown.
 std::string report_text(const Material& rock, const Study& study, const Decision& decision, std::size_t n_runs);

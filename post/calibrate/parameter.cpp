@@ -28,20 +28,22 @@ double usual_open_shear_strength(const Material& rock, const Point& point) {
 const std::array<ParameterRow, n_parameters>& parameters() {
     using P = Parameter;
     static const std::array<ParameterRow, n_parameters> table{{
-        {P::young_modulus, "rock.young_modulus", "grain_young_modulus_GPa", "E of the grains", "GPa", GPa, "young_modulus",
+        {P::young_modulus, "rock.young_modulus", "grain_young_modulus_GPa", "E", "E of the grains", "GPa", GPa, "young_modulus",
          "E of the rock", "half to twice the first guess"},
-        {P::poisson_ratio, "rock.poisson_ratio", "grain_poisson_ratio", "ν of the grains", "", 1, "poisson_ratio",
+        {P::poisson_ratio, "rock.poisson_ratio", "grain_poisson_ratio", "nu", "ν of the grains", "", 1, "poisson_ratio",
          "ν of the rock", "0.01 to 0.45"},
-        {P::tensile_strength, "contact.tensile_strength", "contact_tensile_strength_MPa", "tc", "MPa", MPa, "tensile_strength",
-         "2 K_IC/√(π dp), Eq 40", "0.3 to 3 times the first guess", &contact_parameter(&ContactParameters::tensile_strength)},
-        {P::cohesion, "contact.cohesion", "contact_cohesion_MPa", "cc", "MPa", MPa, "compressive_strength, confined_strength",
-         "UCS/2", "0.05 to 3 UCS", &contact_parameter(&ContactParameters::cohesion)},
-        {P::friction_angle, "contact.friction_angle", "contact_friction_angle_deg", "φc", "°", degree, "confined_strength",
-         "0.7 φ: specimens are rougher than their contacts", "5° to 75°", &contact_parameter(&ContactParameters::friction_angle)},
-        {P::fracture_energy, "contact.fracture_energy", "contact_fracture_energy_J/m2", "Gf", "J/m²", 1, "tensile_strength",
+        {P::tensile_strength, "contact.tensile_strength", "contact_tensile_strength_MPa", "tc", "tc", "MPa", MPa,
+         "tensile_strength", "2 K_IC/√(π dp), Eq 40", "0.3 to 3 times the first guess",
+         &contact_parameter(&ContactParameters::tensile_strength)},
+        {P::cohesion, "contact.cohesion", "contact_cohesion_MPa", "cc", "cc", "MPa", MPa,
+         "compressive_strength, confined_strength", "UCS/2", "0.05 to 3 UCS", &contact_parameter(&ContactParameters::cohesion)},
+        {P::friction_angle, "contact.friction_angle", "contact_friction_angle_deg", "phic", "φc", "°", degree,
+         "confined_strength", "0.7 φ: specimens are rougher than their contacts", "5° to 75°",
+         &contact_parameter(&ContactParameters::friction_angle)},
+        {P::fracture_energy, "contact.fracture_energy", "contact_fracture_energy_J/m2", "gf", "Gf", "J/m²", 1, "tensile_strength",
          "K_IC²/Ẽ, plane stress", "a tenth of the first guess to Eq 32, plane stress",
          &contact_parameter(&ContactParameters::fracture_energy)},
-        {P::open_shear_strength, "contact.open_shear_strength", "contact_open_shear_strength_MPa",
+        {P::open_shear_strength, "contact.open_shear_strength", "contact_open_shear_strength_MPa", "os",
          "shear strength of open contacts", "MPa", MPa, "tensile_strength", "tc √(ks/kt)", "a fifth of the first guess to cc",
          &contact_parameter(&ContactParameters::open_shear_strength)},
     }};
@@ -49,6 +51,11 @@ const std::array<ParameterRow, n_parameters>& parameters() {
 }
 
 const ParameterRow& row_of(Parameter parameter) { return parameters()[static_cast<std::size_t>(parameter)]; }
+
+std::string unit_in_files(const ParameterRow& row) {
+    const std::string column = row.column;
+    return row.unit[0] == '\0' ? "" : column.substr(column.rfind('_') + 1);
+}
 
 Point Point::with(Parameter parameter, double value) const {
     Point changed = *this;

@@ -25,7 +25,8 @@ inline constexpr std::size_t n_parameters = 7;
 struct ParameterRow {
     Parameter parameter;
     const char* key;                            ///< in a material file: "contact.cohesion"
-    const char* column;                         ///< in wanted.tsv: "contact_cohesion_MPa"
+    const char* column;                         ///< of tables: "contact_cohesion_MPa"
+    const char* name;                           ///< in names of runs: "cc"
     const char* symbol;                         ///< in reports
     const char* unit;                           ///< of the column and in reports
     double si;                                  ///< that unit in SI
@@ -36,6 +37,8 @@ struct ParameterRow {
 };
 const std::array<ParameterRow, n_parameters>& parameters();
 const ParameterRow& row_of(Parameter parameter);
+/// The unit of a parameter in files: "MPa", "J/m2", "deg"; "" for one without.
+std::string unit_in_files(const ParameterRow& row);
 
 /// Values of the parameters, SI. What is unset follows from the others as in a material without it.
 class Point {

@@ -19,10 +19,13 @@ struct Specimens {
     double notch_over_width = 0.4;  ///< length of the notch of specimens for K_IC
     /// Mean edge, m: as it is set, or that of equilateral grains that fill a rectangle.
     [[nodiscard]] double mean_edge() const;
+    [[nodiscard]] double notch() const { return notch_over_width * width; }  ///< m
 };
 
-/// Name of the kind of specimen that a run needs: "rectangle80x160g1122", "disc80e4", "rectangle80x160g1122n32"; mm, g for a
-/// number of grains, e for a mean edge, n for a notch.
-std::string label_of(const Specimens& specimens, const WantedRun& run);
+/// Name of the specimen that a run needs: "rectangle80x160g1122-s1", "disc80e4-s2", "rectangle80x160g1122n32-s3"; mm, g for a
+/// number of grains, e for a mean edge, n for a notch, s for the seed.
+std::string specimen_name(const Specimens& specimens, const WantedRun& run);
+/// Its options of graincrack-mesh: "disc --diameter 80mm --edge 4mm --seed 2".
+std::string mesh_options(const Specimens& specimens, const WantedRun& run);
 
 }  // namespace graincrack::calibrate

@@ -1,22 +1,19 @@
 # Rules and variables that all studies share: specimens, runs, tables and pages.
 #
-# The name of a run contains its settings, so that studies which need the same run share it and it is made once:
+# A run is a row of a table: the name of its file, the name of its specimen, and the options of three tools as they would be typed,
 #
-#     $(OUT)/runs/ROCK/uniaxial_rectangle80x160g1122-s2_tc18_cc122_phic53.h5
+#     file      uniaxial_rectangle80x160g1122-s2_tc18_cc122_phic53.h5
+#     specimen  rectangle80x160g1122-s2
+#     mesh      rectangle --width 80mm --height 160mm --grains 1122 --seed 2             of graincrack-mesh
+#     material  --set phases.contrast=0.75                                               of graincrack-post material with; empty: the rock
+#     solve     uniaxial --contact-tensile-strength 18MPa --contact-cohesion 122MPa …    of graincrack-solve
 #
-#     uniaxial, brazilian, tension, triaxial8          the test; with the pressure in MPa
-#     rectangle80x160g1122-s2, disc80e4-s2             the specimen: mm; number of grains or mean edge in mm; seed
-#     disc80g452d1-s2                                  a disc of six diameters, loaded along the one at 30°
-#     rectangle80x160g1122n32-s2                       with a notch of 32 mm
-#     tc18 cc122 phic53 gf90 os7.7                     contact options in MPa, degrees and J/m²; gfmixed, gfmode-i
-#     law-NAME cap0.05 maps                            the law; --max-strain; with frames for crack maps
-#     dm0.4 sf0.8 rt0.012                              --damping, --time-step-fraction, --rate-tolerance
-#     half                                             half the platen speed throughout (--rate-share 0.5)
-#     drop0.15                                         --peak-drop, of uniaxial runs
-#     NAME                                             options_NAME of the study
+# and, behind them, what the study calls it by (`label_columns`): tables of results are joined with it by `--look-up`. Names are for people and say
+# what is special in a run, so that studies that need the same run share it and it is made once; nothing reads them. A run whose options
+# have changed is made again: FILE.options has those that it was made with.
 #
-# and ROCK is the material with four digits that change with its values. A study sets `runs`, the runs that it needs, by
-# $(call run,TEST,SIZE,SEED,TOKENS), and includes this file. Users set:
+# A study sets `runs`, the files of the runs that it needs, by $(call run,TEST,SIZE,SEED,SETTINGS,LABELS), and includes this file; its table is
+# $(OUT)/STUDY/runs.tsv. Runs are in $(OUT)/runs/ROCK, where ROCK is the material with four digits that change with its values. Users set:
 #
 #     make SEEDS="1 2"         other seeds               make EDGE=4mm        another grain size
 #     make MATERIAL=my.toml    another rock              make OUT=/scratch    where results go
@@ -24,7 +21,7 @@
 #     make LAUNCH="srun …"     command before a run      make MAX_STRAIN=0.01 strain limit of runs without a peak
 #     make GF=90               fracture energy, J/m²     make OPEN=7.7        shear strength of open contacts, MPa
 #     make LAW=scaled          another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak; none: to the strain limit
-#     make CONFINED= UNIAXIAL=                           runs with the solver's default loading rate
+#     make CONFINED= UNIAXIAL=                           runs with the solver's default loading rate, or another tolerance of it
 #     make -n                  print what would be done  make clean           remove tables and pages; distclean: runs too
 #
 # Runs start in the order of `runs`: a study lists the longest first, so that processors finish at about the same time.
@@ -52,7 +49,7 @@ override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(CALLED_FROM)/)$(OUT))
 HERE := $(OUT)/$(STUDY)
 SPECIMENS := $(OUT)/specimens
 # Intermediate files are kept.
-.PRECIOUS: $(SPECIMENS)/rectangle%.h5 $(SPECIMENS)/disc%.h5
+.PRECIOUS: $(SPECIMENS)/%.h5
 
 # --- the rock --------------------------------------------------------------------------------------------------------
 
@@ -64,8 +61,9 @@ MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' 
 RUNS := $(OUT)/runs/$(MATERIAL_ID)
 # $(call of_material,contact.cohesion): a value as a bare number, in MPa, degrees, mm
 of_material = $(shell $(POST) material value $(1) $(MATERIAL_FILE))
-# The material's own contact strengths, as tokens of a run
-point_of_material = tc$(call of_material,contact.tensile_strength)_cc$(call of_material,contact.cohesion)_phic$(call of_material,contact.friction_angle)
+# $(call point_of_material): its own contact strengths, as a setting. $(call point_of_material,TC): with another tensile strength
+point_of_material = $(call at_point,$(or $(1),$(call of_material,contact.tensile_strength)),$(call of_material,contact.cohesion),$(call \
+    of_material,contact.friction_angle))
 
 # --- the size of things ----------------------------------------------------------------------------------------------
 
@@ -86,94 +84,123 @@ GF ?=
 OPEN ?=
 LAW ?=
 MAX_STRAIN ?=
-# The loading rate of tests, as tokens of their names; empty: the solver's default, a rate tolerance of 0.0015. This value reduces the time
-# of tests to some two thirds; share/doc/equilibrium.md has its effect on strengths.
-# Brazilian tests are short and keep the solver's default.
-UNIAXIAL ?= rt0.003
-CONFINED ?= rt0.003
+# The rate tolerance of tests; empty: the solver's default, 0.0015. This value reduces the time of tests to some two thirds;
+# share/doc/equilibrium.md has its effect on strengths. Brazilian tests are short and keep the solver's default.
+UNIAXIAL ?= 0.003
+CONFINED ?= 0.003
 # Of most uniaxial tests only the peak is used, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the
 # paper study that drop by 30 %, three peaks changed by more than 0.1 %: specimens whose grains interlock and whose stress rises again (cc a
 # quarter of UCS). Empty: the solver's default, which runs with a strain limit of their own or with frames have too.
 UNIAXIAL_PEAK_DROP ?= 0.15
 export GRAINCRACK_FRAMES ?= 0
 
-# --- names of runs ---------------------------------------------------------------------------------------------------
+# --- runs ------------------------------------------------------------------------------------------------------------
 
 comma := ,
 empty :=
 space := $(empty) $(empty)
+tab := $(shell printf '\t')
+define newline
+
+
+endef
 # $(call times,SHARES,VALUE): numbers
 times = $(shell awk 'BEGIN { n = split("$(1)", s, " "); for (i = 1; i <= n; ++i) printf "%s%.6g", (i > 1 ? " " : ""), s[i] * $(2) }')
 # $(call unique,LIST): without repetitions, in its order
 unique = $(if $(1),$(firstword $(1)) $(call unique,$(filter-out $(firstword $(1)),$(1))))
 # $(call lines,LIST): a line each, for the shell
 lines = printf '%s\n' $(1)
-shape_of = $(if $(filter brazilian,$(1)),disc,rectangle)
+# $(call same,TEXT,TEXT), but for white space: GNU make 4.3 sometimes leaves the last line end of a file that it reads.
+same = $(call equal,x$(strip $(1))x,x$(strip $(2))x)
+equal = $(and $(findstring $(1),$(2)),$(findstring $(2),$(1)))
+# Text as one word of a list: ~ stands for a space, | is between the columns of a row.
+word_of = $(subst $(space),~,$(strip $(1)))
+
+# A setting is a word NAME|OPTIONS: what it adds to the name of a run or specimen, and to its options. $(call setting,NAME,OPTIONS)
+setting = $(1)|$(call word_of,$(2))
+options_of = $(foreach s,$(1),$(subst ~, ,$(word 2,$(subst |, ,$(s)))))
+# $(call names_of,SETTINGS,BEFORE EACH)
+names_of = $(subst $(space),,$(foreach s,$(1),$(2)$(firstword $(subst |, ,$(s)))))
+# $(call at_point,TC,CC,PHIC)
+at_point = $(call setting,tc$(1)_cc$(2)_phic$(3),--contact-tensile-strength $(1)MPa --contact-cohesion $(2)MPa --contact-friction-angle $(3)deg)
+law = $(call setting,law-$(1),--contact-law $(1))
+gf = $(call setting,gf$(1),--fracture-energy $(1)$(if $(filter mixed mode-i,$(1)),,J/m2))
+os = $(call setting,os$(1),--contact-open-shear-strength $(1)MPa)
+cap = $(call setting,cap$(1),--max-strain $(1))
+drop = $(call setting,drop$(1),--peak-drop $(1))
+rt = $(call setting,rt$(1),--rate-tolerance $(1))
+maps := $(call setting,maps,--frames 20)
+
+# $(call added,TEST,SETTINGS): what the user's variables add to the settings of a test, where these leave it open.
+added = $(call unless,$(2),--contact-law,law,$(LAW)) $(call unless,$(2),--fracture-energy,gf,$(GF)) \
+        $(call unless,$(2),--contact-open-shear-strength,os,$(OPEN)) $(call unless,$(2),--max-strain,cap,$(MAX_STRAIN)) \
+        $(call unless,$(2),--peak-drop --max-strain --frames,drop,$(if $(filter uniaxial,$(1)),$(UNIAXIAL_PEAK_DROP))) \
+        $(call unless,$(2),--rate-tolerance,rt,$(if $(filter triaxial,$(1)),$(CONFINED))$(if $(filter uniaxial,$(1)),$(UNIAXIAL)))
+unless = $(and $(4),$(if $(strip $(foreach o,$(2),$(findstring $(o)~,$(1)))),,$(call $(3),$(4))))
+
+# $(call run,TEST,SIZE,SEED,SETTINGS,LABELS,MATERIAL): the file of a run, whose row is noted. TEST: uniaxial, brazilian, tension, or triaxial8
+# with the pressure in MPa. SIZE: e4, a mean edge in mm, or g452, a number of grains, and settings of the mesh; empty: the usual one.
+# LABELS: entries of label_columns.
+run = $(call run_of_shape,$(1),$(if $(filter brazilian,$(1)),disc,rectangle),$(2),$(3),$(4),$(5),$(6))
+run_of_shape = $(call run_of_mesh,$(1),$(2),$(call sizes_of,$(or $(3),$(SIZE_$(2)))),$(4),$(5),$(6),$(7))
+run_of_mesh = $(call run_on,$(1),$(2)$(extent_$(2))$(call names_of,$(3))-s$(4),$(mesh_$(2)) $(call options_of,$(3)) --seed $(4),$(5),$(6),$(7))
+run_on = $(call note,$(1)_$(2),$(2),$(3),$(6),$(patsubst triaxial%,triaxial --confining-pressure %MPa,$(1)),$(4),$(5))
 extent_rectangle = $(WIDTH)x$(HEIGHT)
 extent_disc = $(DIAMETER)
-# Tokens that the user's variables add to a run.
-user_tokens = $(if $(findstring _law-,$(1)),,$(if $(LAW),_law-$(LAW)))$(if $(findstring _gf,$(1)),,$(if $(GF),_gf$(GF)))$(if $(findstring _os,$(1)),,$(if $(OPEN),_os$(OPEN)))$(if $(findstring _cap,$(1)),,$(if $(MAX_STRAIN),_cap$(MAX_STRAIN)))
-rate_of = $(if $(filter triaxial%,$(1)),$(CONFINED),$(if $(filter uniaxial,$(1)),$(UNIAXIAL)))
-rate_tokens = $(subst $(space),,$(patsubst %,_%,$(call rate_of,$(1))))
-# $(call drop_token,TEST,_TOKENS)
-drop_token = $(and $(filter uniaxial,$(1)),$(UNIAXIAL_PEAK_DROP),$(if $(strip $(foreach t,_drop _cap _maps,$(findstring $(t),$(2)))),,_drop$(UNIAXIAL_PEAK_DROP)))
-# $(call run,TEST,SIZE,SEED,TOKENS); no SIZE: the usual one. TOKENS are joined by _, as in tc18_cc122
-run = $(call run_name,$(1),$(call shape_of,$(1)),$(2),$(3),$(if $(4),_$(4)))
-run_name = $(RUNS)/$(1)_$(2)$(extent_$(2))$(or $(3),$(SIZE_$(2)))-s$(4)$(5)$(call user_tokens,$(5))$(call drop_token,$(1),$(5))$(call rate_tokens,$(1)).h5
+mesh_rectangle = rectangle --width $(WIDTH)mm --height $(HEIGHT)mm
+mesh_disc = disc --diameter $(DIAMETER)mm
+sizes_of = $(foreach z,$(1),$(if $(findstring |,$(z)),$(z),$(call setting,$(z),$(patsubst e%,--edge %mm,$(z:g%=--grains %)))))
+# $(call note,NAME,SPECIMEN,MESH,MATERIAL,TEST,SETTINGS,LABELS): the file of a run with such a row, for each of its columns a variable
+note = $(call note_all,$(1),$(2),$(3),$(4),$(5),$(6) $(call added,$(firstword $(5)),$(6)),$(7))
+note_all = $(call note_row,$(RUNS)/$(1)$(call names_of,$(6),_).h5,$(2),$(3),$(4),$(5) $(call options_of,$(6)),$(7))
+note_row = $(call require_one,$(1),$(strip $(material_$(1)) $(solve_$(1))),$(strip $(4) $(5)))$(eval $(call row_variables,$(1),$(2),$(3),$(4),$(5),$(6)))$(1)
+define row_variables
+specimen_$(1) := $(2)
+mesh_$(2) := $(strip $(3))
+material_$(1) := $(strip $(4))
+solve_$(1) := $(strip $(5))
+labels_$(1) := $(or $(6),$(labels_$(1)))
+endef
+require_one = $(if $(2),$(if $(call same,$(2),$(3)),,$(error $(notdir $(1)): two runs of one name: "$(2)" and "$(3)"; each needs one of its own)))
+# $(call rows_of,FILE): the rows of a table as words, with | before each column. $(call column_of,NUMBER,ROW): an entry of such a row
+rows_of = $(foreach r,$(shell tail -n +2 $(1) | tr ' \t' '~|'),|$(r))
+column_of = $(subst ~, ,$(patsubst |%,%,$(word $(1),$(subst |, |,$(2)))))
+# $(call of_test,TEST,RUNS): those of a kind of test
+of_test = $(strip $(foreach r,$(2),$(if $(filter $(1),$(firstword $(solve_$(r)))),$(r))))
 
-words_of = $(subst _, ,$(notdir $(1)))
-tokens_of = $(wordlist 3,99,$(call words_of,$(1)))
-test_command = $(if $(filter triaxial%,$(1)),triaxial,$(1))
-test_options = $(patsubst triaxial%,--confining-pressure %MPa,$(filter triaxial%,$(1)))
-energy_unit = $(if $(filter gfmixed gfmode-i,$(1)),,J/m2)
-option_of = $(or $(options_$(1)),$(strip \
-    $(patsubst tc%,--contact-tensile-strength %MPa,$(filter tc%,$(1))) \
-    $(patsubst cc%,--contact-cohesion %MPa,$(filter cc%,$(1))) \
-    $(patsubst phic%,--contact-friction-angle %deg,$(filter phic%,$(1))) \
-    $(patsubst gf%,--fracture-energy %$(call energy_unit,$(1)),$(filter gf%,$(1))) \
-    $(patsubst os%,--contact-open-shear-strength %MPa,$(filter os%,$(1))) \
-    $(patsubst law-%,--contact-law %,$(filter law-%,$(1))) \
-    $(patsubst cap%,--max-strain %,$(filter cap%,$(1))) \
-    $(patsubst drop%,--peak-drop %,$(filter drop%,$(1))) \
-    $(patsubst dm%,--damping %,$(filter dm%,$(1))) \
-    $(patsubst sf%,--time-step-fraction %,$(filter sf%,$(1))) \
-    $(patsubst rt%,--rate-tolerance %,$(filter rt%,$(1))) \
-    $(patsubst half,--rate-share 0.5,$(filter half,$(1))) \
-    $(patsubst maps,--frames 20,$(filter maps,$(1)))))
-# "uniaxial, seed 2, tc=18MPa": the text of a line of progress
-describe_token = $(or $(patsubst tc%,tc=%MPa,$(filter tc%,$(1))),$(patsubst cc%,cc=%MPa,$(filter cc%,$(1))),$(patsubst phic%,phic=%deg,$(filter phic%,$(1))),$(patsubst cap%,to a strain of %,$(filter cap%,$(1))),$(1))
-describe = $(call describe_test,$(word 1,$(1))), $(word 1,$(subst -s, ,$(word 2,$(1)))), seed $(lastword $(subst -s, ,$(word 2,$(1))))$(subst $(space)|,$(comma) , $(foreach t,$(wordlist 3,99,$(1)),|$(call describe_token,$(t))))
-describe_test = $(if $(filter triaxial%,$(1)),triaxial at $(patsubst triaxial%,%MPa,$(1)),$(1))
+# The table of the runs.
+row = $(notdir $(1))|$(specimen_$(1))|$(call word_of,$(mesh_$(specimen_$(1))))|$(call word_of,$(material_$(1)))|$(call word_of,$(solve_$(1)))
+rows = $(foreach r,$(runs),$(call row,$(r))$(if $(label_columns),|$(labels_$(r))))
+runs_table = $(subst ~, ,$(subst |,$(tab),$(subst $(space),$(newline),file|specimen|mesh|material|solve$(label_columns:%=|%) $(strip $(rows)))))
+# $(call changed,FILE,OPTIONS): FORCE if it was made by others. Files of which that is not known count as made by these.
+changed = $(if $(file <$(1).options),$(if $(call same,$(file <$(1).options),$(2)),,FORCE))
+run_options = $(mesh_$(specimen_$(1))) | $(material_$(1)) | $(solve_$(1))
+changed_run = $(call changed,$(1),$(run_options))
 # Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))
-# When this make began, and the runs that were not there then; set when it is first asked for.
+# When this make began, and the runs that it has to make; set when it is first asked for.
 started := $(shell date +%s)
-missing_runs = $(eval missing_runs := $(filter-out $(wildcard $(RUNS)/*.h5),$(runs)))$(missing_runs)
+missing_runs = $(eval missing_runs := $(sort $(filter-out $(wildcard $(RUNS)/*.h5),$(runs)) $(foreach r,$(runs),$(if \
+    $(call changed_run,$(r)),$(r)))))$(missing_runs)
 time_left = $(STUDIES)/lib/time-left $(started) $(words $(missing_runs)) $(RUNS)
 
 # --- rules -----------------------------------------------------------------------------------------------------------
 
 MESH = $(BIN)/graincrack-mesh
 POST = $(BIN)/graincrack-post
-# $(call sizes,80x160g1122-s2): 80 160 1122 2
-sizes = $(subst x, ,$(subst g, ,$(subst e, ,$(subst d, ,$(subst n, ,$(subst -s, ,$(1)))))))
-size_option = $(if $(findstring g,$(1)),--grains $(2),--edge $(2)mm)
 # Several makes (a job array) may need the same specimen at the same time: a lock lets one of them make it.
-define mesh
-@mkdir -p $(@D)
-@flock $(@D)/.lock bash -c 'test -e $@ || $(MESH) $(1) --seed $(lastword $(call sizes,$*)) --quiet -o $@'
-endef
-$(SPECIMENS)/rectangle%.h5:
-	$(call mesh,rectangle --width $(word 1,$(call sizes,$*))mm --height $(word 2,$(call sizes,$*))mm $(call size_option,$*,$(word 3,$(call sizes,$*))) $(if $(findstring n,$*),--notch $(word 4,$(call sizes,$*))mm))
-$(SPECIMENS)/disc%.h5:
-	$(call mesh,disc --diameter $(word 1,$(call sizes,$*))mm $(call size_option,$*,$(word 2,$(call sizes,$*))) $(if $(findstring d,$*),--diameters 6 --loaded-diameter $(word 3,$(call sizes,$*))))
-
-# The names of specimen and rock contain their settings: an existing run need never be made again. What was stopped goes on from its
-# checkpoint.
-$(RUNS)/%.h5: | $(SPECIMENS)/$$(word 2,$$(call words_of,$$*)).h5
-	@echo "[$(call position,$@)/$(words $(runs))] $(call describe,$(call words_of,$*))$$($(time_left))"
+$(SPECIMENS)/%.h5: $$(call changed,$$@,$$(mesh_$$*))
 	@mkdir -p $(@D)
-	@$(LAUNCH) $(BIN)/graincrack-solve $(call test_command,$(word 1,$(call words_of,$*))) $| $(call test_options,$(word 1,$(call words_of,$*))) --material $(MATERIAL_FILE) --threads $(THREADS) --quiet $(OPTIONS) $(foreach t,$(call tokens_of,$*),$(call option_of,$(t))) $$(! test -e $@.checkpoint || echo --restart $@.checkpoint) -o $@
+	@flock $(@D)/.lock bash -c 'mesh="$(mesh_$*)"; test -e $@ && test "$$(cat $@.options 2>/dev/null || echo "$$mesh")" = "$$mesh" || \
+	    { $(MESH) $(mesh_$*) --quiet -o $@ && echo "$$mesh" >$@.options; }'
+
+# What was stopped goes on from its checkpoint.
+$(RUNS)/%.h5: $$(call changed_run,$$@) | $(SPECIMENS)/$$(specimen_$$@).h5
+	@echo "[$(call position,$@)/$(words $(runs))] $*$$($(time_left))"
+	@mkdir -p $(@D)$(if $(call changed_run,$@), && rm -f $@ $@.checkpoint $@.options)
+	@$(if $(material_$@),$(POST) material with $(MATERIAL_FILE) $(material_$@) >$@.toml)
+	@$(LAUNCH) $(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) --quiet $(OPTIONS) $$(! test -e $@.checkpoint || echo --restart $@.checkpoint) -o $@
+	@echo '$(call run_options,$@)' >$@.options$(if $(material_$@), && rm $@.toml)
 
 # Recipes for tables: $(call table,COMMAND) writes $@ completely or not at all.
 define table
@@ -184,13 +211,13 @@ endef
 run_files = $(patsubst $(RUNS)/%,%,$(filter $(RUNS)/%,$^))
 # $(call of_runs,SUBCOMMAND): the postprocessor on these runs
 of_runs = cd $(RUNS) && $(POST) --quiet $(1) $(run_files)
-# Tables that depend on runs depend on this list too: with other SEEDS they are made anew, though no run is.
-runs_list = $(HERE)/runs.txt
-material_sum := $(firstword $(shell cksum <$(MATERIAL_FILE)))
-runs_listed = $(material_sum) $(runs)
-$(runs_list): $$(if $$(filter-out $$(runs_listed),$$(file <$$@))$$(filter-out $$(file <$$@),$$(runs_listed)),FORCE)
-	@mkdir -p $(@D)
-	@$(call lines,$(runs_listed)) >$@
+# Tables that depend on runs depend on these too: with other SEEDS or laboratory values they are made anew, though no run is.
+runs_list = $(HERE)/runs.tsv $(HERE)/material.toml
+dry := $(findstring n,$(firstword -$(MAKEFLAGS)))
+$(HERE)/runs.tsv: $$(if $$(call same,$$(file <$$@),$$(runs_table)),,FORCE)
+	@$(if $(dry),,$(shell mkdir -p $(@D))$(file >$@.part,$(runs_table)))mv $@.part $@
+$(HERE)/material.toml: $$(if $$(call same,$$(file <$$@),$$(file <$$(MATERIAL_FILE))),,FORCE)
+	@mkdir -p $(@D) && cp $(MATERIAL_FILE) $@
 FORCE:
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
 # $(call column,NAME,EXPRESSION): a column of `summarize`. $(call sample,EXPRESSION,UNIT): deviation and 95 % interval of a mean.
@@ -202,10 +229,6 @@ strength = tensile_strength_MPa | peak_compressive_stress_MPa
 # Verdicts on the claims of a study: its claims.tsv is the first prerequisite, the tables of results are the others. A study may set
 # claim_settings, --set NAME=VALUE for each {NAME} in its claims.
 claims = $(call table,$(POST) --quiet claims $(filter %.tsv,$^) --study $(STUDY) $(claim_settings))
-# $(call labels,COLUMN…,ROW…): a table for `summarize --look-up`; a row is RUN|LABEL…, columns have | between them too.
-labels = $(call table,printf '%s\n' 'file|$(1)' $(patsubst $(RUNS)/%,'%',$(sort $(2))) | tr '|' '\t')
-# $(call labelled,RUNS,LABEL): such rows
-labelled = $(foreach r,$(1),$(r)|$(2))
 # $(call mean_and_half,EXPRESSION): a mean with half of its 95 % interval, as a text
 mean_and_half = [{mean($(1)):.1f} ± {half_interval($(1)):.1f};{mean($(1)):.1f}]
 # A page, and the same as HTML: a text of the study, its claims, its tables and pictures, in the order of the prerequisites.
@@ -235,4 +258,4 @@ print-here:
 clean:
 	rm -rf -- $(HERE)
 distclean: clean
-	@cd $(OUT) 2>/dev/null && rm -f -- $(patsubst $(OUT)/%,%,$(runs) $(addsuffix .checkpoint,$(runs))) || true
+	@cd $(OUT) 2>/dev/null && rm -f -- $(patsubst $(OUT)/%,%,$(runs) $(runs:=.options) $(runs:=.checkpoint)) || true

@@ -11,6 +11,8 @@
 
 #include "post/table/table_file.hpp"
 #include "share/error.hpp"
+#include "share/material_edit.hpp"
+#include "share/units.hpp"
 #include "synthetic_rock.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -37,26 +39,40 @@ protected:
     }
     [[nodiscard]] std::string folder() const { return std::filesystem::path(folder_.file("x")).parent_path().string(); }
 
-    /// "Runs" all rows of wanted.tsv, from what they say and their materials alone; adds them to the tables.
+    /// The words behind each `flag` in the options of a tool.
+    static std::vector<std::string> values_of(const std::string& options, const std::string& flag) {
+        std::vector<std::string> values;
+        std::istringstream words(options);
+        for (std::string word; words >> word;) {
+            if (word == flag && words >> word) values.push_back(word);
+        }
+        return values;
+    }
+    /// The material of a row: that of the folder with the settings that the row says.
+    const Material& material_with_options(const std::string& options) {
+        const auto known = materials_.find(options);
+        if (known != materials_.end()) return known->second;
+        std::vector<MaterialSetting> settings;
+        for (const std::string& text : values_of(options, "--set"))
+            settings.emplace_back(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
+        std::ofstream(folder_.file("with.toml")) << material_with(folder_.file("material.toml"), settings);
+        return materials_[options] = read_material(folder_.file("with.toml"));
+    }
+    /// "Runs" all rows of wanted.tsv, from the options of the tools in them alone; adds them to the tables.
     void run_wanted(const SyntheticRock& synthetic, double max_strain) {
         const TableFile wanted(folder_.file("wanted.tsv"));
-        const auto tests = wanted.texts("test");
+        const auto meshes = wanted.texts("mesh");
         const auto materials = wanted.texts("material");
-        const auto seeds = wanted.numbers("seed");
-        const auto specimens = wanted.texts("specimen");
-        const auto pressures = wanted.numbers("confining_pressure_MPa");
-        const auto limits = wanted.numbers_or_nan("max_strain");
+        const auto solves = wanted.texts("solve");
         for (std::size_t i = 0; i < wanted.n_rows(); ++i) {
-            if (!materials_.contains(materials[i])) materials_[materials[i]] = read_material(folder_.file(materials[i]));
-            WantedRun run{tests[i], pressures[i] * 1e6, static_cast<std::int64_t>(seeds[i]), {}, std::nullopt, ""};
-            run.notched = specimens[i].find('n', 9) != std::string::npos;
-            for (const ParameterRow& row : parameters()) {
-                if (!wanted.has(row.column)) continue;
-                const double value = wanted.numbers_or_nan(row.column)[i];
-                if (!std::isnan(value)) run.point[row.parameter] = value * row.si;
-            }
-            if (!std::isnan(limits[i])) run.max_strain = limits[i];
-            add(synthetic.run(materials_[materials[i]], run, max_strain));
+            WantedRun run{
+                solves[i].substr(0, solves[i].find(' ')), 0, std::stoll(values_of(meshes[i], "--seed").at(0)), {}, {}, ""};
+            for (const std::string& text : values_of(solves[i], "--confining-pressure"))
+                run.confining_pressure = parse_quantity(text, quantity::confining_pressure, "pressure");
+            for (const std::string& text : values_of(solves[i], "--max-strain"))
+                run.max_strain = parse_quantity(text, quantity::max_strain, "limit");
+            run.notched = !values_of(meshes[i], "--notch").empty();
+            add(synthetic.run(material_with_options(materials[i]), run, max_strain));
         }
         std::ofstream(folder_.file("strength.tsv")) << strength_;
         std::ofstream(folder_.file("moduli.tsv")) << moduli_;

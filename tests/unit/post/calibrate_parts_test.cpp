@@ -117,16 +117,19 @@ TEST(Targets, TheLineOfTheLaboratory) {
     EXPECT_NEAR(disagreement(rock), 2 * 21 * std::sqrt(b) / 122 - 1, 1e-9);
 }
 
-TEST(Specimens, AreNamedBySizeGrainsAndNotch) {
+TEST(Specimens, AreToldByNameAndByOptions) {
     Specimens paper;
     WantedRun run{"triaxial", 8e6, 1, {}, std::nullopt, ""};
-    EXPECT_EQ(label_of(paper, run), "rectangle80x160g1122");
+    EXPECT_EQ(specimen_name(paper, run), "rectangle80x160g1122-s1");
+    EXPECT_EQ(mesh_options(paper, run), "rectangle --width 80mm --height 160mm --grains 1122 --seed 1");
     EXPECT_NEAR(paper.mean_edge(), 5.13e-3, 0.01e-3);  // Kazerani & Zhao (2014), Table 6
     run.test = "tension";
     run.notched = true;
-    EXPECT_EQ(label_of(paper, run), "rectangle80x160g1122n32");
+    EXPECT_EQ(specimen_name(paper, run), "rectangle80x160g1122n32-s1");
+    EXPECT_EQ(mesh_options(paper, run), "rectangle --width 80mm --height 160mm --grains 1122 --notch 32mm --seed 1");
     paper.edge = 2.5e-3;
-    EXPECT_EQ(label_of(paper, {"brazilian", 0, 1, {}, std::nullopt, ""}), "disc80e2.5");
+    EXPECT_EQ(specimen_name(paper, {"brazilian", 0, 3, {}, std::nullopt, ""}), "disc80e2.5-s3");
+    EXPECT_EQ(mesh_options(paper, {"brazilian", 0, 3, {}, std::nullopt, ""}), "disc --diameter 80mm --edge 2.5mm --seed 3");
 }
 
 TEST(FinishedRuns, AreFoundByWhatTheyAre) {
