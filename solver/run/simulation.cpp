@@ -393,7 +393,7 @@ private:
     std::optional<FrameProgress> frames_so_far_;  ///< of the checkpoint that the run goes on from
     std::string checkpoint_;                      ///< its file
     WallClock since_checkpoint_{request_.wall_clock};
-    WallClock since_flush_;
+    WallClock since_flush_{steady_seconds};
 };
 
 }  // namespace
