@@ -211,8 +211,9 @@ std::string with_origin_in(const Call& call, const std::string& message) {
 
 std::string subcommand_message(const CLI::App& app, const std::string& wrong) {
     const std::vector<std::string> names = subcommand_names(app);
-    const std::string given = wrong.empty() ? "no subcommand given" : fmt::format("unknown subcommand \"{}\"", wrong);
-    return fmt::format("{}; {}one of {} fits", given, wrong.empty() ? "" : suggestion(wrong, names), fmt::join(names, ", "));
+    const std::string given =
+        wrong.empty() ? "no subcommand given" : fmt::format("unknown subcommand \"{}\"{}", wrong, did_you_mean(wrong, names));
+    return fmt::format("{}; one of {} fits", given, fmt::join(names, ", "));
 }
 
 /// What is left over: unknown options and arguments too many.
@@ -226,14 +227,13 @@ std::string leftover_message(const Call& call, const std::vector<std::string>& l
                 for (const std::string& other : option->get_lnames()) known.push_back("--" + other);
             }
         }
-        const std::string nearest = suggestion(name, known);
         for (const CLI::App* sub : call.app.get_subcommands({})) {
             if (sub->get_option_no_throw(name) != nullptr) {
                 return fmt::format("{}: no option of {}, but of {}; see {}", name, running(call.app).back()->get_name(),
                                    sub->get_name(), help_command(call.app));
             }
         }
-        return fmt::format("{}: unknown option; {}see {}", name, nearest, help_command(call.app));
+        return fmt::format("{}: unknown option{}; see {}", name, did_you_mean(name, known), help_command(call.app));
     }
     const CLI::App* last = running(call.app).back();
     if (!last->get_subcommands({}).empty()) return subcommand_message(*last, left.front());

@@ -112,10 +112,10 @@ void ConfigurationFile::check_section(const TomlFile& toml, const TomlSection& s
     for (const std::string& word : section.name) {
         const std::vector<std::string> known = subcommand_names(*app);
         if (std::find(known.begin(), known.end(), word) == known.end()) {
-            refuse(toml, section.line,
-                   fmt::format("unknown section [{}]; {}", fmt::join(section.name, "."),
-                               known.empty() ? "there are no sections here"
-                                             : fmt::format("{}known are {}", suggestion(word, known), fmt::join(known, ", "))));
+            refuse(
+                toml, section.line,
+                fmt::format("unknown section [{}]{}; {}", fmt::join(section.name, "."), did_you_mean(word, known),
+                            known.empty() ? "there are no sections here" : fmt::format("known are {}", fmt::join(known, ", "))));
         }
         app = app->get_subcommand(word);
     }
@@ -173,9 +173,9 @@ void ConfigurationFile::refuse_key(const TomlFile& toml, const TomlEntry& entry,
                                sub->get_name()));
         }
     }
-    const std::string nearest = suggestion(entry.key, known);
     refuse(toml, entry.line,
-           fmt::format("unknown key {}; {}known to {} are {}", entry.key, nearest, command, fmt::join(known, ", ")));
+           fmt::format("unknown key {}{}; known to {} are {}", entry.key, did_you_mean(entry.key, known), command,
+                       fmt::join(known, ", ")));
 }
 
 ConfigurationFile* configuration_file(const CLI::App& app) {

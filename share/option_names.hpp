@@ -1,14 +1,10 @@
 // The applications, options and keys of a command line by their names; for command_line.cpp and configuration_file.cpp.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <string>
 #include <vector>
-
-#include "share/error.hpp"
 
 namespace graincrack {
 
@@ -38,11 +34,6 @@ inline CLI::Option* find_key(CLI::App& app, const std::string& key) {
         if (key_of(*option) == key) return option;
     }
     return nullptr;
-}
-
-inline std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-    const std::string nearest = nearest_word(word, known);
-    return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
 }
 
 inline std::vector<std::string> subcommand_names(const CLI::App& app) {

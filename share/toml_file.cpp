@@ -143,4 +143,9 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
     return nearest;
 }
 
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_word(word, known);
+    return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
+}
+
 }  // namespace graincrack

@@ -43,5 +43,7 @@ TomlFile parse_toml(const std::string& text, const std::string& name);
 
 /// The word of `known` nearest to `word`, or "" if none is near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+/// " (did you mean …?)" with the nearest of the known words, or nothing.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace graincrack

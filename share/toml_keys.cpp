@@ -25,11 +25,6 @@ double read_value(const TomlEntry& entry, const Quantity& quantity, const std::s
 
 }  // namespace
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-    const std::string nearest = nearest_word(word, known);
-    return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
-}
-
 std::vector<std::string> TomlKeys::names() const {
     std::vector<std::string> names;
     for (const TomlKey& key : keys) names.push_back(key.name);

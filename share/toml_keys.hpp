@@ -40,7 +40,4 @@ struct TomlKeys {
     std::optional<double> read(const std::string& file, const TomlEntry& entry);
 };
 
-/// " (did you mean …?)" with the nearest of the known words, or nothing.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
-
 }  // namespace graincrack

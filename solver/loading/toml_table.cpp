@@ -216,9 +216,7 @@ void TomlTable::refuse_others() const {
             std::vector<std::string> known = asked_;
             std::sort(known.begin(), known.end());
             known.erase(std::unique(known.begin(), known.end()), known.end());
-            const std::string nearest = nearest_word(key, known);
-            refuse(key, fmt::format("unknown key{}; known are {}", nearest.empty() ? "" : " (did you mean " + nearest + "?)",
-                                    fmt::join(known, ", ")));
+            refuse(key, fmt::format("unknown key{}; known are {}", did_you_mean(key, known), fmt::join(known, ", ")));
         }
     }
 }

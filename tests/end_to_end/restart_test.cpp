@@ -1,6 +1,7 @@
 // Runs that continue from a saved state.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/end_to_end/same_arrays.hpp"
 #include "tests/end_to_end/shell.hpp"
@@ -53,14 +54,36 @@ void lay_out(const Shell& shell) {
 }
 const std::string solve = "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";
 
+/// Makes the material one of three phases, with contacts of a pair and strengths that scatter, and the specimen of it.
+void make_phases(const Shell& shell) {
+    write_text(shell.file("phases.toml"), R"(
+[phases]
+quartz = { fraction = 0.4, relative_young_modulus = 1.4 }
+feldspar = { fraction = 0.4 }
+mica = { fraction = 0.2, relative_young_modulus = 0.4, density = "3000 kg/m3" }
+[pairs]
+quartz-mica = { tensile_strength = "12 MPa", cohesion = "40 MPa" }
+heterophase = { friction_angle = 0.8 }
+[strength]
+modulus = 5
+)");
+    shell.must(
+        "cat " GRAINCRACK_SOURCE
+        "/share/materials/augig-granite.toml phases.toml >augig-granite.toml\n"
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet --material augig-granite.toml -o specimen.h5");
+}
+
 TEST(Restart, GoesOnToTheByte) {
-    for (const std::string options :
-         {"--mass-scaling none ", "", "--contact-law cohesive-frictional --contact-cohesion 14MPa "}) {
+    const std::string frictional = "--contact-law cohesive-frictional --contact-cohesion 14MPa ";
+    using Case = std::pair<std::string, bool>;
+    for (const auto& [options, has_phases] :
+         {Case{"--mass-scaling none ", false}, Case{"", false}, Case{frictional, false}, Case{"", true}}) {
         const Shell shell;
         lay_out(shell);
-        shell.must(solve + options + "--program whole.toml -o whole.h5\n" + solve + options +
-                   "--program first.toml -o first.h5\n" + solve + options +
-                   "--threads 2 --program second.toml --restart first.h5 -o second.h5");
+        if (has_phases) make_phases(shell);
+        shell.must((has_phases ? "export GRAINCRACK_MATERIALS=.\n" : "") + solve + options +
+                   "--program whole.toml -o whole.h5\n" + solve + options + "--program first.toml -o first.h5\n" + solve +
+                   options + "--threads 2 --program second.toml --restart first.h5 -o second.h5");
         const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run + " | tail -n +2"); };
         const std::string first = rows("first.h5");
         const std::string second = rows("second.h5");

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/sensitivity.hpp"
 #include "tests/support/check.hpp"
@@ -17,21 +19,59 @@ TEST(Joint, TwoBlocksSlideAtJaegersStrengthWithDefaultOptions) {
     for (const double angle : {50.0, 62.0}) {
         for (const double pressure : {5.0, 20.0}) {
             const test::JointedTest joint{angle * test::degree, pressure * test::MPa};
-            const Specimen specimen = test::jointed_rectangle(6, 6, 0.06, 0.2, joint.angle, test::Blocks::of_one_grain);
+            const Specimen specimen = joint.specimen(6, 6, test::Blocks::of_one_grain);
             const TestOutcome outcome = run_test(specimen, joint.request(), "joint", Verbosity::quiet);
             const std::string name = fmt::format("two blocks, {} deg, {} MPa", angle, pressure);
             EXPECT_EQ(outcome.header.stop_reason, "strain limit");  // it slid on at its strength
             verify("specimens: strength of a joint, " + name + " (MPa)", outcome.header.peak_axial_stress / test::MPa,
-                   joint.strength() / test::MPa, 0.02, "Jaeger; the issue asks for 2 %");
+                   joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
             verify("specimens: load that damping carries on a joint, " + name, outcome.header.damping_load, 0, 0.002,
                    "what the automatic rate allows", 1);
         }
     }
 }
 
+test::JointedTest plane_of_a_class(double angle, double pressure) {
+    return {angle * test::degree, pressure * test::MPa, 30 * test::degree, 10 * test::MPa};
+}
+TestOutcome outcome_of(const test::JointedTest& plane, LawVariant law) {
+    SimulationRequest request = plane.request();
+    request.law = law;
+    request.peak_drop = 0;
+    return run_test(plane.specimen(4, 4, test::Blocks::of_one_grain), request, "plane", Verbosity::quiet);
+}
+
+// The class of two phases is weak and that of each with itself strong: the plane where they meet slides with the values of its
+// class. Friction bears beside cohesion; coulomb-slip then loses all cohesion at once.
+TEST(Joint, APlaneOfAClassSlidesAtJaegersStrengthWithCohesionAndFriction) {
+    for (const LawVariant law : {LawVariant::cohesive_frictional, LawVariant::coulomb_slip}) {
+        for (const auto& [angle, pressure] : {std::pair{50.0, 5.0}, std::pair{60.0, 20.0}}) {
+            const test::JointedTest plane = plane_of_a_class(angle, pressure);
+            verify(fmt::format("phases: plane of a class, {}, {} deg, {} MPa (MPa)", name_of(law), angle, pressure),
+                   outcome_of(plane, law).header.peak_axial_stress / test::MPa, plane.strength() / test::MPa, 0.02,
+                   "Jaeger (1960), to 2 %");
+        }
+    }
+}
+
+// In the law of the paper friction comes after cohesion: the peak is that of cohesion alone, what follows is that of friction.
+TEST(Joint, APlaneOfAClassSlidesAtItsCohesionAndThenAtItsFrictionWithTheDefaultLaw) {
+    const test::JointedTest plane = plane_of_a_class(60, 5);
+    test::JointedTest cohesion = plane;
+    cohesion.friction_angle = 0;
+    test::JointedTest friction = plane;
+    friction.cohesion = 0;
+    const TestOutcome outcome = outcome_of(plane, SimulationRequest{}.law);
+    verify("phases: plane of a class, consistent, 60 deg, 5 MPa, peak (MPa)", outcome.header.peak_axial_stress / test::MPa,
+           cohesion.strength() / test::MPa, 0.02, "Jaeger with cohesion alone");
+    verify("phases: plane of a class, consistent, 60 deg, 5 MPa, at the end (MPa)",
+           -outcome.history[HistoryColumn::axial_stress].back() / test::MPa, friction.strength() / test::MPa, 0.02,
+           "Jaeger with friction alone");
+}
+
 TEST(Joint, HalfTheRateIsHalfTheSpeed) {
     const test::JointedTest joint{50 * test::degree, 5 * test::MPa};
-    const Specimen specimen = test::jointed_rectangle(4, 4, 0.06, 0.2, joint.angle, test::Blocks::of_one_grain);
+    const Specimen specimen = joint.specimen(4, 4, test::Blocks::of_one_grain);
     const SimulationRequest request = joint.request();
     const auto speed_of = [&specimen](const SimulationRequest& r) {
         return run_test(specimen, r, "joint", Verbosity::quiet).header.platen_speed;

@@ -125,5 +125,55 @@ TEST(Minerals, APulseIsSharedAtTheBoundaryOfTwoMinerals) {
     verify("phases: pulse from quartz into biotite, reflected", reflected / incident, -0.2256, 0.02, "(Z2 - Z1)/(Z1 + Z2)");
 }
 
+// A column of grains of two phases, pulled: all its boundaries are stressed alike, and those of the weak class give way first.
+// The grains do not contract (ν = 0), so that the stress is uniform but for the waves of the loading: the platens start within a
+// transit of the column and approach at 2 v, so that their force and the stress of a boundary differ by 2 √(E ρ) v at most.
+TEST(Minerals, AColumnBreaksWhereItsWeakClassIs) {
+    constexpr int n_grains = 9;  // a a b b a a b b a: boundaries of every class
+    constexpr double width = 0.005;
+    Specimen s = test::crossed_blocks(2, n_grains, width, 0.0025 * n_grains, [](int, int j) { return j; });
+    s.phase_names = {"quartz", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = g / 2 % 2;
+    const std::vector<Phase> phases{minerals[1], minerals[2]};
+    constexpr double speed = 5e-3;  // m/s, of each platen
+    for (const LawDescription& law : all_contact_laws()) {
+        for (const std::int32_t weak : {0, 1, 2}) {
+            std::vector<ContactParameters> contacts(n_contact_classes(2), test::augig_contact(PlaneCondition::stress));
+            contacts[static_cast<std::size_t>(weak)] = test::scaled_contact(contacts.front(), 0.4);
+            SmallRun run(s, phases, make_contact_laws(contacts, law.variant, Coupling::full), PlaneCondition::stress);
+            LoadingRequest request;
+            request.test = TestKind::tension;
+            run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, request, contacts.front()), 0.5);
+            run.parameters.damping = 0.8;
+            run.begin();
+            IntervalLoading pull;
+            pull.velocity_end = {-speed, speed};
+            run.steps(500, pull);
+            pull.velocity_begin = pull.velocity_end;
+            double largest = 0;
+            double force = 0;
+            do {
+                run.steps(20, pull);
+                force = run.measured().force_top;
+                largest = std::max(largest, force);
+            } while (force > 0.5 * largest);
+            const double strength = contacts[static_cast<std::size_t>(weak)].tensile_strength;
+            verify("phases: load at which a column of two phases breaks over that of its weak class", largest / width / strength,
+                   1, 2 * std::sqrt(phases[0].young_modulus * phases[0].density) * speed / strength,
+                   "its tensile strength, waves");
+            std::array<int, 3> failed{};
+            for_each_contact(run.assemblage, [&](std::int32_t c, std::int32_t contact_class) {
+                for (const std::size_t point : points_of(c))
+                    failed[static_cast<std::size_t>(contact_class)] += run.state.failed[point];
+            });
+            for (const std::int32_t k : {0, 1, 2}) {
+                EXPECT_EQ(failed[static_cast<std::size_t>(k)] >= 4, k == weak)
+                    << law.name << ", weak " << weak << ", class " << k;
+                EXPECT_TRUE(k == weak || failed[static_cast<std::size_t>(k)] == 0) << law.name << ", weak " << weak;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace graincrack

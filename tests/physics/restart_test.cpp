@@ -13,7 +13,7 @@
 #include "share/h5_file.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
-#include "tests/support/augig_granite.hpp"
+#include "tests/support/phases.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -26,6 +26,7 @@ struct Case {
     double speed;  ///< of a fixed rate, m/s
     bool scaled;
     LawVariant law = LawVariant::consistent;
+    bool has_phases = false;  ///< three, with contacts of a pair and strengths that scatter
 };
 void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 
@@ -41,9 +42,14 @@ const Specimen& specimen() {
     return s;
 }
 
+const Specimen& specimen_of(const Case& c) {
+    static const Specimen phased = test::varied_phases(specimen()).specimen;
+    return c.has_phases ? phased : specimen();
+}
+
 SimulationRequest request(const Case& c) {
     SimulationRequest r;
-    r.material = test::augig_granite();
+    r.material = c.has_phases ? test::granite_of_phases() : test::augig_granite();
     r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
     r.law = c.law;
     r.loading.test = c.test;
@@ -101,7 +107,7 @@ class Restart : public testing::TestWithParam<Case> {};
 TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
     const test::TemporaryFolder folder;
     const std::string whole = folder.file("whole.h5");
-    const SimulationSummary summary = simulate(specimen(), request(GetParam()), whole, Verbosity::quiet, {});
+    const SimulationSummary summary = simulate(specimen_of(GetParam()), request(GetParam()), whole, Verbosity::quiet, {});
     const std::size_t rows = RunReader(whole).history().size();
     EXPECT_GT(summary.tensile_cracks + summary.shear_cracks, 10U);  // so that what is compared has happened
     const std::string run = folder.file("run.h5");
@@ -118,7 +124,7 @@ TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
         r.threads = 1 + static_cast<int>(restarts % 2);
         r.restart = restart;
         r.stops_after = [stop](std::size_t n) { return n == stop; };
-        EXPECT_THROW(simulate(specimen(), r, run, Verbosity::quiet, {}), Interrupted);
+        EXPECT_THROW(simulate(specimen_of(GetParam()), r, run, Verbosity::quiet, {}), Interrupted);
         ASSERT_EQ(RunReader(checkpoint_of(run)).history().size(), stop);
         ASSERT_EQ(std::rename(checkpoint_of(run).c_str(), before.c_str()), 0);
         restart = before;
@@ -127,7 +133,7 @@ TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
     EXPECT_GE(restarts, 10U);
     SimulationRequest r = request(GetParam());
     r.restart = restart;
-    simulate(specimen(), r, run, Verbosity::quiet, {});
+    simulate(specimen_of(GetParam()), r, run, Verbosity::quiet, {});
     EXPECT_EQ(digest_of(run), digest_of(whole));
 }
 
@@ -136,6 +142,8 @@ INSTANTIATE_TEST_SUITE_P(OfATest, Restart,
                                          Case{"UniaxialAuto", TestKind::uniaxial, RateKind::automatic, 0, true},
                                          Case{"UniaxialCohesiveFrictional", TestKind::uniaxial, RateKind::fixed, 1.0, false,
                                               LawVariant::cohesive_frictional},
+                                         Case{"UniaxialThreePhases", TestKind::uniaxial, RateKind::fixed, 1.0, true,
+                                              LawVariant::consistent, true},
                                          Case{"TriaxialScaled", TestKind::triaxial, RateKind::fixed, 1.0, true},
                                          Case{"TriaxialBlocks", TestKind::triaxial, RateKind::blocks, 0.5, true},
                                          Case{"Tension", TestKind::tension, RateKind::fixed, 0.3, true}),

@@ -37,9 +37,9 @@ const Specimen& specimen() {
     return s;
 }
 
-std::string digest_of(const SimulationRequest& r, SimulationSummary& summary) {
+std::string digest_of(const SimulationRequest& r, SimulationSummary& summary, const Specimen& s = specimen()) {
     const test::TemporaryFolder folder;
-    summary = simulate(specimen(), r, folder.file("run.h5"), Verbosity::quiet, {});
+    summary = simulate(s, r, folder.file("run.h5"), Verbosity::quiet, {});
     return H5Input(folder.file("run.h5"), "run").digest();
 }
 
@@ -65,6 +65,25 @@ TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
     EXPECT_GT(summary.tensile_cracks, 10U);
     EXPECT_GT(summary.shear_cracks, 10U);
     EXPECT_EQ(digest_of(request(TestKind::uniaxial, 2), summary), first);
+}
+
+// Three phases, contacts of a pair, and strengths that scatter.
+TEST(Threads, TheirNumberAndTheVectorUnitLeaveTheDigestOfPhasesAsItIs) {
+    const Specimen s = test::varied_phases(specimen()).specimen;
+    SimulationRequest r = request(TestKind::uniaxial, 1);
+    r.material = test::granite_of_phases();
+    r.vector_target = VectorTarget::plain;
+    SimulationSummary summary;
+    const std::string first = digest_of(r, summary, s);
+    EXPECT_GT(summary.tensile_cracks, 10U);
+    EXPECT_GT(summary.shear_cracks, 10U);
+    r.threads = 2;
+    for (const VectorTarget target : test::available_vector_targets()) {
+        r.vector_target = target;
+        EXPECT_EQ(digest_of(r, summary, s), first) << name_of(target);
+    }
+    r.material.fabric.pairs["quartz-mica"].tensile_strength = 12.1 * test::MPa;
+    EXPECT_NE(digest_of(r, summary, s), first);
 }
 
 /// A specimen crushed until grains come into contact that were not neighbours.

@@ -1,9 +1,12 @@
 // A plane of weakness between smooth platens, loaded with default options.
 //
-// A joint at an angle β from the horizontal without cohesion slides at Jaeger's strength (Jaeger, Cook & Zimmerman, Fundamentals
-// of Rock Mechanics, §4.8, there with the angle of its normal):
+// A plane at an angle β from the horizontal, which is the direction of σ3, so that its normal is at β from σ1, slides at Jaeger's
+// strength (Jaeger 1960, Geological Magazine 97; Jaeger, Cook & Zimmerman, Fundamentals of Rock Mechanics, §4.8):
 //
-//   σ1 = σ3 + 2 σ3 tan φ / ((1 − tan φ/tan β) sin 2β)
+//   σ1 = σ3 + 2 (c + σ3 tan φ) / ((1 − tan φ/tan β) sin 2β)
+//
+// It is a joint, broken from the start, without cohesion; or it is where two phases meet, and has the law and the values of their
+// class.
 #pragma once
 
 #include <cmath>
@@ -15,29 +18,46 @@
 namespace graincrack::test {
 
 struct JointedTest {
-    double angle = 0;     ///< of the joint from the horizontal, rad
+    double angle = 0;     ///< of the plane from the horizontal, rad
     double pressure = 0;  ///< σ3, Pa
     double friction_angle = 30 * degree;
+    double cohesion = 0;  ///< of the class of the plane, Pa; 0: the plane is a joint
 
     [[nodiscard]] double strength() const {
         const double t = std::tan(friction_angle);
-        return pressure + 2 * pressure * t / ((1 - t / std::tan(angle)) * std::sin(2 * angle));
+        return pressure + 2 * (cohesion + pressure * t) / ((1 - t / std::tan(angle)) * std::sin(2 * angle));
     }
-    /// The test of the solver to 1.3 times the strain at which an elastic specimen would slide. Only the joint can fail.
+    /// Rectangle of nx × 2 ny cells with the plane.
+    [[nodiscard]] Specimen specimen(int nx, int ny, Blocks blocks) const {
+        Specimen s = jointed_rectangle(nx, ny, 0.06, 0.2, angle, blocks);
+        if (cohesion > 0) {
+            s.phase_names = {"lower", "upper"};
+            for (std::size_t g = s.n_grains() / 2; g < s.n_grains(); ++g) s.grain_phase[g] = 1;
+            s.contact_kind.assign(s.n_contacts(), static_cast<std::uint8_t>(ContactKind::grain_boundary));
+        }
+        return s;
+    }
+    /// The test of the solver to 1.3 times the strain at which an elastic specimen would slide. Only the plane can fail.
     [[nodiscard]] SimulationRequest request() const {
         SimulationRequest request;
         request.loading.test = TestKind::triaxial;
         request.loading.rate = RateKind::automatic;
         request.loading.confining_pressure = pressure;
         request.material = augig_granite();
-        request.contact = augig_contact();
-        request.contact.tensile_strength = 1000 * MPa;
-        request.contact.cohesion = request.contact.open_shear_strength = 3000 * MPa;
-        request.contact.friction_angle = friction_angle;
-        const double e = 2.718281828459045;
-        request.contact.critical_opening = e * request.contact.tensile_strength / request.contact.normal_stiffness;
-        request.contact.critical_sliding = e * request.contact.cohesion / request.contact.shear_stiffness;
-        request.contact.fracture_energy = request.contact.mode_ii_fracture_energy = 1e6;
+        GivenContact& contact = request.material.contact;
+        contact.tensile_strength = 1000 * MPa;
+        contact.cohesion = contact.open_shear_strength = 3000 * MPa;
+        contact.friction_angle = friction_angle;
+        contact.fracture_energy = contact.mode_ii_fracture_energy = 1e6;
+        request.contact = contact_parameters(request.material, request.plane, {});
+        if (cohesion > 0) {
+            MaterialFabric& fabric = request.material.fabric;
+            fabric.phases["lower"].fraction = fabric.phases["upper"].fraction = 0.5;
+            GivenContact& plane = fabric.pairs["lower-upper"];
+            plane.cohesion = cohesion;
+            plane.friction_angle = friction_angle;
+            contact.friction_angle = 50 * degree;
+        }
         request.loading.max_strain = 1.3 * strength() / request.material.rock.young_modulus;
         request.frames = 0;
         return request;

@@ -52,4 +52,17 @@ inline PhasedSpecimen varied_phases(Specimen specimen) {
     return varied;
 }
 
+/// A material of those three phases, with contacts of a pair and factors on others.
+inline Material granite_of_phases() {
+    Material m = augig_granite();
+    m.fabric.phases["quartz"].relative_young_modulus = 1.4;
+    m.fabric.phases["feldspar"].poisson_ratio = 0.27;
+    m.fabric.phases["mica"].relative_young_modulus = 0.4;
+    m.fabric.phases["mica"].density = 3000;
+    m.fabric.pairs["quartz-mica"].tensile_strength = 12 * MPa;
+    m.fabric.pairs["quartz-mica"].cohesion = 40 * MPa;
+    m.fabric.heterophase.friction_angle = 0.8;
+    return m;
+}
+
 }  // namespace graincrack::test

@@ -9,7 +9,7 @@ namespace graincrack::test {
 /// of the table that is printed when the test ends and that `tests/run --all` gathers (through the folder named by
 /// $GRAINCRACK_VERIFICATION). Comparisons of one test under one name share a row: the worst of them, and their number.
 ///
-/// \param name "section: case (unit)"; sections: law, elements, dynamics, specimens, calibration
+/// \param name "section: case (unit)"; sections: law, elements, dynamics, specimens, phases, calibration
 /// \param tolerance relative to the scale
 /// \param source where the expected value comes from
 /// \param scale the magnitude to which an error is relative; 0: the expected value. Where 0 is expected, the row shows the

@@ -219,12 +219,12 @@ TEST_F(CommandLine, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothin
 TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({}), "no subcommand given; one of uniaxial, triaxial fits");
     EXPECT_EQ(complaint({"uniaxal", "a.h5"}),
-              "unknown subcommand \"uniaxal\"; did you mean uniaxial? one of uniaxial, triaxial fits");
+              "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
     EXPECT_EQ(complaint({"uniaxial", "a.h5"}), "--output: missing; give the run file");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--egde", "4mm"}),
-              "--egde: unknown option; did you mean --edge? see graincrack-try uniaxial --help");
+              "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
     EXPECT_EQ(complaint({"uniaxial", "--egde=4mm"}),
-              "--egde: unknown option; did you mean --edge? see graincrack-try uniaxial --help");
+              "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--confining-pressure", "4MPa"}),
               "--confining-pressure: no option of uniaxial, but of triaxial; see graincrack-try uniaxial --help");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4mm", "--edge", "5mm"}),
@@ -288,7 +288,7 @@ TEST_F(CommandLine, WhatIsMissingIsSaidInTheOrderOfTheCall) {
     }
     // an argument left over is told before an option that is missing: it may be that option, spelled wrong
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "--outptu"}),
-              "--outptu: unknown option; did you mean --output? see graincrack-try uniaxial --help");
+              "--outptu: unknown option (did you mean --output?); see graincrack-try uniaxial --help");
 }
 
 TEST_F(CommandLine, AnOptionThatNeedsAnother) {
@@ -362,13 +362,13 @@ TEST_F(CommandLine, AKeyGivesWayToAFlagThatExcludesIt) {
 
 TEST_F(CommandLine, ComplaintsAboutAFile) {
     const std::string unknown = complaint_about_file("\negde = 4\n");
-    EXPECT_EQ(unknown.substr(0, unknown.find(" known to")), "FILE: line 2: unknown key egde; did you mean edge?");
+    EXPECT_EQ(unknown.substr(0, unknown.find(" known to")), "FILE: line 2: unknown key egde (did you mean edge?);");
     EXPECT_EQ(complaint_about_file("confining-pressure = 4\n"),
               "FILE: line 1: confining-pressure is no option of uniaxial; keys of triaxial stand in a section [triaxial]");
     EXPECT_EQ(complaint_about_file("[triaxal]\nedge = 4\n"),
-              "FILE: line 1: unknown section [triaxal]; did you mean triaxial? known are uniaxial, triaxial");
+              "FILE: line 1: unknown section [triaxal] (did you mean triaxial?); known are uniaxial, triaxial");
     const std::string elsewhere = complaint_about_file("[triaxial]\negde = 4\n");  // not the subcommand that was called
-    EXPECT_EQ(elsewhere.substr(0, elsewhere.find(" known to")), "FILE: line 2: unknown key egde; did you mean edge?");
+    EXPECT_EQ(elsewhere.substr(0, elsewhere.find(" known to")), "FILE: line 2: unknown key egde (did you mean edge?);");
     EXPECT_EQ(complaint_about_file("config = 'x'\n"), "FILE: line 1: config cannot stand in a file; give it on the command line");
     EXPECT_EQ(complaint_about_file("deep = 3\n"), "FILE: line 1: deep is true or false");
     EXPECT_EQ(complaint_about_file("edge = '4 MPa'\n"),

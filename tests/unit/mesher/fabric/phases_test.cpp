@@ -7,25 +7,11 @@
 #include <numeric>
 #include <string>
 
-#include "mesher/specimen_maker.hpp"
 #include "share/error.hpp"
+#include "tests/unit/mesher/fabric/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
-
-SpecimenRequest rectangle_of(std::int64_t grains) {
-    SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
-    request.grains = grains;
-    return request;
-}
-
-/// Every grain its own crystal.
-std::vector<int> own_crystals(const Specimen& specimen) {
-    std::vector<int> crystals(specimen.n_grains());
-    std::iota(crystals.begin(), crystals.end(), 0);
-    return crystals;
-}
 
 std::vector<PhaseFraction> granite() { return parse_phases("quartz=0.32,feldspar=0.62,mica=0.06"); }
 

@@ -8,18 +8,11 @@
 #include <string>
 
 #include "mesher/plane/random_numbers.hpp"
-#include "mesher/specimen_maker.hpp"
 #include "share/error.hpp"
+#include "tests/unit/mesher/fabric/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
-
-SpecimenRequest rectangle_of(std::int64_t grains) {
-    SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
-    request.grains = grains;
-    return request;
-}
 
 double mean_of(const std::vector<double>& values) {
     double sum = 0;
@@ -67,8 +60,7 @@ TEST(StrengthField, FactorsOfAHundredThousandContactsHaveMeanAndModulus) {
     Specimen s = make_specimen(request);
     EXPECT_EQ(s.contact_strength_factor.size(), 0U) << "none unless requested";
     ASSERT_NEAR(static_cast<double>(s.n_contacts()), 1e5, 1e3);
-    std::vector<int> crystals(s.n_grains());
-    for (std::size_t g = 0; g < crystals.size(); ++g) crystals[g] = static_cast<int>(g);
+    const std::vector<int> crystals = own_crystals(s);
     for (const double modulus : {1.5, 5.0, 20.0}) {
         assign_strength_factors(s, crystals, 0, {modulus, {}, {}});
         ASSERT_EQ(s.contact_strength_factor.size(), s.n_contacts());

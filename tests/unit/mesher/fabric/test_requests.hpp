@@ -1,0 +1,26 @@
+// Specimens that the tests of their fabric begin with.
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "mesher/specimen_maker.hpp"
+
+namespace graincrack::mesher {
+
+inline SpecimenRequest rectangle_of(std::int64_t grains) {
+    SpecimenRequest request;
+    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.grains = grains;
+    return request;
+}
+
+/// Every grain its own crystal.
+inline std::vector<int> own_crystals(const Specimen& specimen) {
+    std::vector<int> crystals(specimen.n_grains());
+    std::iota(crystals.begin(), crystals.end(), 0);
+    return crystals;
+}
+
+}  // namespace graincrack::mesher
