@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view prefix = "GRAINCRACK_";
 
 constexpr const char* option_list =
-    "--alpha --block-speed --block-steps --by --capped --centre-runs --check --checkpoint-every --column "
+    "--alpha --block-speed --block-steps --by --capped --centre-runs --check --checkpoint-every --class --colour --column "
     "--confining-pressure --contact-cohesion --contact-friction-angle --contact-law "
     "--contact-normal-stiffness --contact-open-shear-strength --contact-residual-cohesion "
     "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
