@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Round orders of magnitude that hold all rocks of share/materials, from soils to ores, and what is derived from them for contacts.
-/// A warning needs a value a thousand times beyond them, so that they need not be known to a factor.
+/// Round orders of magnitude that hold all rocks of share/materials, from soils to ores, and what is derived from them for
+/// contacts. A warning needs a value a thousand times beyond them, so that they need not be known to a factor.
 struct Magnitudes {
     double low;
     double high;

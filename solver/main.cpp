@@ -7,11 +7,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <numbers>
 
 #include "share/error.hpp"
 #include "share/h5_file.hpp"
-#include "share/printable.hpp"
 #include "share/schema.hpp"
 #include "share/units.hpp"
 #include "solver/loading/program_text.hpp"
@@ -136,9 +136,7 @@ int solve(int argc, char** argv) {
         return 0;
     }
     if (options->verbosity != Verbosity::quiet) {
-        for (const std::string& note : options->request.material.notes) {
-            fmt::print(stderr, "graincrack-solve: {}\n", printable(note));
-        }
+        write_notes(std::cerr, "graincrack-solve", options->request.material);
     }
     catch_stop_signals();
     catch_checkpoint_signal();
