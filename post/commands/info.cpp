@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "share/command_line.hpp"
+#include "share/contact_parameters.hpp"
 #include "share/file_checks.hpp"
 #include "share/h5_file.hpp"
 #include "share/printable.hpp"
@@ -78,14 +79,11 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
         const auto text = file.attribute_or<std::string>(group, name, "");
         line(out, name, text.empty() ? "unknown" : text);
     };
-    const auto number = [&](const char* name, Dimension dimension) {
+    const auto number = [&](const std::string& name, Dimension dimension) {
         if (file.has_attribute(group, name)) line(out, name, format_quantity(file.attribute<double>(group, name), dimension));
     };
     for (const char* name : {"test", "plane", "material", "contact_law", "coupling", "fracture_energy_choice"}) word(name);
-    number("fracture_energy", Dimension::fracture_energy);
-    number("contact_tensile_strength", Dimension::stress);
-    number("contact_cohesion", Dimension::stress);
-    number("contact_friction_angle", Dimension::angle);
+    for (const ContactParameter& p : all_contact_parameters()) number(std::string(p.quantity.name), p.quantity.dimension);
     number("confining_pressure", Dimension::stress);
     word("rate");
     number("platen_speed", Dimension::speed);
