@@ -76,6 +76,8 @@ DIAMETER ?= 80
 EDGE ?=
 SIZE_rectangle ?= $(if $(EDGE),e$(EDGE:mm=),g1122)
 SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
+# What all specimens have besides, as a setting of the mesh: FABRIC='granite|--material~FILE' gives them the phases of a material.
+FABRIC ?=
 # Threads of a run: those of the allocation.
 THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
 LAUNCH ?=
@@ -142,7 +144,7 @@ unless = $(and $(4),$(if $(strip $(foreach o,$(2),$(findstring $(o)~,$(1)))),,$(
 # with the pressure in MPa. SIZE: e4, a mean edge in mm, or g452, a number of grains, and settings of the mesh; empty: the usual one.
 # LABELS: entries of label_columns.
 run = $(call run_of_shape,$(1),$(if $(filter brazilian,$(1)),disc,rectangle),$(2),$(3),$(4),$(5),$(6))
-run_of_shape = $(call run_of_mesh,$(1),$(2),$(call sizes_of,$(or $(3),$(SIZE_$(2)))),$(4),$(5),$(6),$(7))
+run_of_shape = $(call run_of_mesh,$(1),$(2),$(call sizes_of,$(or $(3),$(SIZE_$(2)))) $(FABRIC),$(4),$(5),$(6),$(7))
 run_of_mesh = $(call run_on,$(1),$(2)$(extent_$(2))$(call names_of,$(3))-s$(4),$(mesh_$(2)) $(call options_of,$(3)) --seed $(4),$(5),$(6),$(7))
 run_on = $(call note,$(1)_$(2),$(2),$(3),$(6),$(patsubst triaxial%,triaxial --confining-pressure %MPa,$(1)),$(4),$(5))
 extent_rectangle = $(WIDTH)x$(HEIGHT)

@@ -6,9 +6,10 @@ FNR == 1 { head(); next }
     if (!(study in seen)) { seen[study] = 1; order[++n] = study }
     ++number[study, "the paper's", value("verdict")]
     ++number[study, "ours", value("our_verdict")]
+    ++number[study, "with minerals", value("their_verdict")]
 }
 END {
-    for (i = 1; i <= n; ++i) { row(order[i], "the paper's"); row(order[i], "ours") }
+    for (i = 1; i <= n; ++i) { row(order[i], "the paper's"); row(order[i], "ours"); row(order[i], "with minerals") }
 }
 function row(study, point,    all) {
     all = number[study, point, "holds"] + number[study, point, "open"] + number[study, point, "differs"]
