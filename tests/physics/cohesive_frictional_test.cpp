@@ -92,7 +92,7 @@ TEST(CohesiveFrictional, TheStrengthFeelsPressure) {
             verify("law: cohesive-frictional, peak traction (MPa)", peak / MPa,
                    (c.cohesion * (1 - mobilised / softening) + limit) / MPa, 1e-9, "cc (1 − Δ/(s δcs)) + p tan φc");
             verify("law: cohesive-frictional, peak over cc + p tan phi, cc 14 MPa, G_II 70 to 1000 J/m2",
-                   walk.largest_shear() / (c.cohesion + limit), 1, 0.02, "the issue asks for 2 %");
+                   walk.largest_shear() / (c.cohesion + limit), 1, 0.02, "what is lost until friction is mobilised, at most 2 %");
             expect_close(walk.traction().shear, limit, 1e-12, c.cohesion);  // friction is left
         }
     }
