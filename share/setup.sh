@@ -12,6 +12,8 @@ build_packages=(
 test_packages=(libgtest-dev python3-h5py python3-matplotlib)
 # What the benchmarks add.
 benchmark_packages=(libbenchmark-dev)
+# What counts instructions.
+counting_packages=(valgrind)
 # What checks the form of the sources.
 rule_packages=(clang-format clang-tidy git perl-base python3 shellcheck)
 # What the builds with the other compiler add, with its sanitizers and the names in their reports.
