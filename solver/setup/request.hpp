@@ -89,7 +89,7 @@ struct SimulationRequest {
     std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
     std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
     std::function<double()> wall_clock = steady_seconds;  ///< that `checkpoint_interval` counts, s
-    bool discard_checkpoint = false;            ///< of a run of the same output that has not ended
+    bool discard_checkpoint = false;                      ///< of a run of the same output that has not ended
     /// Asked after each row of the history, with the number of rows: whether to stop there with a checkpoint, as on a signal.
     std::function<bool(std::size_t)> stops_after;
     bool sensitivity = false;  ///< run again with one thing changed at a time
