@@ -163,6 +163,13 @@ void MapView::draw_boundaries(const std::function<bool(std::size_t contact)>& is
     }
 }
 
+std::vector<LegendEntry> phase_legend(const Specimen& specimen) {
+    std::vector<LegendEntry> entries;
+    const std::size_t n = specimen.phase_names.size();
+    for (std::size_t i = 0; n > 1 && i < n; ++i) entries.push_back({palette::phase(i), specimen.phase_names[i]});
+    return entries;
+}
+
 void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::string& note) {
     const Column column{page_margin, drawing_.width() - page_margin};
     LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);

@@ -22,6 +22,9 @@ Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magni
 /// The colour of a grain: by phase unless another function is given.
 using GrainColour = std::function<Colour(std::size_t grain)>;
 
+/// Entries of a legend for the colours of the phases; none for grains of one kind.
+std::vector<LegendEntry> phase_legend(const Specimen& specimen);
+
 /// What a page with a map has beside it.
 struct MapPage {
     PictureStyle style = {};

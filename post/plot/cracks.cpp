@@ -149,6 +149,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
         {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
         {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    for (LegendEntry& phase : phase_legend(specimen)) legend.push_back(std::move(phase));
     map.draw_legend(legend, scene.definition());
     return std::move(map).drawing();
 }
@@ -215,10 +216,10 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
         page.add(maps, {0, static_cast<double>(page.height())});
         page.set_height(page.height() + maps.height());
     }
-    const LegendEnd end = draw_legend(
-        page,
-        {{Stroke{palette::tensile, 6}, "tensile cracks"}, {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}},
-        column, page.height() + 6);
+    std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
+                                    {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
+    for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
+    const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
     page.set_height(draw_heading(page, {"", {scene.definition()}}, column, end.bottom) + 14);
     return page;
 }

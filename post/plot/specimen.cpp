@@ -78,10 +78,7 @@ Drawing draw_specimen(const Specimen& specimen, const std::string& file, Specime
         draw_strengths(map, specimen, file, legend);
     } else {
         map.draw_grains();
-        if (specimen.phase_names.size() > 1) {
-            for (std::size_t i = 0; i < specimen.phase_names.size(); ++i)
-                legend.push_back({palette::phase(i), specimen.phase_names[i]});
-        }
+        legend = phase_legend(specimen);
     }
     if (map.draw_pre_existing_cracks(4)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
     map.draw_legend(legend);

@@ -145,6 +145,7 @@ TEST_F(Classes, MapsAndRosettesShowTheChosenOnes) {
               std::string::npos);
     EXPECT_NE(svg({"quartz-quartz"}).find("quartz-quartz only"), std::string::npos);
     EXPECT_EQ(svg({}).find(" only"), std::string::npos);
+    EXPECT_NE(svg({}).find("mica"), std::string::npos);  // in the legend
     const Rosette rosette = crack_rosette(test::synthetic_cracks(recipe_.specimen), recipe_.specimen,
                                           contacts_of_classes(recipe_.specimen, {"mica-feldspar"}, ""));
     EXPECT_NEAR(rosette.facet[9], 0.12, 1e-12);  // upright sides alone
