@@ -68,7 +68,7 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 /// Damping at this instant, into `damping_force`.
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.chunks.size()); ++block) {
+    for (std::int32_t block = 0; scaling.is_on() && block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
         update_clusters(a, parameters, s.loading, block, s);
         damp_clusters(a, parameters, s.loading, block, s);
     }
@@ -105,16 +105,12 @@ struct ElementSums {
     }
 };
 ElementSums sum_over_elements(const Assemblage& a, const State& s) {
-    ElementSums total;
-    for (const GrainChunk& chunk : a.grain_chunks) {
-        total += sum_over(chunk.elements, [&](std::int32_t e) {
-            const TriangleGeometry g = a.element_geometry[e];
-            const TriangleState t = element_state(a, e, s);
-            const TriangleForces f = triangle_forces(g, t);
-            return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
-        });
-    }
-    return total;
+    return sum_over(a.element_chunks, [&](std::int32_t e) {
+        const TriangleGeometry g = a.element_geometry[e];
+        const TriangleState t = element_state(a, e, s);
+        const TriangleForces f = triangle_forces(g, t);
+        return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+    });
 }
 
 void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const State& s, Energies& energies) {
@@ -164,7 +160,7 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     if (prescribed.empty()) {
         return;
     }
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
         m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
@@ -230,9 +226,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
 
 Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
     Measurement m;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
-        sum_nodal_forces(a, boundary, s.loading, block, s);
-    }
+    sum_nodal_forces(a, boundary, s.loading, s);
     const ElementSums elements = sum_over_elements(a, s);
     m.energies.strain = elements.energy;
     find_damping_forces(a, parameters, s);
@@ -240,7 +234,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.chunks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.clusters.sums.size()); ++block) {
         m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
     for (const ClusterSums& sums : s.clusters.sums) {
@@ -252,7 +246,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     add_contact_energies(a, parameters.laws, s, m.energies);
     add_platen_energies(boundary, parameters.time_step, s, m);
     add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
-    for (const GrainSums& sums : s.grain_sums) {
+    for (const NodeSums& sums : s.node_sums) {
         m.energies.damping += sums.damping;
         m.energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
         m.energies.platen += sums.platen_friction;
