@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "share/union_find.hpp"
 #include "share/run_file.hpp"
+#include "share/union_find.hpp"
 
 namespace graincrack {
 

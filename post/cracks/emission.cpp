@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
-#include "share/union_find.hpp"
 #include "share/fracture_process_zone.hpp"
+#include "share/union_find.hpp"
 
 namespace graincrack {
 
