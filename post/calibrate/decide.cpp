@@ -282,6 +282,7 @@ void Calibration::find_place() {
             box = box.about(at, 0.5, limits);
             note("zoom", "a box of half the width about the optimum", "");
         } else {
+            if (!moving.empty()) note("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
             return;
         }
     }

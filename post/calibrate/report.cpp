@@ -135,15 +135,17 @@ std::string values_text(const Problem& problem, const Decision& decision) {
     }
     text += "\nIntervals have the scatter of the surfaces and of the measured values (the deviations of the targets).\n";
     for (const Place& direction : optimum.kept)
-        text += fmt::format("\nThe data do not tell the direction {} (widths of the first box): kept at the first guess.\n",
-                            direction_text(problem.parameters, direction));
+        text += fmt::format(
+            "\nThe data do not tell the direction {} (widths of the first box): kept at the first guess, or where the last box "
+            "is nearest to it.\n",
+            direction_text(problem.parameters, direction));
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
     Cells pairs;
     for (Eigen::Index k = 0; k < optimum.place.size(); ++k) {
         for (Eigen::Index l = 0; l < k; ++l) {
             const double c = optimum.covariance(k, l) / std::sqrt(optimum.covariance(k, k) * optimum.covariance(l, l));
-            if (std::isfinite(c))
+            if (std::isfinite(c) && optimum.kept_share(k) < 0.5 && optimum.kept_share(l) < 0.5)
                 pairs.push_back(fmt::format("{} and {} {:+.2f}", problem.parameters[static_cast<std::size_t>(l)].key,
                                             problem.parameters[static_cast<std::size_t>(k)].key, c));
         }
