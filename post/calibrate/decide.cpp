@@ -178,21 +178,19 @@ void Calibration::make_design(const Box& box) {
     const std::size_t n = study().points > 0 ? study().points : 4 * (p + 2);
     const std::vector<Place> places = sobol_places(box, designs_ * n, n);
     ++designs_;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point point = with_grains(point_at(problem_.parameters, places[i]));
-        for (std::size_t t = 0; t < tests_.size(); ++t) {
-            const auto seed = static_cast<std::int64_t>(t + 1) * seeds::of_test +
-                              static_cast<std::int64_t>(designs_) * seeds::design + static_cast<std::int64_t>(i) * seeds::point;
+    for (std::size_t t = 0; t < tests_.size(); ++t) {
+        for (std::size_t i = 0; i < n; ++i) {
             WantedRun run;
             run.test = tests_[t];
-            run.seed = seed;
-            run.point = point;
+            run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + static_cast<std::int64_t>(designs_) * seeds::design +
+                       static_cast<std::int64_t>(i) * seeds::point;
+            run.point = with_grains(point_at(problem_.parameters, places[i]));
             run.label = fmt::format("d{}p{:02}", designs_, i + 1);
             run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
-            const auto runs = get(run, tests_[t].name == "brazilian" ? study().discs : 1);
+            const auto runs = get(run, run.test.name == "brazilian" ? study().discs : 1);
             for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
                 Response& response = fit_.responses[r];
-                if (!tests_[t].has(response.target)) continue;
+                if (!run.test.has(response.target)) continue;
                 const std::vector<double> values = values_of(response.target, runs);
                 response.values.push_back(values.empty() ? nan : log_or_nan(sample(values).mean.value));
                 response.tests += runs.size();
@@ -200,8 +198,8 @@ void Calibration::make_design(const Box& box) {
                 peaks_[r].push_back(!values.empty());
             }
         }
-        fit_.places.push_back(places[i]);
     }
+    fit_.places.insert(fit_.places.end(), places.begin(), places.end());
     require_all();
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr Quantity specimens{"specimens", Dimension::one, 1, 50, "number of specimens"};
 constexpr Quantity discs{"discs", Dimension::one, 1, 9, "number of discs at a point"};
 constexpr Quantity points{"points", Dimension::one, 4, 99, "number of points of a design"};
-constexpr Quantity designs{"designs", Dimension::one, 0, 4, "number of designs"};
+constexpr Quantity designs{"designs", Dimension::one, 0, 3, "number of designs"};
 constexpr Quantity grains{"grains", Dimension::one, 2, 1e7, "number of grains of a specimen"};
 constexpr Quantity share{"share", Dimension::one, 0.05, 0.95, "share of tests"};
 
