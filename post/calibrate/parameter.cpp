@@ -106,6 +106,12 @@ constexpr Row rows[] = {
     {"contact.residual_friction_angle", residual_friction_angle, false, true},
     {"contact.fracture_energy", fracture_energy, false, false},
     {"contact.open_shear_strength", open_shear_strength, false, false},
+    {"contact.normal_stiffness",
+     [](const Basis& b) {
+         return parts_of(fpz::normal_stiffness(b.rock.rock, PlaneCondition::strain), 1, 0.3, 3, 0.01, 10, true,
+                         "E / w_I, Eqs 3-5");
+     },
+     false, false},
     {"phases.contrast", contrast, false, false},
 };
 

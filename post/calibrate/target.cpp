@@ -64,6 +64,8 @@ const std::vector<TargetKind>& target_kinds() {
          [](const Measures& m) { return column(m, "crack_damage_2d_MPa", MPa); }},
         {"tensile_share", "tensile share of cracks", "compression", either, part, "", 1, 0.2, false, behind_first_peak, false,
          tensile_share},
+        {"strain_at_peak", "strain at the peak", "compression", either, part, "%", 0.01, 0.1, false, behind_first_peak, false,
+         [](const Measures& m) { return column(m, "strain_at_peak", 1); }},
     };
     return kinds;
 }

@@ -231,6 +231,19 @@ direct_tension = {use = "predict"}
     refused("[parameters]\n\"contact.cohesion\" = {middle = \"80 MPa\"}\n", {"unknown key", "low, high, scale, first"});
 }
 
+// Each of these is one row of its table in the sources, and nothing else knows it.
+TEST_F(CalibrateFolder, ARowIsAllThatATargetOrAParameterNeeds) {
+    write_material("[targets]\nstrain_at_peak_8MPa = {value = \"0.9 %\"}\n[parameters]\n\"contact.normal_stiffness\" = {}\n");
+    const Problem problem = read_problem(material());
+    const auto tests = tests_of(problem.targets);
+    ASSERT_EQ(tests.size(), 1U);
+    EXPECT_EQ(tests[0].label(), "triaxial8MPa");
+    EXPECT_EQ(problem.targets[0].kind.read({{"strain_at_peak", 0.0081}}), 0.0081);
+    EXPECT_NEAR(problem.parameters.at(0).value(0), 6.87e14, 1e12);  // Table 3
+    const WantedRun run{tests[0], 1, point_at(problem.parameters, first_guess(problem.parameters)), {}, "d1p01", ""};
+    EXPECT_EQ(row_of(material(), problem.study, run).material.find("--set contact.normal_stiffness=6.87"), 0U);
+}
+
 TEST_F(CalibrateFolder, TheLawHasItsParametersAndSpecimensTheMinerals) {
     std::string text = granite();
     text.replace(text.find("[platen]"), 8, "law = \"cohesive-frictional\"\n[phases]\nfrom = \"granite\"\n[platen]");
