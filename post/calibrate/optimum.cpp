@@ -14,6 +14,9 @@ namespace {
 
 /// Standard deviation along a direction, in half widths of the first box, beyond which data do not tell it.
 constexpr double untold = 0.5;
+/// What keeping such a direction at the first guess may add to the sum of squares, half a standard deviation of one target,
+/// beside a fifth of it: a slope that is little more than scatter can reduce a large misfit a little.
+constexpr double costs_little = 0.25;
 /// A share below its bound counts as much as a target off by one standard deviation where its logit is off by this.
 constexpr double logit_deviation = 0.25;
 
@@ -133,31 +136,37 @@ Optimum find_optimum(const Box& box, const Place& first, const std::vector<Aim>&
     const auto n = static_cast<Eigen::Index>(aims.size());
     Eigen::MatrixXd slopes(n, box.size());
     Eigen::VectorXd total(n);  // variance of measured value and surface
-    Eigen::MatrixXd told;
-    for (std::size_t before = box.size() + 1U; before != problem.kept.size();) {
-        before = problem.kept.size();
-        optimum.place = minimise_everywhere(problem, box, first);
+    const auto go_to = [&](const Place& place) {
+        optimum.place = place;
         for (Eigen::Index i = 0; i < n; ++i) {
             const Aim& aim = aims[static_cast<std::size_t>(i)];
-            slopes.row(i) = aim.surface->gradient(optimum.place).transpose();
-            total(i) = aim.deviation * aim.deviation + aim.surface->variance(optimum.place);
+            slopes.row(i) = aim.surface->gradient(place).transpose();
+            total(i) = aim.deviation * aim.deviation + aim.surface->variance(place);
         }
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(total.cwiseSqrt().cwiseInverse().asDiagonal() * slopes, Eigen::ComputeFullV);
-        const Eigen::VectorXd& values = svd.singularValues();
-        const Eigen::Index rank = (values.array() * untold >= 1).count();
-        told = svd.matrixV().leftCols(rank);
-        optimum.condition = values.size() == box.size() ? values(0) / values(values.size() - 1) : INFINITY;
-        std::vector<Place> kept;
-        for (Eigen::Index k = rank; k < box.size(); ++k) kept.emplace_back(svd.matrixV().col(k));
-        if (kept.size() <= problem.kept.size()) break;  // what is kept once stays, so that this ends
-        problem.kept = kept;
+    };
+    go_to(minimise_everywhere(problem, box, first));
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(total.cwiseSqrt().cwiseInverse().asDiagonal() * slopes, Eigen::ComputeFullV);
+    const Eigen::VectorXd& values = svd.singularValues();
+    optimum.condition = values.size() == box.size() ? values(0) / values(values.size() - 1) : INFINITY;
+    double sum = problem.sum(optimum.place);
+    for (Eigen::Index k = box.size() - 1; k >= 0 && (k >= values.size() || values(k) * untold < 1); --k) {
+        problem.kept.emplace_back(svd.matrixV().col(k));
+        const Place place = minimise_everywhere(problem, box, first);
+        const double with_it = problem.sum(place);
+        if (with_it <= 1.2 * sum + costs_little) {
+            go_to(place);
+            sum = with_it;
+        } else {
+            problem.kept.pop_back();
+        }
     }
     optimum.kept = problem.kept;
-    if (!problem.kept.empty()) {  // the directions that were kept, not those at the place to which they led
-        Eigen::MatrixXd directions(box.size(), static_cast<Eigen::Index>(problem.kept.size()));
-        for (Eigen::Index k = 0; k < directions.cols(); ++k) directions.col(k) = problem.kept[static_cast<std::size_t>(k)];
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(directions, Eigen::ComputeFullU);
-        told = svd.matrixU().rightCols(box.size() - directions.cols());
+    Eigen::MatrixXd told = svd.matrixV();  // of which those are left out that are kept
+    for (Eigen::Index k = told.cols() - 1; k >= 0; --k) {
+        if (std::none_of(optimum.kept.begin(), optimum.kept.end(), [&](const Place& d) { return d == svd.matrixV().col(k); }))
+            continue;
+        told.middleCols(k, told.cols() - 1 - k) = told.rightCols(told.cols() - 1 - k).eval();
+        told.conservativeResize(Eigen::NoChange, told.cols() - 1);
     }
     // The place follows from the measured values and the surfaces by G; both scatter.
     optimum.covariance.setZero(box.size(), box.size());

@@ -163,8 +163,8 @@ std::string surfaces_text(const Fit& fit) {
         {"response", "points", "quadratic terms", "scatter", "√(PRESS/n)", "equal points", "lack of fit p", "at the optimum"});
     for (const Response& r : fit.responses) {
         if (!r.surface) {
-            text += markdown_row(
-                {r.target.symbol(), fmt::format("{} of {} tests have it", r.measured, r.tests), "", "", "", "", "", ""});
+            text += markdown_row({r.target.symbol(), fmt::format("no surface; {} of {} tests have it", r.measured, r.tests), "",
+                                  "", "", "", "", ""});
             continue;
         }
         const ResponseSurface& s = *r.surface;

@@ -239,7 +239,7 @@ TEST_F(CalibrateFolder, ARowIsAllThatATargetOrAParameterNeeds) {
     ASSERT_EQ(tests.size(), 1U);
     EXPECT_EQ(tests[0].label(), "triaxial8MPa");
     EXPECT_EQ(problem.targets[0].kind.read({{"strain_at_peak", 0.0081}}), 0.0081);
-    EXPECT_NEAR(problem.parameters.at(0).value(0), 6.87e14, 1e12);  // Table 3
+    EXPECT_NEAR(problem.parameters.at(0).first, 6.87e14, 1e12);  // Table 3
     const WantedRun run{tests[0], 1, point_at(problem.parameters, first_guess(problem.parameters)), {}, "d1p01", ""};
     EXPECT_EQ(row_of(material(), problem.study, run).material.find("--set contact.normal_stiffness=6.87"), 0U);
 }

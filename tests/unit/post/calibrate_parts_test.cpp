@@ -142,6 +142,22 @@ TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
     EXPECT_NEAR(optimum.kept_share(0), 0.5, 1e-6);
 }
 
+// 0.1 (x − y) = t ± 0.1 tells x − y no better than ± 1, along (1, −1)/√2 ± 0.71: it stays 0 as long as that misses the target by
+// little.
+TEST(Optimum, WhatATargetNeedsIsNotKept) {
+    const Planes planes;
+    const auto weak = ResponseSurface::fit(unit, planes.places,
+                                           values_at(
+                                               planes.places, [](double x, double y) { return 0.1 * (x - y); }, 1e-9));
+    const Optimum kept = find_optimum(unit, place(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.03, 0.1}});
+    EXPECT_EQ(kept.kept.size(), 1U);
+    EXPECT_NEAR(kept.place(0), 0, 1e-3);
+    const Optimum moved = find_optimum(unit, place(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.08, 0.1}});
+    EXPECT_TRUE(moved.kept.empty());
+    EXPECT_NEAR(moved.place(0), 0.4, 1e-3);
+    EXPECT_NEAR(moved.place(1), -0.4, 1e-3);
+}
+
 // A share that falls with x: logit 2 − 8 x, one half at x = 0.25.
 TEST(Optimum, KeepsAShare) {
     const Planes planes;
