@@ -60,9 +60,9 @@ void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& ra
         "speed of each platen; auto: as fast as the run stays near equilibrium; blocks: loading and rest by turns",
         "auto|blocks|SPEED", "auto");
     add_quantity(command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
-                 fmt::format("how near: rise of the load over itself in a wave transit (auto, default {}), unbalanced ratio that "
-                             "counts as rest (blocks, default {})",
-                             default_rate_tolerance, default_rest_tolerance));
+                 fmt::format("how near: rise of the load over itself in a wave transit (auto, default {}, of discs and "
+                             "in direct tension {}), unbalanced ratio that counts as rest (blocks, default {})",
+                             default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed, "of each platen in a block; default 5mm/s");
     add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share,
                  "all speeds of the automatic rate, its limits and floors included, times this; default 1");
@@ -82,8 +82,11 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
         throw UsageError("--rate-share: belongs to the automatic rate; give --rate auto, or leave it out");
     }
     loading.rate_share = raw.rate_share.value_or(loading.rate_share);
-    double& tolerance = loading.rate == RateKind::blocks ? loading.rest_tolerance : loading.rate_tolerance;
-    tolerance = raw.rate_tolerance.value_or(tolerance);
+    if (loading.rate == RateKind::blocks) {
+        loading.rest_tolerance = raw.rate_tolerance.value_or(loading.rest_tolerance);
+    } else {
+        loading.rate_tolerance = raw.rate_tolerance;
+    }
     loading.block_steps = raw.block_steps.value_or(loading.block_steps);
     if (loading.rate == RateKind::blocks) {
         loading.platen_speed = raw.block_speed.value_or(loading.platen_speed);

@@ -1,6 +1,7 @@
 #include "post/commands/measures.hpp"
 
 #include "post/measure/moduli.hpp"
+#include "post/measure/rate_limit.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
@@ -15,23 +16,30 @@ namespace {
 struct StrengthOptions {
     TableForm form = TableForm::automatic;
     bool summary = false;
+    bool extrapolate = false;
 };
 
 void add_strength_options(CLI::App& app, StrengthOptions& options) {
     add_form(app, options.form);
-    app.add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS");
+    app.add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS")
+        ->excludes(app.add_flag(
+            "--extrapolate", options.extrapolate,
+            "the limit of slow loading from the same tests at two rates (--rate-tolerance or --rate-share), with its "
+            "error; changes above 5 % are refused"));
 }
 
 }  // namespace
 
 Command strength_command() {
-    return make_command<StrengthOptions>("strength", "strength, strain, cracks at the peak and checks of the run, a row a run",
-                                         {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"},
-                                         several_runs, add_strength_options,
-                                         [](const StrengthOptions& options, const Call& call) {
-                                             (options.summary ? write_strength_summary : write_strength_table)(
-                                                 call.out, call.files, format_of(options.form, call.out), call.diagnostics());
-                                         });
+    return make_command<StrengthOptions>(
+        "strength", "strength, strain, cracks at the peak and checks of the run, a row a run",
+        {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary",
+         "default.h5 half-as-fast.h5 --extrapolate"},
+        several_runs, add_strength_options, [](const StrengthOptions& options, const Call& call) {
+            const std::optional<TableFormat> format = format_of(options.form, call.out);
+            if (options.extrapolate) return write_rate_limits(call.out, call.files, format);
+            (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, format, call.diagnostics());
+        });
 }
 
 Command moduli_command() {

@@ -43,7 +43,8 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
 std::string setting_difference(const RunHeader& a, const RunHeader& b) {
     if (a.plane != b.plane) return "the plane condition";
     // With an automatic rate the mean platen speed is a result, not a setting.
-    if (a.rate != b.rate || a.rate_tolerance != b.rate_tolerance || (a.rate != "auto" && a.platen_speed != b.platen_speed)) {
+    if (a.rate != b.rate || a.rate_tolerance != b.rate_tolerance || a.rate_share != b.rate_share ||
+        (a.rate != "auto" && a.platen_speed != b.platen_speed)) {
         return "the rate";
     }
     if (a.peak_drop != b.peak_drop) return "the drop behind the peak that ends the test";

@@ -254,9 +254,9 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     });
     list.node_force_slots.resize(total);
     std::int32_t at = 0;
-    for (std::size_t chunk = 0; chunk < a.grain_chunks.size(); ++chunk) {
+    for (std::size_t chunk = 0; chunk < a.node_chunks.size(); ++chunk) {
         const auto first = static_cast<std::int32_t>(list.node_forces.size());
-        for (std::int32_t node = a.grain_chunks[chunk].nodes.begin; node < a.grain_chunks[chunk].nodes.end; ++node) {
+        for (std::int32_t node = a.node_chunks[chunk].nodes.begin; node < a.node_chunks[chunk].nodes.end; ++node) {
             if (const std::int32_t count = end_of_node[node]; count > 0) {
                 list.node_forces.push_back({node, {at, at + count}});
                 end_of_node[node] = at;

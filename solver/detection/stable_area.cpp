@@ -21,11 +21,10 @@ struct UnitLoads {
     std::array<double, 3> load{};  ///< kt |a_C| Σ_D |a_D|, Pa/m; 0 where the cluster is that of a node before
 };
 UnitLoads unit_loads(const Assemblage& a, const StepParameters& p, const CandidatePair& pair, const State& state) {
-    const MassScaling& scaling = p.mass_scaling;
     const auto [first, second] = a.surface.edges[pair.edge].nodes;
     const double s = std::clamp(pair_geometry(a, state, pair).place, 0.0, 1.0);
     const std::array<double, 3> shares{1, -(1 - s), -s};
-    UnitLoads loads{{scaling.cluster_of_node[pair.node], scaling.cluster_of_node[first], scaling.cluster_of_node[second]}};
+    UnitLoads loads{{a.cluster_of_node[pair.node], a.cluster_of_node[first], a.cluster_of_node[second]}};
     std::array<double, 3> sum{};  // a_C
     for (std::size_t k = 0; k < 3; ++k) {
         const auto same = std::find(loads.cluster.begin(), loads.cluster.end(), loads.cluster[k]);
@@ -80,8 +79,8 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
     if (!p.mass_scaling.is_on()) {
         return;
     }
-    std::vector<double> cluster_load(p.mass_scaling.clusters.size(), 0.0);
-    list.cluster_load.assign(p.mass_scaling.clusters.size(), 0.0);
+    std::vector<double> cluster_load(a.n_clusters(), 0.0);
+    list.cluster_load.assign(a.n_clusters(), 0.0);
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) {
             add_load(unit_loads(a, p, list.pairs[i], s), list.contacts[i].area, cluster_load);

@@ -113,7 +113,7 @@ std::optional<TimeFunction> read_function(TomlTable& table, const std::string& k
     return f;
 }
 
-/// { auto = "together", tolerance = 0.0015, share = 1 }
+/// { auto = "together", tolerance = 0.003, share = 1 }
 AutomaticRate read_automatic_rate(TomlTable table) {
     AutomaticRate rate;
     rate.apart = table.is_word("auto", "apart");

@@ -28,7 +28,7 @@ struct RateMeasures {
     double unbalanced_ratio = 0;  ///< as in the history
     double force_difference = 0;  ///< of the platens, over their mean
     double damping_load = 0;      ///< load that damping carries, over that of the platens
-    double near_failure = 0;      ///< how much of a line across the specimen is near failure or slides, 0 to 1
+    double near_failure = 0;      ///< how far failure involves the section, 0 to 1
 };
 
 /// The specimen as a bar between platens.
@@ -49,9 +49,9 @@ public:
     /// The slowest the platens ever go at a strain, m/s: a twentieth of what the tolerance means there in an elastic bar.
     /// \param allowed what counts of the tolerance
     [[nodiscard]] double min_speed(double strain, double allowed) const;
-    /// What the first two measures may reach where so much of a line is near failure.
+    /// What the first two measures may reach where failure involves so much of the section.
     [[nodiscard]] double allowed(double near_failure) const;
-    /// The fastest the platens ever go at a strain where so much of a line is near failure, m/s.
+    /// The fastest the platens ever go at a strain where failure involves so much of the section, m/s.
     [[nodiscard]] double max_speed(double strain, double near_failure) const;
     /// Calls `visit(name, member)` with all that changes: a test that goes on needs it.
     template <class Self, class Visit>

@@ -66,7 +66,7 @@ PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
     const bool apart = request.test == TestKind::tension;
     const double speed = apart ? -request.platen_speed : request.platen_speed;
     if (request.rate == RateKind::automatic) {
-        return AutomaticRate{apart, request.rate_tolerance, request.rate_share};
+        return AutomaticRate{apart, request.automatic_tolerance(), request.rate_share};
     }
     if (request.rate == RateKind::blocks) {
         return LoadingBlocks{speed, request.block_steps, request.rest_tolerance};

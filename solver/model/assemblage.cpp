@@ -1,25 +1,12 @@
 #include "solver/model/assemblage.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "solver/model/memory.hpp"
 
 namespace graincrack {
 namespace {
-
-constexpr std::int32_t chunk_elements = 64;  // a chunk's nodes, elements and forces stay within a first-level cache
-
-/// Nodes sorted by grain; nodes of no element come last.
-std::vector<std::int32_t> order_nodes(const Specimen& s) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(s);
-    std::vector<std::int32_t> order(s.n_nodes());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&grain](std::int32_t i, std::int32_t j) {
-        return static_cast<std::uint32_t>(grain[i]) < static_cast<std::uint32_t>(grain[j]);
-    });
-    return order;
-}
 
 void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& phases, PlaneCondition plane) {
     a.mass.assign(s.n_nodes(), 0.0);
@@ -89,68 +76,67 @@ void add_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
         a.contact_length += length(g.edge);
         a.contacts[a.contact_of_specimen[c]] = g;
     }
-    // Every node of an outline has an edge on either side.
+}
+
+/// Gives a node a slot.
+template <std::size_t few>
+void add_slot(std::int32_t node, std::int32_t slot, std::int32_t none, SlotsOfNodes<few>& slots) {
+    auto& first = slots.first[node];
+    if (const auto free = std::find(first.begin(), first.end(), none); free != first.end()) {
+        *free = slot;
+    } else {
+        slots.further.push_back({node, slot});
+    }
+}
+template <std::size_t few>
+void sort_further_slots(const Assemblage& a, SlotsOfNodes<few>& slots) {
+    std::stable_sort(slots.further.begin(), slots.further.end(),
+                     [](const FurtherSlot& l, const FurtherSlot& r) { return l.node < r.node; });
+    slots.further_of_chunk = ranges_by_chunk(a, slots.further, [](const FurtherSlot& slot) { return slot.node; });
+}
+
+void add_contact_slots(Assemblage& a) {
     const auto none = static_cast<std::int32_t>(a.contact_chunks.size()) * slot_stride;
-    a.slots.assign(a.position.size(), {none, none});
+    a.contact_slots.first.assign(a.position.size(), {none, none});  // every node of an outline has an edge on either side
     for_each_contact(a, [&](std::int32_t c, std::int32_t /*contact_class*/) {
         for (std::int32_t k = 0; k < 4; ++k) {
-            const std::int32_t node = a.contacts[c].nodes[k];
-            const auto free = std::find(a.slots[node].begin(), a.slots[node].end(), none);
-            if (free != a.slots[node].end()) {
-                *free = slot_of(c, k);
-            } else {
-                a.further_slots.push_back({node, slot_of(c, k)});
-            }
+            add_slot(a.contacts[c].nodes[k], slot_of(c, k), none, a.contact_slots);
         }
     });
-    std::stable_sort(a.further_slots.begin(), a.further_slots.end(),
-                     [](const FurtherSlot& l, const FurtherSlot& r) { return l.node < r.node; });
+    sort_further_slots(a, a.contact_slots);
 }
 
-/// The first further slot of a node not below `node`.
-std::int32_t first_further_slot(const Assemblage& a, std::int32_t node) {
-    const auto it = std::lower_bound(a.further_slots.begin(), a.further_slots.end(), node,
-                                     [](const FurtherSlot& slot, std::int32_t at) { return slot.node < at; });
-    return static_cast<std::int32_t>(it - a.further_slots.begin());
-}
-
-/// Cuts grains into chunks of about `chunk_elements` elements; nodes follow their grains.
-void cut_chunks(Assemblage& a, const Specimen& s) {
-    std::int32_t begin = 0;
-    std::int32_t node_begin = 0;
-    std::int32_t further_begin = 0;
-    const std::int32_t n = a.n_elements();
-    for (std::int32_t e = 1; e <= n; ++e) {
-        const bool grain_ends = e == n || s.element_grain[e] != s.element_grain[e - 1];
-        if (!grain_ends || (e < n && e - begin < chunk_elements)) {
-            continue;
-        }
-        std::int32_t node_end = node_begin;
-        for (std::int32_t i = begin; i < e; ++i) {
-            node_end = std::max({node_end, a.element_nodes[i][0] + 1, a.element_nodes[i][1] + 1, a.element_nodes[i][2] + 1});
-        }
-        const Range further{further_begin, first_further_slot(a, node_end)};
-        a.grain_chunks.push_back({{begin, e}, {node_begin, node_end}, further});
-        begin = e;
-        node_begin = node_end;
-        further_begin = further.end;
+void add_element_slots(Assemblage& a) {
+    for (std::int32_t e = 0; e < a.n_elements(); e += elements_per_chunk) {
+        a.element_chunks.push_back({e, std::min(e + elements_per_chunk, a.n_elements())});
     }
+    const auto none = static_cast<std::int32_t>(a.element_chunks.size()) * element_slot_stride;
+    a.element_slots.first.assign(a.position.size(), {none});
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        for (std::int32_t k = 0; k < 3; ++k) {
+            add_slot(a.element_nodes[e][k], element_slot_of(e, k), none, a.element_slots);
+        }
+    }
+    sort_further_slots(a, a.element_slots);
 }
 
 }  // namespace
 
 Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& phases, PlaneCondition plane) {
     Assemblage a;
-    const std::vector<std::int32_t> order = order_nodes(specimen);
-    a.node_of_specimen.resize(order.size());
-    a.position.resize(order.size());
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(order.size()); ++i) {
-        a.node_of_specimen[order[i]] = i;
-        a.position[i] = {specimen.node_position[order[i]][0], specimen.node_position[order[i]][1]};
+    NodeOrder order = order_nodes(specimen);
+    a.node_of_specimen = std::move(order.node_of_specimen);
+    a.node_chunks = std::move(order.chunks);
+    a.rows = std::move(order.rows);
+    a.cluster_of_node = std::move(order.cluster_of_node);
+    a.position.resize(specimen.n_nodes());
+    for (std::size_t i = 0; i < specimen.n_nodes(); ++i) {
+        a.position[a.node_of_specimen[i]] = {specimen.node_position[i][0], specimen.node_position[i][1]};
     }
     add_elements(a, specimen, phases, plane);
     add_contacts(a, specimen, phases.size());
-    cut_chunks(a, specimen);
+    add_contact_slots(a);
+    add_element_slots(a);
     a.surface = make_surface(specimen, a.node_of_specimen, a.contact_of_specimen);
     return a;
 }
@@ -169,13 +155,20 @@ std::size_t memory_of(const TriangleTable& table) {
     return memory_of_all(gradient1_x, gradient1_y, gradient2_x, gradient2_y, area);
 }
 
+template <std::size_t few>
+std::size_t memory_of(const SlotsOfNodes<few>& slots) {
+    const auto& [first, further, further_of_chunk] = slots;
+    return memory_of_all(first, further, further_of_chunk);
+}
+
 std::size_t memory_of(const Assemblage& assemblage) {
     const auto& [position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass, contacts,
-                 slots, further_slots, grain_chunks, contact_chunks, node_of_specimen, contact_of_specimen, specimen_contact,
-                 phase_of_node, surface, contact_length, vector_target] = assemblage;
+                 contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks, contact_chunks,
+                 node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface, contact_length, vector_target] =
+        assemblage;
     return memory_of_all(position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass,
-                         contacts, slots, further_slots, grain_chunks, contact_chunks, node_of_specimen, contact_of_specimen,
-                         specimen_contact, phase_of_node, surface);
+                         contacts, contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks,
+                         contact_chunks, node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface);
 }
 
 }  // namespace graincrack

@@ -11,6 +11,8 @@
 #include "share/fracture_process_zone.hpp"
 #include "share/specimen.hpp"
 #include "solver/model/element.hpp"
+#include "solver/model/node_order.hpp"
+#include "solver/model/range.hpp"
 #include "solver/model/surface.hpp"
 #include "solver/simd.hpp"
 #include "solver/vector2.hpp"
@@ -19,13 +21,6 @@ namespace graincrack {
 
 /// Most contacts in a chunk.
 inline constexpr std::int32_t contacts_per_chunk = 64;
-
-/// A half-open range of indices.
-struct Range {
-    std::int32_t begin = 0;
-    std::int32_t end = 0;
-    [[nodiscard]] std::int32_t size() const { return end - begin; }
-};
 
 /// A contact's constant geometry.
 struct ContactGeometry {
@@ -42,12 +37,33 @@ struct ContactChunk {
     std::int32_t contact_class;
 };
 
-/// Slots of contact forces lie by chunk: [chunk][a1 a2 b1 b2][x y][contacts_per_chunk]. A slot is named by where its x is in
-/// `State::contact_force`; its y is `contacts_per_chunk` farther.
-inline constexpr std::int32_t slot_stride = 8 * contacts_per_chunk;
+/// Most elements in a chunk.
+inline constexpr std::int32_t elements_per_chunk = 64;
+
+/// Each contact and each element has slots for the forces on its nodes. They lie by chunk, [chunk][node of the item][x y][place
+/// in the chunk], so that kernels write them side by side. A slot is named by where its x is in `State::contact_force` or
+/// `State::element_force`; its y is a chunk's places farther.
+inline constexpr std::int32_t slot_stride = 8 * contacts_per_chunk;  ///< of a chunk of contacts: a1 a2 b1 b2
 inline std::int32_t slot_of(std::int32_t contact, std::int32_t node) {
     return contact / contacts_per_chunk * slot_stride + 2 * node * contacts_per_chunk + contact % contacts_per_chunk;
 }
+inline constexpr std::int32_t element_slot_stride = 6 * elements_per_chunk;
+inline std::int32_t element_slot_of(std::int32_t element, std::int32_t node) {
+    return element / elements_per_chunk * element_slot_stride + 2 * node * elements_per_chunk + element % elements_per_chunk;
+}
+
+/// A slot beyond those that every node has.
+struct FurtherSlot {
+    std::int32_t node, slot;
+};
+
+/// The slots of each node: `few` that every node has, and further ones of some.
+template <std::size_t few>
+struct SlotsOfNodes {
+    std::vector<std::array<std::int32_t, few>> first;  ///< [n] a slot of zero where there is none
+    std::vector<FurtherSlot> further;                  ///< ascending by node
+    std::vector<Range> further_of_chunk;               ///< by chunk of nodes
+};
 
 /// Elasticity of all triangles, side by side.
 struct ElasticityTable {
@@ -81,20 +97,8 @@ struct TriangleTable {
 /// Bytes of its arrays.
 std::size_t memory_of(const TriangleTable& table);
 
-/// A further contact slot of a node at which more than two contact edges meet: its grain has an outline that meets itself there.
-struct FurtherSlot {
-    std::int32_t node, slot;
-};
-
-/// A group of grains with their elements and nodes, all contiguous; no node is shared between chunks.
-struct GrainChunk {
-    Range elements;
-    Range nodes;
-    Range further_slots;
-};
-
-/// Constant data of a run. Node order: by grain, within a grain as in the specimen. Contact order: by class, within a class as in
-/// the specimen, with empty places at the ends of chunks.
+/// Constant data of a run. Order of elements: as in the specimen. Order of nodes: see solver/model/node_order.hpp. Order of
+/// contacts: by class, within a class as in the specimen, with empty places at the ends of chunks.
 struct Assemblage {
     std::vector<Vector2> position;                           ///< [n] reference, m
     std::vector<double> mass;                                ///< [n] kg per metre of thickness
@@ -105,9 +109,12 @@ struct Assemblage {
     ElasticityTable elasticity;                              ///< [e]
     std::vector<double> element_mass;                        ///< [e] of rock, kg per metre of thickness
     std::vector<ContactGeometry> contacts;                   ///< [c] by place; empty places have no area
-    std::vector<std::array<std::int32_t, 2>> slots;  ///< [n] the contact forces on a node: a slot of zero where there is none
-    std::vector<FurtherSlot> further_slots;          ///< ascending by node
-    std::vector<GrainChunk> grain_chunks;
+    SlotsOfNodes<2> contact_slots;                           ///< further ones where the outline of a grain meets itself
+    SlotsOfNodes<1> element_slots;                           ///< further ones where elements of a grain meet
+    std::vector<NodeChunk> node_chunks;
+    std::vector<Range> rows;                    ///< of nodes, in chunks of nodes
+    std::vector<std::int32_t> cluster_of_node;  ///< [n] its vertex cluster
+    std::vector<Range> element_chunks;
     std::vector<ContactChunk> contact_chunks;
     std::vector<std::int32_t> node_of_specimen;     ///< [n] internal index of a node of the specimen
     std::vector<std::int32_t> contact_of_specimen;  ///< place of a contact of the specimen
@@ -117,9 +124,13 @@ struct Assemblage {
     double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
 
-    /// Of contact forces: all chunks, and a slot that stays zero.
+    /// Of contact forces and of element forces: all chunks, and a slot that stays zero.
     [[nodiscard]] std::size_t n_slot_values() const { return contact_chunks.size() * slot_stride + 2UL * contacts_per_chunk; }
+    [[nodiscard]] std::size_t n_element_slot_values() const {
+        return element_chunks.size() * element_slot_stride + 2UL * elements_per_chunk;
+    }
     [[nodiscard]] std::int32_t n_nodes() const { return static_cast<std::int32_t>(position.size()); }
+    [[nodiscard]] std::int32_t n_clusters() const { return node_chunks.empty() ? 0 : node_chunks.back().clusters.end; }
     /// Without empty places.
     [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contact_of_specimen.size()); }
     [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }
@@ -161,26 +172,34 @@ auto sum_over(const std::vector<Range>& ranges, const OfItem& of_item) {
     }
     return total;
 }
-/// Σ `of_node(i)` over all nodes, by chunk of grains.
+/// Σ `of_node(i)` over all nodes, by chunk.
 template <class OfNode>
 auto sum_over_nodes(const Assemblage& a, const OfNode& of_node) {
     decltype(of_node(0)) total{};
-    for (const GrainChunk& chunk : a.grain_chunks) {
+    for (const NodeChunk& chunk : a.node_chunks) {
         total += sum_over(chunk.nodes, of_node);
     }
     return total;
+}
+/// Calls `act` with each node of a vertex cluster of a chunk.
+template <class Act>
+void for_each_node_of(const Assemblage& a, const NodeChunk& chunk, std::int32_t cluster, const Act& act) {
+    const std::int32_t column = cluster - chunk.clusters.begin;
+    for (std::int32_t row = chunk.rows.begin; row < chunk.rows.end && column < a.rows[row].size(); ++row) {
+        act(a.rows[row].begin + column);
+    }
 }
 /// Class of contacts between two nodes.
 inline std::int32_t class_between(const Assemblage& a, std::int32_t node, std::int32_t other) {
     return static_cast<std::int32_t>(contact_class(a.phase_of_node[node], a.phase_of_node[other]));
 }
 
-/// Ranges of items sorted by node that fall into the node range of each chunk of grains.
+/// Ranges of items sorted by node that fall into each chunk of nodes.
 template <class Item, class NodeOf>
 std::vector<Range> ranges_by_chunk(const Assemblage& a, const std::vector<Item>& items, NodeOf&& node_of) {
     std::vector<Range> ranges;
     std::int32_t i = 0;
-    for (const GrainChunk& chunk : a.grain_chunks) {
+    for (const NodeChunk& chunk : a.node_chunks) {
         Range range{i, i};
         while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < chunk.nodes.end) {
             ++range.end;

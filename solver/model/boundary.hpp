@@ -77,7 +77,7 @@ inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& p
     return r;
 }
 
-/// Boundary data of a run, sorted by node; ranges by chunk of grains.
+/// Boundary data of a run, sorted by node; ranges by chunk of nodes.
 struct Boundary {
     std::array<Platen, 2> platens;
     std::vector<PlatenPoint> platen_points;

@@ -81,7 +81,7 @@ struct ContactPairList {
     double friction_before = 0;                    ///< and before it, J
     std::vector<NodeForces> node_forces;           ///< ascending by node
     std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
-    std::vector<Range> node_forces_of_chunk;       ///< by chunk of grains
+    std::vector<Range> node_forces_of_chunk;       ///< by chunk of nodes
     std::vector<std::int32_t> node_force_scratch;  ///< [n]
     std::vector<Vector2> displacement_at_search;   ///< [n] m
     bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search

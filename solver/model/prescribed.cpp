@@ -13,11 +13,20 @@ void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
                      [](const LoadedEdge& l, const LoadedEdge& r) { return l.nodes < r.nodes; });
     prescribed.nodes_of_chunk = ranges_by_chunk(a, prescribed.nodes, [](const PrescribedNode& n) { return n.node; });
     prescribed.edges_of_chunk = ranges_by_chunk(a, prescribed.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
+    prescribed.ends.clear();
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(prescribed.edges.size()); ++i) {
+        for (const std::int32_t node : prescribed.edges[i].nodes) {
+            prescribed.ends.push_back({node, i});
+        }
+    }
+    std::stable_sort(prescribed.ends.begin(), prescribed.ends.end(),
+                     [](const LoadedEnd& l, const LoadedEnd& r) { return l.node < r.node; });
+    prescribed.ends_of_chunk = ranges_by_chunk(a, prescribed.ends, [](const LoadedEnd& e) { return e.node; });
 }
 
 std::size_t memory_of(const PrescribedConditions& prescribed) {
-    const auto& [gravity, nodes, nodes_of_chunk, edges, edges_of_chunk] = prescribed;
-    return memory_of_all(nodes, nodes_of_chunk, edges, edges_of_chunk);
+    const auto& [gravity, nodes, nodes_of_chunk, edges, edges_of_chunk, ends, ends_of_chunk] = prescribed;
+    return memory_of_all(nodes, nodes_of_chunk, edges, edges_of_chunk, ends, ends_of_chunk);
 }
 
 std::size_t memory_of(const PrescribedState& state) {

@@ -36,13 +36,20 @@ struct LoadedEdge {
     double length = 0;  ///< reference, m
 };
 
-/// Sorted by node; ranges by chunk of grains.
+/// An end of a loaded edge.
+struct LoadedEnd {
+    std::int32_t node, edge;
+};
+
+/// Sorted by node; ranges by chunk of nodes.
 struct PrescribedConditions {
     Vector2 gravity;  ///< m/s²
     std::vector<PrescribedNode> nodes;
     std::vector<Range> nodes_of_chunk;
     std::vector<LoadedEdge> edges;
-    std::vector<Range> edges_of_chunk;
+    std::vector<Range> edges_of_chunk;  ///< by their first nodes
+    std::vector<LoadedEnd> ends;
+    std::vector<Range> ends_of_chunk;
     [[nodiscard]] bool has_gravity() const { return gravity.x != 0 || gravity.y != 0; }
     [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && !has_gravity(); }
 };
@@ -51,7 +58,7 @@ std::size_t memory_of(const PrescribedConditions& prescribed);
 /// Sorts nodes and edges and finds their ranges.
 void arrange_prescribed(const Assemblage& assemblage, PrescribedConditions& prescribed);
 
-/// Reactions and loads of the last step: scratch of the node stage, which probes read.
+/// Reactions and loads of the last step: scratch of the step, which probes read.
 struct PrescribedState {
     struct Node {
         Vector2 reaction;      ///< against the other forces, without inertia, N; 0 where free

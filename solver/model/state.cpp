@@ -12,6 +12,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.damping_force.resize(a.position.size());
     s.near_platen.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
+    s.element_force.resize(a.n_element_slot_values());
     s.points = PointHistories(2 * a.contacts.size());
     s.opening.resize(2 * a.contacts.size());
     s.sliding.resize(2 * a.contacts.size());
@@ -35,7 +36,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
     s.prescribed.pressing.resize(boundary.prescribed.edges.size());
-    s.grain_sums.resize(a.grain_chunks.size());
+    s.node_sums.resize(a.node_chunks.size());
     s.contact_sums.resize(a.contact_chunks.size());
     s.events.resize(a.contact_chunks.size());
     for (std::vector<ContactEvent>& of_chunk : s.events) {
@@ -46,12 +47,12 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
 
 std::size_t memory_of(const State& state) {
     const auto& [step, time, origin_step, origin_time, displacement, velocity, force, last_force, damping_force, near_platen,
-                 contact_force, opening, sliding, integrity, slip, failed, residual, next_mark, points, fracture_energy,
-                 contact_pairs, platen_points, grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load] =
-        state;
-    return memory_of_all(displacement, velocity, force, last_force, damping_force, near_platen, contact_force, opening, sliding,
-                         integrity, slip, failed, residual, next_mark, points, fracture_energy, contact_pairs, platen_points,
-                         grain_sums, contact_sums, events, loading, clusters, prescribed, damping_load);
+                 contact_force, element_force, opening, sliding, integrity, slip, failed, residual, next_mark, points,
+                 fracture_energy, contact_pairs, platen_points, node_sums, contact_sums, events, loading, clusters, prescribed,
+                 damping_load] = state;
+    return memory_of_all(displacement, velocity, force, last_force, damping_force, near_platen, contact_force, element_force,
+                         opening, sliding, integrity, slip, failed, residual, next_mark, points, fracture_energy, contact_pairs,
+                         platen_points, node_sums, contact_sums, events, loading, clusters, prescribed, damping_load);
 }
 
 }  // namespace graincrack

@@ -48,8 +48,8 @@ struct ContactSums {
     double friction = 0;
     double non_conservative_work = 0;
 };
-/// Energies summed over the grains of a chunk since the start, J.
-struct GrainSums {
+/// Energies summed over the nodes of a chunk since the start, J.
+struct NodeSums {
     double damping = 0;
     double platen_work = 0;
     double load_work = 0;      ///< of gravity and loaded edges, and initial kinetic energy
@@ -97,6 +97,7 @@ struct State {
     std::vector<Vector2> damping_force;     ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t> near_platen;  ///< [n] 1 + the platen within `platen_reach` of it, else 0; scratch of the node stage
     std::vector<double> contact_force;      ///< slots (`slot_of`), N, at `time`
+    std::vector<double> element_force;      ///< slots (`element_slot_of`), N, at `time`; found anew wherever steps begin
     std::vector<double> opening;            ///< [2 c] over the strength factor of the contact, m, at `time`; as all motions here
     std::vector<double> sliding;            ///< [2 c] likewise
     std::vector<double> integrity;          ///< [2 c] β of each point; stays 1 if the law has none
@@ -108,7 +109,7 @@ struct State {
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;
-    std::vector<GrainSums> grain_sums;              ///< by chunk of grains
+    std::vector<NodeSums> node_sums;                ///< by chunk of nodes
     std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
     std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected; see `max_events_per_chunk`
     StepLoading loading;                            ///< at `time`

@@ -36,23 +36,13 @@ namespace graincrack {
 /// which a grain rebounds from 100 MPa, σ/√(ρ E) = 12 m/s, it moves by 1.2e-3 of a 5 mm edge in such a step (5e-7 s).
 inline constexpr double platen_reach = 4e-3;
 
-/// Largest number of nodes in a chunk of clusters.
-inline constexpr std::int32_t nodes_per_chunk = 256;
-
 /// Constant data of the scaling. Default: none.
 struct MassScaling {
-    double factor = 0;                ///< β; 0: no mass scaling
-    std::vector<std::int32_t> nodes;  ///< [n] all nodes, cluster by cluster; a node is known by its place in this list
-    std::vector<Range> clusters;      ///< of places
-    std::vector<Range> chunks;        ///< of clusters, that one thread works on at a time; at most `nodes_per_chunk` nodes each
-    /// Masses of nodes, each twice: of x and of y.
+    double factor = 0;  ///< β; 0: no mass scaling
+    /// [n] masses of nodes, each twice: of x and of y.
     std::vector<double> mass, inverse_mass;
-    std::vector<std::int32_t> cluster_of_node;  ///< [n]
-    std::vector<double> cluster_mass;           ///< [clusters] kg
+    std::vector<double> cluster_mass;  ///< [clusters] kg
     [[nodiscard]] bool is_on() const { return factor > 0; }
-    [[nodiscard]] Range nodes_of(std::int32_t chunk) const {
-        return {clusters[chunks[chunk].begin].begin, clusters[chunks[chunk].end - 1].end};
-    }
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const MassScaling& scaling);
@@ -60,29 +50,29 @@ std::size_t memory_of(const MassScaling& scaling);
 /// \throws InputError if more nodes meet at a vertex than a chunk can hold
 MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
 
-/// Energies summed over a chunk of clusters since the start, J.
+/// Energies summed over the clusters of a chunk of nodes since the start, J.
 struct ClusterSums {
     double damping = 0;
     double platen_loss = 0;  ///< kinetic energy lost where clusters met or left a platen
     double platen_work = 0;  ///< done on the added mass that platens constrain
 };
 
-/// A node that a platen constrains.
-struct ConstrainedNode {
-    std::int32_t place;                ///< within the chunk
+/// A cluster that a platen constrains.
+struct ConstrainedCluster {
+    std::int32_t cluster;
     std::uint8_t constraining_platen;  ///< see `ClusterState::constraining_platen`
 };
 
 /// Which clusters platens constrain now.
 struct ClusterState {
-    std::vector<std::uint8_t> near_platen;  ///< [place] `State::near_platen` of the node at the last change
-    std::vector<ClusterSums> sums;          ///< by chunk
+    std::vector<std::uint8_t> near_platen;  ///< [n] `State::near_platen` at the last change
+    std::vector<ClusterSums> sums;          ///< by chunk of nodes
 
     // Found by `complete_cluster_state`:
-    std::vector<std::uint8_t> constraining_platen;          ///< [clusters] 1 + the platen, 0 for none
-    std::vector<double> inverse_mass;                       ///< [clusters] 0 if a platen constrains it, 1/kg
-    std::vector<std::vector<ConstrainedNode>> constrained;  ///< by chunk
-    std::vector<std::vector<std::int32_t>> platen_nodes;    ///< by chunk: places of nodes that may meet a platen
+    std::vector<std::uint8_t> constraining_platen;             ///< [clusters] 1 + the platen, 0 for none
+    std::vector<double> inverse_mass;                          ///< [clusters] 0 if a platen constrains it, 1/kg
+    std::vector<std::vector<ConstrainedCluster>> constrained;  ///< by chunk
+    std::vector<std::vector<std::int32_t>> platen_nodes;       ///< by chunk: nodes that may meet a platen
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const ClusterState& clusters);

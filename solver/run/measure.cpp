@@ -14,8 +14,9 @@
 namespace graincrack {
 namespace {
 
-constexpr double near_growth = 1.25;   // of the jumps, under which an intact point that would fail is near it
-constexpr double near_friction = 0.5;  // of its limit, from which on a point is near sliding: friction gives no other sign
+constexpr double near_growth = 1.25;       // of the jumps, under which an intact point that would fail is near it
+constexpr double scattered_share = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
+constexpr double near_friction = 0.5;      // of its limit, from which on a point is near sliding: friction gives no other sign
 
 /// Least-squares slope of one displacement component over the same coordinate.
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
@@ -67,7 +68,7 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 /// Damping at this instant, into `damping_force`.
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(scaling.chunks.size()); ++block) {
+    for (std::int32_t block = 0; scaling.is_on() && block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
         update_clusters(a, parameters, s.loading, block, s);
         damp_clusters(a, parameters, s.loading, block, s);
     }
@@ -104,16 +105,12 @@ struct ElementSums {
     }
 };
 ElementSums sum_over_elements(const Assemblage& a, const State& s) {
-    ElementSums total;
-    for (const GrainChunk& chunk : a.grain_chunks) {
-        total += sum_over(chunk.elements, [&](std::int32_t e) {
-            const TriangleGeometry g = a.element_geometry[e];
-            const TriangleState t = element_state(a, e, s);
-            const TriangleForces f = triangle_forces(g, t);
-            return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
-        });
-    }
-    return total;
+    return sum_over(a.element_chunks, [&](std::int32_t e) {
+        const TriangleGeometry g = a.element_geometry[e];
+        const TriangleState t = element_state(a, e, s);
+        const TriangleForces f = triangle_forces(g, t);
+        return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+    });
 }
 
 void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const State& s, Energies& energies) {
@@ -163,7 +160,7 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     if (prescribed.empty()) {
         return;
     }
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
         m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
@@ -229,9 +226,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
 
 Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
     Measurement m;
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.grain_chunks.size()); ++block) {
-        sum_nodal_forces(a, boundary, s.loading, block, s);
-    }
+    sum_nodal_forces(a, boundary, s.loading, s);
     const ElementSums elements = sum_over_elements(a, s);
     m.energies.strain = elements.energy;
     find_damping_forces(a, parameters, s);
@@ -239,7 +234,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(parameters.mass_scaling.chunks.size()); ++block) {
+    for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.clusters.sums.size()); ++block) {
         m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
     }
     for (const ClusterSums& sums : s.clusters.sums) {
@@ -251,7 +246,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     add_contact_energies(a, parameters.laws, s, m.energies);
     add_platen_energies(boundary, parameters.time_step, s, m);
     add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
-    for (const GrainSums& sums : s.grain_sums) {
+    for (const NodeSums& sums : s.node_sums) {
         m.energies.damping += sums.damping;
         m.energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
         m.energies.platen += sums.platen_friction;
@@ -277,7 +272,8 @@ double stored_in_contacts(const Assemblage& a, const ContactLaws& laws, const St
 }
 
 double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s) {
-    std::size_t near = 0;
+    std::size_t intact = 0;  // near failure
+    std::size_t failed = 0;  // near sliding, or softening as they slide
     contact_law::with_law(laws.variant(), [&](auto kind) {
         for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
             const ContactLaw& law = laws[contact_class];
@@ -286,12 +282,12 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
                 const double sliding = s.sliding[i];
                 if (s.failed[i] == 0) {
                     const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
-                    near += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+                    intact += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
                 } else if (law.softens_in_shear && s.residual[i] == 0) {
-                    near += 1;  // it loses cohesion as it slides on
+                    failed += 1;  // it loses cohesion as it slides on
                 } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
                     const double limit = contact_law::residual_limit(law, -law.kt * opening);
-                    near += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
+                    failed += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
                 }
             }
         });
@@ -302,11 +298,14 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
         if (contact.active && contact.overlap > 0) {
             const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
             const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
-            near += std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
+            failed += std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
         }
     }
-    const double half_a_line = 0.5 * std::sqrt(2.0 * std::max(a.n_contacts(), 1));
-    return std::min(1.0, static_cast<double>(near) / half_a_line);
+    const double points = 2.0 * std::max(a.n_contacts(), 1);
+    const double half_a_line = 0.5 * std::sqrt(points);
+    const double share = std::max(static_cast<double>(failed) / half_a_line,
+                                  static_cast<double>(intact) / std::max(half_a_line, scattered_share * points));
+    return std::min(1.0, share);
 }
 
 Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s) {

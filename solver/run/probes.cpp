@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "share/error.hpp"
 #include "solver/setup/regions.hpp"
@@ -29,16 +30,16 @@ Vector2 centre_of(const Assemblage& a, std::int32_t element) {
     return (1.0 / 3) * (a.position[n0] + a.position[n1] + a.position[n2]);
 }
 
-/// Σ `of_item(index)` over ascending indices of nodes or elements, by the chunk of grains they belong to.
-/// \param of_chunk member of `GrainChunk` with the indices of a chunk
-template <class OfItem>
-auto sum_over_listed(const Assemblage& a, const std::vector<std::int32_t>& indices, Range GrainChunk::*of_chunk,
+/// Σ `of_item(index)` over ascending indices of nodes or elements, by the chunk they belong to.
+/// \param range_of the indices of a chunk
+template <class Chunk, class RangeOf, class OfItem>
+auto sum_over_listed(const std::vector<Chunk>& chunks, const RangeOf& range_of, const std::vector<std::int32_t>& indices,
                      const OfItem& of_item) {
     decltype(of_item(0)) total{};
     std::size_t at = 0;
-    for (const GrainChunk& chunk : a.grain_chunks) {
+    for (const Chunk& chunk : chunks) {
         decltype(of_item(0)) sum{};
-        for (; at < indices.size() && indices[at] < (chunk.*of_chunk).end; ++at) {
+        for (; at < indices.size() && indices[at] < range_of(chunk).end; ++at) {
             sum += of_item(indices[at]);
         }
         total += sum;
@@ -47,8 +48,9 @@ auto sum_over_listed(const Assemblage& a, const std::vector<std::int32_t>& indic
 }
 
 Vector2 mean_displacement(const Assemblage& a, const std::vector<std::int32_t>& nodes, const State& s) {
+    const auto nodes_of = [](const NodeChunk& chunk) { return chunk.nodes; };
     return (1 / static_cast<double>(nodes.size())) *
-           sum_over_listed(a, nodes, &GrainChunk::nodes, [&](std::int32_t i) { return s.displacement[i]; });
+           sum_over_listed(a.node_chunks, nodes_of, nodes, [&](std::int32_t i) { return s.displacement[i]; });
 }
 
 Vector2 force_of_control(std::int32_t condition, const PrescribedConditions& prescribed, const State& s) {
@@ -75,7 +77,7 @@ struct StressSum {
     }
 };
 std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
-    const StressSum sum = sum_over_listed(a, elements, &GrainChunk::elements, [&](std::int32_t e) {
+    const StressSum sum = sum_over_listed(a.element_chunks, std::identity{}, elements, [&](std::int32_t e) {
         const auto [n0, n1, n2] = a.element_nodes[e];
         const TriangleGeometry g = a.element_geometry[e];
         const PlaneElasticity c = a.elasticity[e];

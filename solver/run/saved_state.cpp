@@ -61,7 +61,7 @@ template <Is<PlatenPoint> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.platen, p.tributary, p.gap, p.anchor, p.shear, p.on_boundary);
 }
-template <Is<GrainSums> T, class Act>
+template <Is<NodeSums> T, class Act>
 void visit_members(T& s, Act&& act) {
     visit_all(act, s.damping, s.platen_work, s.load_work, s.reaction_work, s.platen_friction);
 }
@@ -90,7 +90,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("residual", s.residual);
     visit("fracture_energy", s.fracture_energy);
     visit("platen_points", s.platen_points);
-    visit("grain_sums", s.grain_sums);
+    visit("node_sums", s.node_sums);
     visit("contact_sums", s.contact_sums);
     visit("debonded", s.contact_pairs.debonded);
     visit("released", s.contact_pairs.released);
@@ -265,7 +265,7 @@ void book_change(const std::string& name, const RunHeader& old, const Setup& set
     if (!std::isfinite(change)) {
         throw InputError(name + ": its contact values store no energy that is a number: the file is damaged");
     }
-    s.grain_sums.front().load_work += change;
+    s.node_sums.front().load_work += change;
 }
 
 FrameProgress read_frame_progress(const RunReader& run) {
@@ -377,7 +377,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     }
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
-    complete_cluster_state(setup.parameters.mass_scaling, s);
+    complete_cluster_state(setup.assemblage, setup.parameters.mass_scaling, s);
     resume_active(setup.assemblage, setup.parameters.laws, s.contact_pairs);
     const RunHeader& old = run.header();
     if (old.time_step != setup.parameters.time_step) {

@@ -73,8 +73,9 @@ public:
                 "marks of contacts");
         require(are_shares(s_.integrity) && are_shares(s_.next_mark), "integrity of contacts");
         const std::size_t n = s_.clusters.near_platen.size();
-        require(n == 0 || n == setup_.parameters.mass_scaling.nodes.size(), "nodes of vertex clusters");
-        require(s_.clusters.sums.size() == setup_.parameters.mass_scaling.chunks.size(), "energies of vertex clusters");
+        require(n == 0 || n == a_.position.size(), "nodes of vertex clusters");
+        require(s_.clusters.sums.size() == (setup_.parameters.mass_scaling.is_on() ? a_.node_chunks.size() : 0),
+                "energies of vertex clusters");
         require(
             std::all_of(s_.clusters.near_platen.begin(), s_.clusters.near_platen.end(), [](std::uint8_t p) { return p <= 2; }),
             "platens of vertex clusters");

@@ -160,13 +160,13 @@ void set_initial_velocities(const Program& program, const Assemblage& a, const S
             state.velocity[i] = initial.velocity;
         }
     }
-    for (std::size_t chunk = 0; chunk < a.grain_chunks.size(); ++chunk) {
-        const Range nodes = a.grain_chunks[chunk].nodes;
+    for (std::size_t chunk = 0; chunk < a.node_chunks.size(); ++chunk) {
+        const Range nodes = a.node_chunks[chunk].nodes;
         double energy = 0;
         for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
             energy += 0.5 * a.mass[i] * dot(state.velocity[i], state.velocity[i]);
         }
-        state.grain_sums[chunk].load_work += energy;
+        state.node_sums[chunk].load_work += energy;
     }
 }
 

@@ -45,18 +45,22 @@ struct LoadingRequest {
     TestKind test = TestKind::uniaxial;
     RateKind rate = RateKind::fixed;
     double platen_speed = 5e-3;                      ///< of each platen, m/s; not of `automatic`
-    double rate_tolerance = default_rate_tolerance;  ///< of `automatic`, see `AutomaticRate`
+    std::optional<double> rate_tolerance;            ///< of `automatic`, see `AutomaticRate`; missing: that of the test
     double rest_tolerance = default_rest_tolerance;  ///< of `blocks`: unbalanced ratio that counts as rest between them
     double rate_share = 1;                           ///< of all speeds of `automatic`, see `RateControl`
     std::int64_t block_steps = 5000;
     double confining_pressure = 0;  ///< Pa
     double platen_friction = 0;     ///< rad
     double max_strain = 0.015;
+    [[nodiscard]] double automatic_tolerance() const {
+        const bool is_tensile = test == TestKind::tension || test == TestKind::brazilian;
+        return rate_tolerance.value_or(is_tensile ? tensile_rate_tolerance : default_rate_tolerance);
+    }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
     [[nodiscard]] double control_tolerance() const {
         switch (rate) {
             case RateKind::fixed: return 0;
-            case RateKind::automatic: return rate_tolerance;
+            case RateKind::automatic: return automatic_tolerance();
             case RateKind::blocks: return rest_tolerance;
         }
         return 0;

@@ -6,71 +6,60 @@
 namespace graincrack {
 namespace {
 
-/// The mean velocity of the nodes of a cluster.
-Vector2 mean_velocity(const Assemblage& a, const MassScaling& scaling, std::int32_t cluster, const State& s) {
-    const Range nodes = scaling.clusters[cluster];
-    Vector2 momentum;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        const std::int32_t node = scaling.nodes[i];
-        momentum += a.mass[node] * s.velocity[node];
-    }
-    return (1 / scaling.cluster_mass[cluster]) * momentum;
+/// Σ `of_node(i)` over the nodes of a cluster of a chunk.
+template <class OfNode>
+auto sum_over_cluster(const Assemblage& a, const NodeChunk& chunk, std::int32_t cluster, const OfNode& of_node) {
+    decltype(of_node(0)) sum{};
+    for_each_node_of(a, chunk, cluster, [&](std::int32_t i) { sum += of_node(i); });
+    return sum;
 }
 
 /// The velocity that the added mass moves with: the mean of the nodes, or that of the platen that constrains them.
 Vector2 velocity_of_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens,
-                            std::int32_t cluster, const State& s) {
-    const std::uint8_t platen = s.clusters.constraining_platen[cluster];
-    return platen != 0 ? platens[platen] : mean_velocity(a, scaling, cluster, s);
+                            const NodeChunk& chunk, std::int32_t cluster, const State& s) {
+    if (const std::uint8_t platen = s.clusters.constraining_platen[cluster]; platen != 0) {
+        return platens[platen];
+    }
+    const Vector2 momentum = sum_over_cluster(a, chunk, cluster, [&](std::int32_t i) { return a.mass[i] * s.velocity[i]; });
+    return (1 / scaling.cluster_mass[cluster]) * momentum;
 }
 
 /// Kinetic energy ½ vᵀ(M' − M) v of a cluster, J.
 double added_kinetic_energy_of(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens,
-                               std::int32_t cluster, const State& s) {
-    const Range nodes = scaling.clusters[cluster];
-    const Vector2 mean = velocity_of_cluster(a, scaling, platens, cluster, s);
-    double sum = 0;
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        const std::int32_t node = scaling.nodes[i];
-        const Vector2 relative = s.velocity[node] - mean;
-        sum += a.mass[node] * dot(relative, relative);
-    }
-    return 0.5 * scaling.factor * sum;
+                               const NodeChunk& chunk, std::int32_t cluster, const State& s) {
+    const Vector2 mean = velocity_of_cluster(a, scaling, platens, chunk, cluster, s);
+    return 0.5 * scaling.factor * sum_over_cluster(a, chunk, cluster, [&](std::int32_t i) {
+               const Vector2 relative = s.velocity[i] - mean;
+               return a.mass[i] * dot(relative, relative);
+           });
 }
 
 /// Kinetic energy of a cluster as the energy balance has it, up to what does not depend on velocities, J: ½ v(n−½)ᵀM' v(n+½) with
 /// v(n+½) = v(n−½) + Δt M'⁻¹F.
 double kinetic_energy_of(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens,
-                         std::int32_t cluster, const State& s) {
-    const MassScaling& scaling = parameters.mass_scaling;
-    double sum = 0;
-    for (std::int32_t i = scaling.clusters[cluster].begin; i < scaling.clusters[cluster].end; ++i) {
-        const std::int32_t node = scaling.nodes[i];
-        const Vector2& v = s.velocity[node];
-        sum += a.mass[node] * dot(v, v) + parameters.time_step * dot(s.force[node], v);
-    }
-    return 0.5 * sum + added_kinetic_energy_of(a, scaling, platens, cluster, s);
+                         const NodeChunk& chunk, std::int32_t cluster, const State& s) {
+    const double own = 0.5 * sum_over_cluster(a, chunk, cluster, [&](std::int32_t i) {
+                           const Vector2& v = s.velocity[i];
+                           return a.mass[i] * dot(v, v) + parameters.time_step * dot(s.force[i], v);
+                       });
+    return own + added_kinetic_energy_of(a, parameters.mass_scaling, platens, chunk, cluster, s);
 }
 
-/// The platen that a node of a cluster is near, 1 + its index; 0 for none.
-std::uint8_t nearest_platen(const MassScaling& scaling, std::int32_t cluster, const ClusterState& g) {
-    const Range nodes = scaling.clusters[cluster];
-    return *std::max_element(g.near_platen.begin() + nodes.begin, g.near_platen.begin() + nodes.end);
+/// Finds which platen constrains a cluster, from the platens that its nodes are near.
+void set_constraint(const Assemblage& a, const MassScaling& scaling, const NodeChunk& chunk, std::int32_t cluster,
+                    ClusterState& g) {
+    std::uint8_t platen = 0;
+    for_each_node_of(a, chunk, cluster, [&](std::int32_t i) { platen = std::max(platen, g.near_platen[i]); });
+    g.constraining_platen[cluster] = platen;
+    g.inverse_mass[cluster] = platen != 0 ? 0.0 : 1 / scaling.cluster_mass[cluster];
 }
 
-void set_constraint(const MassScaling& scaling, std::int32_t cluster, ClusterState& g) {
-    g.constraining_platen[cluster] = nearest_platen(scaling, cluster, g);
-    g.inverse_mass[cluster] = g.constraining_platen[cluster] != 0 ? 0.0 : 1 / scaling.cluster_mass[cluster];
-}
-
-/// Lists the nodes of a chunk that platens constrain.
-void find_constrained(const MassScaling& scaling, std::int32_t chunk, ClusterState& g) {
-    const std::int32_t origin = scaling.nodes_of(chunk).begin;
-    g.constrained[chunk].clear();
-    for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
-        const Range nodes = scaling.clusters[cluster];
-        for (std::int32_t i = nodes.begin; i < nodes.end && g.constraining_platen[cluster] != 0; ++i) {
-            g.constrained[chunk].push_back({i - origin, g.constraining_platen[cluster]});
+/// Lists the clusters of a chunk that platens constrain.
+void find_constrained(const Range& clusters, std::vector<ConstrainedCluster>& constrained, const ClusterState& g) {
+    constrained.clear();
+    for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
+        if (g.constraining_platen[cluster] != 0) {
+            constrained.push_back({cluster, g.constraining_platen[cluster]});
         }
     }
 }
@@ -78,104 +67,94 @@ void find_constrained(const MassScaling& scaling, std::int32_t chunk, ClusterSta
 /// A cluster meets or leaves a platen. If it leaves, its nodes keep their velocities; if it meets one, their momentum p = M' v:
 /// with the mean u before and the platen's velocity V after, p/m = (1 + β) v − β u and v' = V + (p/m − V)/(1 + β). Neither
 /// creates energy, relative to the platen.
-void change_constraint(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, std::int32_t cluster,
-                       State& s) {
+void change_constraint(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, const NodeChunk& chunk,
+                       std::int32_t cluster, State& s) {
     ClusterState& g = s.clusters;
-    const Range nodes = scaling.clusters[cluster];
     const std::uint8_t old = g.constraining_platen[cluster];
-    const Vector2 before = velocity_of_cluster(a, scaling, platens, cluster, s);
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        g.near_platen[i] = s.near_platen[scaling.nodes[i]];
-    }
-    set_constraint(scaling, cluster, g);
+    const Vector2 before = velocity_of_cluster(a, scaling, platens, chunk, cluster, s);
+    for_each_node_of(a, chunk, cluster, [&](std::int32_t i) { g.near_platen[i] = s.near_platen[i]; });
+    set_constraint(a, scaling, chunk, cluster, g);
     const std::uint8_t now = g.constraining_platen[cluster];
     if (now == 0 || now == old) {
         return;
     }
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        Vector2& v = s.velocity[scaling.nodes[i]];
+    for_each_node_of(a, chunk, cluster, [&](std::int32_t i) {
+        Vector2& v = s.velocity[i];
         const Vector2 momentum = (1 + scaling.factor) * v - scaling.factor * before;
         v = platens[now] + (1 / (1 + scaling.factor)) * (momentum - platens[now]);
-    }
+    });
 }
 
-/// Whether a node of a cluster has met or left a platen.
-bool changes(const MassScaling& scaling, Range places, const State& s) {
-    for (std::int32_t i = places.begin; i < places.end; ++i) {
-        if (s.clusters.near_platen[i] != s.near_platen[scaling.nodes[i]]) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// Whether a cluster of a chunk may have changed.
-bool may_change(const MassScaling& scaling, std::int32_t chunk, const State& s) {
-    const std::vector<std::int32_t>& places = s.clusters.platen_nodes[chunk];
-    return std::any_of(places.begin(), places.end(), [&](std::int32_t i) { return changes(scaling, {i, i + 1}, s); });
-}
+/// Whether a node has met or left a platen.
+bool changes(std::int32_t node, const State& s) { return s.clusters.near_platen[node] != s.near_platen[node]; }
 
 }  // namespace
 
-ClusterState make_cluster_state(const MassScaling& scaling) {
+ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling) {
     ClusterState g;
-    g.near_platen.resize(scaling.nodes.size());
-    g.sums.resize(scaling.chunks.size());
+    if (scaling.is_on()) {
+        g.near_platen.resize(a.n_nodes());
+        g.sums.resize(a.node_chunks.size());
+    }
     return g;
 }
 
-void complete_cluster_state(const MassScaling& scaling, State& s) {
-    ClusterState& g = s.clusters;
-    s.contact_pairs.cluster_load.resize(scaling.clusters.size());
-    g.near_platen.resize(scaling.nodes.size());
-    g.constraining_platen.resize(scaling.clusters.size());
-    g.inverse_mass.resize(scaling.clusters.size());
-    for (std::int32_t cluster = 0; cluster < static_cast<std::int32_t>(scaling.clusters.size()); ++cluster) {
-        set_constraint(scaling, cluster, g);
+void complete_cluster_state(const Assemblage& a, const MassScaling& scaling, State& s) {
+    if (!scaling.is_on()) {
+        return;
     }
-    std::vector<bool> may_be_near(s.near_platen.size(), false);
+    ClusterState& g = s.clusters;
+    s.contact_pairs.cluster_load.resize(a.n_clusters());
+    g.near_platen.resize(a.n_nodes());
+    g.constraining_platen.resize(a.n_clusters());
+    g.inverse_mass.resize(a.n_clusters());
+    std::vector<bool> may_be_near(a.n_nodes(), false);
     for (const PlatenPoint& point : s.platen_points) {
         may_be_near[point.node] = true;
     }
-    g.platen_nodes.assign(scaling.chunks.size(), {});
-    g.constrained.assign(scaling.chunks.size(), {});
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(scaling.chunks.size()); ++chunk) {
-        find_constrained(scaling, chunk, g);
-        const Range nodes = scaling.nodes_of(chunk);
-        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            if (may_be_near[scaling.nodes[i]]) {
-                g.platen_nodes[chunk].push_back(i);
+    g.platen_nodes.assign(a.node_chunks.size(), {});
+    g.constrained.assign(a.node_chunks.size(), {});
+    for (std::size_t index = 0; index < a.node_chunks.size(); ++index) {
+        const NodeChunk& chunk = a.node_chunks[index];
+        for (std::int32_t cluster = chunk.clusters.begin; cluster < chunk.clusters.end; ++cluster) {
+            set_constraint(a, scaling, chunk, cluster, g);
+        }
+        find_constrained(chunk.clusters, g.constrained[index], g);
+        for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
+            if (may_be_near[i]) {
+                g.platen_nodes[index].push_back(i);
             }
         }
     }
 }
 
-void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
+void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index,
                      State& s) {
-    const MassScaling& scaling = parameters.mass_scaling;
-    if (!may_change(scaling, chunk, s)) {
+    const std::vector<std::int32_t>& platen_nodes = s.clusters.platen_nodes[index];
+    if (std::none_of(platen_nodes.begin(), platen_nodes.end(), [&](std::int32_t i) { return changes(i, s); })) {
         return;
     }
+    const NodeChunk& chunk = a.node_chunks[index];
     const PlatenVelocities platens(loading, parameters.time_step);
-    for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
-        if (changes(scaling, scaling.clusters[cluster], s)) {
-            const double before = kinetic_energy_of(a, parameters, platens, cluster, s);
-            change_constraint(a, scaling, platens, cluster, s);
-            s.clusters.sums[chunk].platen_loss += before - kinetic_energy_of(a, parameters, platens, cluster, s);
+    for (std::int32_t cluster = chunk.clusters.begin; cluster < chunk.clusters.end; ++cluster) {
+        bool has_changed = false;
+        for_each_node_of(a, chunk, cluster, [&](std::int32_t i) { has_changed = has_changed || changes(i, s); });
+        if (has_changed) {
+            const double before = kinetic_energy_of(a, parameters, platens, chunk, cluster, s);
+            change_constraint(a, parameters.mass_scaling, platens, chunk, cluster, s);
+            s.clusters.sums[index].platen_loss += before - kinetic_energy_of(a, parameters, platens, chunk, cluster, s);
         }
     }
-    find_constrained(scaling, chunk, s.clusters);
+    find_constrained(chunk.clusters, s.clusters.constrained[index], s.clusters);
 }
 
-double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
+double added_kinetic_energy(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index,
                             const State& s) {
-    const MassScaling& scaling = parameters.mass_scaling;
+    const NodeChunk& chunk = a.node_chunks[index];
     const PlatenVelocities platens(loading, parameters.time_step);
-    double sum = 0;
-    for (std::int32_t cluster = scaling.chunks[chunk].begin; cluster < scaling.chunks[chunk].end; ++cluster) {
-        sum += added_kinetic_energy_of(a, scaling, platens, cluster, s);
-    }
-    return sum;
+    return sum_over(chunk.clusters, [&](std::int32_t cluster) {
+        return added_kinetic_energy_of(a, parameters.mass_scaling, platens, chunk, cluster, s);
+    });
 }
 
 }  // namespace graincrack

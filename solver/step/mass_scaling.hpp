@@ -11,17 +11,17 @@
 namespace graincrack {
 
 /// All clusters away from platens.
-ClusterState make_cluster_state(const MassScaling& scaling);
+ClusterState make_cluster_state(const Assemblage& assemblage, const MassScaling& scaling);
 
 /// Finds what follows from the rest of the state.
-void complete_cluster_state(const MassScaling& scaling, State& state);
+void complete_cluster_state(const Assemblage& assemblage, const MassScaling& scaling, State& state);
 
-/// Finds which clusters of a chunk platens constrain, from `state.near_platen`. Where that changes it changes velocities and
-/// books the loss.
+/// Finds which clusters of a chunk of nodes platens constrain, from `state.near_platen`. Where that changes it changes velocities
+/// and books the loss.
 void update_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                      std::int32_t chunk, State& state);
 
-/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a chunk of clusters, v relative to the platen where one constrains them, J.
+/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a chunk of nodes, v relative to the platen where one constrains them, J.
 double added_kinetic_energy(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                             std::int32_t chunk, const State& state);
 

@@ -10,132 +10,177 @@ namespace graincrack {
 namespace {
 
 static_assert(2 * nodes_per_chunk % sum_lanes == 0);
+static_assert(sizeof(Vector2) == 2 * sizeof(double));
 
-/// Forces and motions of the nodes of a chunk, x and y in turn.
-struct Lanes {
-    static constexpr std::int32_t size = 2 * nodes_per_chunk;
-    alignas(64) double force[size], change[size], velocity[size];     ///< of the nodes; change of the force in a step
-    alignas(64) double mean_acceleration[size], mean_velocity[size];  ///< of the cluster
-    alignas(64) double mean_change[size];                             ///< change of their mean acceleration in a step
-    alignas(64) double mean_damping_force[size];  ///< mean of the damping forces of the relative motion, per mass
-    alignas(64) double damping_force[size];
+/// Components of vectors that follow each other, x and y in turn.
+const double* components(const Vector2& first) { return &first.x; }
+double* components(Vector2& first) { return &first.x; }
+
+/// The nodes of a chunk, x and y in turn.
+struct Nodes {
+    const double *force, *last_force, *velocity, *mass, *inverse_mass;
+};
+Nodes nodes_from(const MassScaling& scaling, std::int32_t node, const State& s) {
+    const auto first = 2 * static_cast<std::size_t>(node);
+    return {components(s.force[node]), components(s.last_force[node]), components(s.velocity[node]), &scaling.mass[first],
+            &scaling.inverse_mass[first]};
+}
+
+/// Mean motions of the clusters of a chunk, x and y in turn.
+struct Means {
+    static constexpr std::int32_t size = 2 * clusters_per_chunk;
+    alignas(64) double inverse_mass[size];
+    alignas(64) double acceleration[size], change[size], velocity[size];  ///< change of the acceleration in a step
+    alignas(64) double damping[size];                                     ///< damping force of the mean motion, per mass
+    alignas(64) double relative[size];  ///< mean of the damping forces of the relative motion, per mass
 };
 
-Vector2 pair_at(const double* values, std::ptrdiff_t i) { return {values[2 * i], values[2 * i + 1]}; }
-void set_pair(double* values, std::ptrdiff_t i, const Vector2& pair) {
-    values[2 * i] = pair.x;
-    values[2 * i + 1] = pair.y;
-}
+/// What is found for each node of a chunk, x and y in turn.
+struct Lanes {
+    static constexpr std::int32_t size = 2 * nodes_per_chunk;
+    alignas(64) double relative_damping[size];  ///< damping force of the relative motion, of which the mean is to be subtracted
+    alignas(64) double new_velocity[size];
+    alignas(64) double power[size];  ///< twice that of damping, W
+};
 
-void gather(const MassScaling& scaling, Range nodes, const State& s, Lanes& b) {
-    const Vector2* const force = s.force.data();
-    const Vector2* const last_force = s.last_force.data();
-    const Vector2* const velocity = s.velocity.data();
-    for (std::int32_t i = 0; i < nodes.size(); ++i) {
-        const std::int32_t node = scaling.nodes[nodes.begin + i];
-        set_pair(b.force, i, force[node]);
-        set_pair(b.change, i, force[node] - last_force[node]);
-        set_pair(b.velocity, i, velocity[node]);
+/// The rows of a chunk, of components counted from its first.
+struct Rows {
+    const Range* rows;
+    std::int32_t count, first_node;
+    struct Row {
+        std::int32_t begin, size;
+    };
+    GRAINCRACK_INLINE Row operator[](std::int32_t row) const {
+        return {2 * (rows[row].begin - first_node), 2 * rows[row].size()};
     }
+};
+Rows rows_of(const Assemblage& a, const NodeChunk& chunk) {
+    return {&a.rows[chunk.rows.begin], chunk.rows.size(), chunk.nodes.begin};
 }
 
-/// Calls `act(cluster, places)` for every cluster of a chunk; places count from the chunk's first.
-template <class Act>
-void for_each_cluster(const MassScaling& scaling, std::int32_t chunk, const Act& act) {
-    const Range clusters = scaling.chunks[chunk];
-    const std::int32_t origin = scaling.clusters[clusters.begin].begin;
-    for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
-        act(cluster, Range{scaling.clusters[cluster].begin - origin, scaling.clusters[cluster].end - origin});
+/// Adds the forces, their changes and the momenta of a row to those of the clusters.
+GRAINCRACK_INLINE void add_motions(std::int32_t size, const double* force, const double* last_force, const double* mass,
+                                   const double* velocity, double* __restrict sum_of_force, double* __restrict sum_of_change,
+                                   double* __restrict momentum) {
+    for (std::int32_t k = 0; k < size; ++k) {
+        sum_of_force[k] += force[k];
+        sum_of_change[k] += force[k] - last_force[k];
+        momentum[k] += mass[k] * velocity[k];
     }
 }
 
 /// Mean acceleration, its change and mean velocity of clusters.
-void find_means(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
-    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(scaling.nodes_of(chunk).begin)];
-    for_each_cluster(scaling, chunk, [&](std::int32_t cluster, Range nodes) {
-        Vector2 force;
-        Vector2 change;
-        Vector2 momentum;
-        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            force += pair_at(b.force, i);
-            change += pair_at(b.change, i);
-            momentum += mass[2 * i] * pair_at(b.velocity, i);
-        }
-        const double share = g.inverse_mass[cluster];
-        const Vector2 acceleration = share * force;
-        const Vector2 acceleration_change = share * change;
-        const Vector2 velocity = share * momentum;
-        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            set_pair(b.mean_acceleration, i, acceleration);
-            set_pair(b.mean_change, i, acceleration_change);
-            set_pair(b.mean_velocity, i, velocity);
-        }
-    });
+GRAINCRACK_INLINE void find_means(const Rows& rows, const Nodes& of_chunk, std::int32_t count, Means& means) {
+    const Nodes nodes = of_chunk;  // a copy that no store can change
+    for (std::int32_t k = 0; k < count; ++k) {
+        means.acceleration[k] = means.change[k] = means.velocity[k] = 0;
+    }
+    for (std::int32_t row = 0; row < rows.count; ++row) {
+        const auto [begin, size] = rows[row];
+        add_motions(size, nodes.force + begin, nodes.last_force + begin, nodes.mass + begin, nodes.velocity + begin,
+                    means.acceleration, means.change, means.velocity);
+    }
+    for (std::int32_t k = 0; k < count; ++k) {
+        means.acceleration[k] *= means.inverse_mass[k];
+        means.change[k] *= means.inverse_mass[k];
+        means.velocity[k] *= means.inverse_mass[k];
+    }
 }
 
-/// Damping forces of the relative motion of each node.
-GRAINCRACK_INLINE void damp_relative_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
+/// Damping forces of the relative motion of the nodes of a row, and their sums over the clusters.
+GRAINCRACK_INLINE void damp_relative_motion(std::int32_t size, const Damping& damping, const double* force,
+                                            const double* last_force, const double* mass, const double* velocity,
+                                            const Means& means, double* __restrict relative_damping, double* __restrict sum) {
+    for (std::int32_t k = 0; k < size; ++k) {
+        relative_damping[k] =
+            damping_force(damping, force[k] - mass[k] * means.acceleration[k],
+                          (force[k] - last_force[k]) - mass[k] * means.change[k], velocity[k] - means.velocity[k]);
+        sum[k] += relative_damping[k];
+    }
+}
+
+/// Damping forces of the mean motions of clusters and of the relative motions of their nodes.
+GRAINCRACK_INLINE void find_damping_forces(const Rows& rows, const Nodes& of_chunk, const Damping& shares, std::int32_t count,
+                                           Means& means, Lanes& b) {
+    const Nodes nodes = of_chunk;
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) {
-        b.damping_force[k] = damping_force(damping, b.force[k] - mass[k] * b.mean_acceleration[k],
-                                           b.change[k] - mass[k] * b.mean_change[k], b.velocity[k] - b.mean_velocity[k]);
+        means.relative[k] = 0;
     }
-}
-
-/// Mean of these damping forces over each cluster, to be subtracted.
-void find_mean_damping_forces(const MassScaling& scaling, std::int32_t chunk, const ClusterState& g, Lanes& b) {
-    for_each_cluster(scaling, chunk, [&](std::int32_t cluster, Range nodes) {
-        Vector2 damping_force;
-        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            damping_force += pair_at(b.damping_force, i);
-        }
-        const Vector2 mean = g.inverse_mass[cluster] * damping_force;
-        for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-            set_pair(b.mean_damping_force, i, mean);
-        }
-    });
-}
-
-/// Damping forces of both motions into `damping_force`, and the damped mean acceleration.
-GRAINCRACK_INLINE void damp_mean_motion(const double* mass, const Damping& shares, std::int32_t count, Lanes& b) {
-    const Damping damping = shares;
+    for (std::int32_t row = 0; row < rows.count; ++row) {
+        const auto [begin, size] = rows[row];
+        damp_relative_motion(size, damping, nodes.force + begin, nodes.last_force + begin, nodes.mass + begin,
+                             nodes.velocity + begin, means, b.relative_damping + begin, means.relative);
+    }
     for (std::int32_t k = 0; k < count; ++k) {
-        const double mean = damping_force(damping, b.mean_acceleration[k], b.mean_change[k], b.mean_velocity[k]);
-        b.damping_force[k] += mass[k] * (mean - b.mean_damping_force[k]);
-        b.mean_acceleration[k] += mean;
+        means.damping[k] = damping_force(damping, means.acceleration[k], means.change[k], means.velocity[k]);
+        means.relative[k] *= means.inverse_mass[k];
     }
 }
 
-/// Damping forces and damped mean accelerations of a chunk. The mean motion of a cluster that a platen constrains is the
-/// platen's, and is not damped.
-void damp(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens, std::int32_t chunk,
-          const State& s, Lanes& b) {
-    const MassScaling& scaling = parameters.mass_scaling;
-    const Range nodes = scaling.nodes_of(chunk);
-    const std::int32_t count = 2 * nodes.size();
-    const double* const mass = &scaling.mass[2 * static_cast<std::size_t>(nodes.begin)];
-    gather(scaling, nodes, s, b);
-    find_means(scaling, chunk, s.clusters, b);
-    for (const auto& [i, constraining_platen] : s.clusters.constrained[chunk]) {
-        set_pair(b.mean_velocity, i, platens[constraining_platen]);
-    }
-    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_relative_motion(mass, parameters.damps(), count, b); });
-    find_mean_damping_forces(scaling, chunk, s.clusters, b);
-    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { damp_mean_motion(mass, parameters.damps(), count, b); });
+/// The damping force of a component of a node: of the mean motion and of the relative one.
+GRAINCRACK_INLINE double whole_damping(const Means& means, std::int32_t k, double mass, double relative_damping) {
+    return relative_damping + mass * (means.damping[k] - means.relative[k]);
 }
 
-/// v += Δt M'⁻¹ (F + Fd). \return twice the energy absorbed by damping over Δt, W
-GRAINCRACK_INLINE double accelerate(const double* inverse_mass, double own, double time_step, std::int32_t count, Lanes& b) {
-    for (std::int32_t k = count; k < in_whole_lanes(count); ++k) {
-        b.damping_force[k] = b.velocity[k] = b.mean_velocity[k] = 0;
+/// Where the platen that constrains a cluster stands in the means of its chunk.
+void set_mean(double* values, std::int32_t cluster, const Vector2& mean) {
+    values[2 * cluster] = mean.x;
+    values[2 * cluster + 1] = mean.y;
+}
+
+/// Damping forces and mean motions of a chunk. The mean motion of a cluster that a platen constrains is the platen's, and is not
+/// damped.
+void damp(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index, const State& s,
+          Means& means, Lanes& b) {
+    const NodeChunk& chunk = a.node_chunks[index];
+    const Rows rows = rows_of(a, chunk);
+    const Nodes nodes = nodes_from(parameters.mass_scaling, chunk.nodes.begin, s);
+    const std::int32_t count = 2 * chunk.clusters.size();
+    for (std::int32_t cluster = 0; cluster < chunk.clusters.size(); ++cluster) {
+        const double inverse_mass = s.clusters.inverse_mass[chunk.clusters.begin + cluster];
+        set_mean(means.inverse_mass, cluster, {inverse_mass, inverse_mass});
     }
-    // The new velocities go into `mean_velocity`, which is not needed any more.
-    for (std::int32_t k = 0; k < count; ++k) {
-        const double mean = (1 - own) * b.mean_acceleration[k];
-        b.mean_velocity[k] = b.velocity[k] + time_step * (mean + (own * inverse_mass[k]) * (b.force[k] + b.damping_force[k]));
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_means(rows, nodes, count, means); });
+    const PlatenVelocities platens(loading, parameters.time_step);
+    for (const auto& [cluster, platen] : s.clusters.constrained[index]) {
+        set_mean(means.velocity, cluster - chunk.clusters.begin, platens[platen]);
     }
-    return -sum_by_lanes(
-        count, [&](std::int32_t k) GRAINCRACK_KERNEL { return b.damping_force[k] * (b.velocity[k] + b.mean_velocity[k]); });
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_damping_forces(rows, nodes, parameters.damps(), count, means, b); });
+}
+
+/// New velocities v + Δt M'⁻¹ (F + Fd) of a row, and the power of damping.
+GRAINCRACK_INLINE void accelerate_row(std::int32_t size, const double* force, const double* mass, const double* inverse_mass,
+                                      const double* velocity, const double* relative_damping, const Means& means, double own,
+                                      double time_step, double* __restrict new_velocity, double* __restrict power) {
+    for (std::int32_t k = 0; k < size; ++k) {
+        const double damping = whole_damping(means, k, mass[k], relative_damping[k]);
+        const double acceleration = (1 - own) * means.acceleration[k] + (own * inverse_mass[k]) * (force[k] + damping);
+        new_velocity[k] = velocity[k] + time_step * acceleration;
+        power[k] = damping * (velocity[k] + new_velocity[k]);
+    }
+}
+
+/// New velocities of a chunk. \return twice the energy absorbed by damping over Δt, W
+GRAINCRACK_INLINE double accelerate(const Rows& rows, const Nodes& of_chunk, double own, double time_step,
+                                    std::int32_t n_components, const Means& means, Lanes& b) {
+    const Nodes nodes = of_chunk;
+    for (std::int32_t row = 0; row < rows.count; ++row) {
+        const auto [begin, size] = rows[row];
+        accelerate_row(size, nodes.force + begin, nodes.mass + begin, nodes.inverse_mass + begin, nodes.velocity + begin,
+                       b.relative_damping + begin, means, own, time_step, b.new_velocity + begin, b.power + begin);
+    }
+    return -sum_values_by_lanes(n_components, b.power);
+}
+
+/// v and F of the step become those of the step before, u += Δt v.
+GRAINCRACK_INLINE void move(const double* force, const Lanes& b, double time_step, std::int32_t n_components,
+                            double* __restrict last_force, double* __restrict velocity, double* __restrict displacement) {
+    for (std::int32_t i = 0; i < n_components; ++i) {
+        velocity[i] = b.new_velocity[i];
+        displacement[i] += time_step * b.new_velocity[i];
+        last_force[i] = force[i];
+    }
 }
 
 /// Acceleration of the platen that constrains a cluster, m/s².
@@ -144,50 +189,65 @@ Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::u
     return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};
 }
 
+/// Work of a platen on the added mass of a cluster that it constrains, J.
+double platen_work(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, const NodeChunk& chunk,
+                   const ConstrainedCluster& constrained, const State& s, const Lanes& b) {
+    const double dt = parameters.time_step;
+    const std::size_t platen = constrained.constraining_platen - 1U;
+    const double acceleration = platen_acceleration(loading, dt, constrained.constraining_platen).y;
+    double force = 0;
+    for_each_node_of(a, chunk, constrained.cluster, [&](std::int32_t i) {
+        const double new_velocity = b.new_velocity[2 * (i - chunk.nodes.begin) + 1];
+        force -= parameters.mass_scaling.factor * a.mass[i] * ((new_velocity - s.velocity[i].y) / dt - acceleration);
+    });
+    return 0.5 * force * (loading.increment_before[platen] + loading.increment_after[platen]);
+}
+
 }  // namespace
 
-void damp_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
+void damp_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index,
                    State& s) {
+    Means means;
     Lanes b;
-    damp(a, parameters, PlatenVelocities(loading, parameters.time_step), chunk, s, b);
-    const Range nodes = parameters.mass_scaling.nodes_of(chunk);
-    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
-        s.damping_force[parameters.mass_scaling.nodes[i]] = pair_at(b.damping_force, i - nodes.begin);
+    damp(a, parameters, loading, index, s, means, b);
+    const NodeChunk& chunk = a.node_chunks[index];
+    for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
+        const std::int32_t x = 2 * (i - chunk.nodes.begin);
+        const std::int32_t mean_x = 2 * (a.cluster_of_node[i] - chunk.clusters.begin);
+        s.damping_force[i] = {whole_damping(means, mean_x, a.mass[i], b.relative_damping[x]),
+                              whole_damping(means, mean_x + 1, a.mass[i], b.relative_damping[x + 1])};
     }
 }
 
-void integrate_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
+void integrate_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index,
                         State& s) {
-    const MassScaling& scaling = parameters.mass_scaling;
+    const NodeChunk& chunk = a.node_chunks[index];
     const double dt = parameters.time_step;
+    Means means;
     Lanes b;
-    damp(a, parameters, PlatenVelocities(loading, dt), chunk, s, b);
-    for (const auto& [i, constraining_platen] : s.clusters.constrained[chunk]) {
-        set_pair(b.mean_acceleration, i, platen_acceleration(loading, dt, constraining_platen));
+    damp(a, parameters, loading, index, s, means, b);
+    for (std::int32_t k = 0; k < 2 * chunk.clusters.size(); ++k) {
+        means.acceleration[k] += means.damping[k];
     }
-    const Range nodes = scaling.nodes_of(chunk);
-    const double* const inverse_mass = &scaling.inverse_mass[2 * static_cast<std::size_t>(nodes.begin)];
+    for (const auto& [cluster, platen] : s.clusters.constrained[index]) {
+        set_mean(means.acceleration, cluster - chunk.clusters.begin, platen_acceleration(loading, dt, platen));
+    }
+    const Rows rows = rows_of(a, chunk);
+    const Nodes nodes = nodes_from(parameters.mass_scaling, chunk.nodes.begin, s);
+    const std::int32_t n_components = 2 * chunk.nodes.size();
     double absorbed = 0;
-    run_on(a.vector_target,
-           [&]() GRAINCRACK_KERNEL { absorbed = accelerate(inverse_mass, 1 / (1 + scaling.factor), dt, 2 * nodes.size(), b); });
-    s.clusters.sums[chunk].damping += 0.5 * dt * absorbed;
-    for (const auto& [i, constraining_platen] : s.clusters.constrained[chunk]) {
-        const Vector2 against_platen = (1 / dt) * (pair_at(b.mean_velocity, i) - pair_at(b.velocity, i)) -
-                                       platen_acceleration(loading, dt, constraining_platen);
-        const double force = -scaling.factor * scaling.mass[2 * (nodes.begin + i)] * against_platen.y;  // of the added mass
-        s.clusters.sums[chunk].platen_work +=
-            0.5 * force *
-            (loading.increment_before[constraining_platen - 1U] + loading.increment_after[constraining_platen - 1U]);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        absorbed = accelerate(rows, nodes, 1 / (1 + parameters.mass_scaling.factor), dt, n_components, means, b);
+    });
+    ClusterSums& sums = s.clusters.sums[index];
+    sums.damping += 0.5 * dt * absorbed;
+    for (const ConstrainedCluster& constrained : s.clusters.constrained[index]) {
+        sums.platen_work += platen_work(a, parameters, loading, chunk, constrained, s, b);
     }
-    Vector2* const velocity = s.velocity.data();
-    Vector2* const displacement = s.displacement.data();
-    for (std::int32_t i = 0; i < nodes.size(); ++i) {
-        const std::int32_t node = scaling.nodes[nodes.begin + i];
-        const Vector2 moved = pair_at(b.mean_velocity, i);
-        velocity[node] = moved;
-        displacement[node] += dt * moved;
-        s.last_force[node] = s.force[node];
-    }
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        move(nodes.force, b, dt, n_components, components(s.last_force[chunk.nodes.begin]),
+             components(s.velocity[chunk.nodes.begin]), components(s.displacement[chunk.nodes.begin]));
+    });
 }
 
 }  // namespace graincrack

@@ -5,87 +5,40 @@
 #include <cmath>
 
 #include "solver/simd.hpp"
+#include "solver/step/element_forces.hpp"
 #include "solver/step/prescribed.hpp"
 
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t max_lanes = 64;  ///< elements that a vector kernel works on at a time
-
-/// Elements side by side: edge displacements in, nodal forces out.
-struct Lanes {
-    alignas(64) double a_x[max_lanes], a_y[max_lanes], b_x[max_lanes], b_y[max_lanes];
-    alignas(64) double f1_x[max_lanes], f1_y[max_lanes], f2_x[max_lanes], f2_y[max_lanes];
-};
-
-/// Geometry and elasticity of elements side by side.
-struct Triangles {
-    const double *gradient1_x, *gradient1_y, *gradient2_x, *gradient2_y, *area;
-    const double *c11, *c12, *mu;
-};
-Triangles triangles_from(const Assemblage& a, std::int32_t e) {
-    const TriangleTable& t = a.element_geometry;
-    const ElasticityTable& c = a.elasticity;
-    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e],
-            &t.area[e],        &c.c11[e],         &c.c12[e],         &c.mu[e]};
-}
-
-GRAINCRACK_INLINE void find_element_forces(const Triangles& triangles, std::int32_t count, Lanes& b) {
-    const Triangles t = triangles;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
-        const PlaneElasticity c{t.c11[i], t.c12[i], t.mu[i], 0};
-        const TriangleForces f = triangle_forces(g, triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}));
-        b.f1_x[i] = f.on_node1.x;
-        b.f1_y[i] = f.on_node1.y;
-        b.f2_x[i] = f.on_node2.x;
-        b.f2_y[i] = f.on_node2.y;
+/// Adds the forces in further slots of the nodes of a chunk. \param to_y from the x of a slot to its y
+template <std::size_t few>
+void add_further(const SlotsOfNodes<few>& slots, const std::vector<double>& value, std::int32_t to_y, std::int32_t chunk,
+                 State& s) {
+    const Range further = slots.further_of_chunk[chunk];
+    for (std::int32_t i = further.begin; i < further.end; ++i) {
+        const auto [node, slot] = slots.further[i];
+        s.force[node] += {value[slot], value[slot + to_y]};
     }
 }
 
-void add_elements(const Assemblage& a, Range range, State& s) {
-    Lanes b;
-    for (std::int32_t begin = range.begin; begin < range.end; begin += max_lanes) {
-        const std::int32_t count = std::min(max_lanes, range.end - begin);
-        const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[begin];
-        const Vector2* const displacement = s.displacement.data();
-        for (std::int32_t i = 0; i < count; ++i) {
-            const auto [n0, n1, n2] = nodes[i];
-            const Vector2 u0 = displacement[n0];
-            const Vector2 to1 = displacement[n1] - u0;
-            const Vector2 to2 = displacement[n2] - u0;
-            b.a_x[i] = to1.x;
-            b.a_y[i] = to1.y;
-            b.b_x[i] = to2.x;
-            b.b_y[i] = to2.y;
-        }
-        const Triangles triangles = triangles_from(a, begin);
-        run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_element_forces(triangles, count, b); });
-        Vector2* const force = s.force.data();
-        for (std::int32_t i = 0; i < count; ++i) {
-            const auto [n0, n1, n2] = nodes[i];
-            const Vector2 f1{b.f1_x[i], b.f1_y[i]};
-            const Vector2 f2{b.f2_x[i], b.f2_y[i]};
-            force[n0] -= f1 + f2;
-            force[n1] += f1;
-            force[n2] += f2;
-        }
-    }
-}
-
-/// Sets `state.force` on the nodes of a chunk to the forces of contacts.
-void gather_contacts(const Assemblage& a, const GrainChunk& chunk, State& s) {
-    const double* const value = s.contact_force.data();
-    const std::array<std::int32_t, 2>* const slots = a.slots.data();
+/// Sets `state.force` on the nodes of a chunk to the forces of elements and contacts.
+void gather_elements_and_contacts(const Assemblage& a, std::int32_t chunk, State& s) {
+    const double* const of_element = s.element_force.data();
+    const double* const of_contact = s.contact_force.data();
+    const std::array<std::int32_t, 1>* const element_slots = a.element_slots.first.data();
+    const std::array<std::int32_t, 2>* const contact_slots = a.contact_slots.first.data();
     Vector2* const force = s.force.data();
-    for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
-        const auto [first, second] = slots[i];
-        force[i] = {value[first] + value[second], value[first + contacts_per_chunk] + value[second + contacts_per_chunk]};
+    const Range nodes = a.node_chunks[chunk].nodes;
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        const auto [element] = element_slots[i];
+        const auto [first, second] = contact_slots[i];
+        force[i] = {of_element[element] + (of_contact[first] + of_contact[second]),
+                    of_element[element + elements_per_chunk] +
+                        (of_contact[first + contacts_per_chunk] + of_contact[second + contacts_per_chunk])};
     }
-    for (std::int32_t i = chunk.further_slots.begin; i < chunk.further_slots.end; ++i) {
-        const auto [node, slot] = a.further_slots[i];
-        s.force[node] += {value[slot], value[slot + contacts_per_chunk]};
-    }
+    add_further(a.element_slots, s.element_force, elements_per_chunk, chunk, s);
+    add_further(a.contact_slots, s.contact_force, contacts_per_chunk, chunk, s);
 }
 
 void add_active_contacts(std::int32_t chunk, State& s) {
@@ -122,10 +75,9 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
 template <class Visit>
 void sum_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s,
                 const Visit& visit) {
-    const GrainChunk& range = a.grain_chunks[chunk];
-    std::fill(s.near_platen.begin() + range.nodes.begin, s.near_platen.begin() + range.nodes.end, std::uint8_t{0});
-    gather_contacts(a, range, s);
-    add_elements(a, range.elements, s);
+    const Range nodes = a.node_chunks[chunk].nodes;
+    std::fill(s.near_platen.begin() + nodes.begin, s.near_platen.begin() + nodes.end, std::uint8_t{0});
+    gather_elements_and_contacts(a, chunk, s);
     add_active_contacts(chunk, s);
     add_platens(boundary, loading, chunk, s, visit);
     if (!boundary.prescribed.empty()) {
@@ -155,13 +107,21 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
 
 }  // namespace
 
-void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s) {
-    sum_forces(a, boundary, loading, chunk, s, [](const PlatenPoint&, const PlatenResponse&) {});
+void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, State& s) {
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.element_chunks.size()); ++chunk) {
+        find_element_forces(a, chunk, s);
+    }
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
+        find_edge_loads(a, boundary.prescribed, loading, chunk, s);
+    }
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
+        sum_forces(a, boundary, loading, chunk, s, [](const PlatenPoint&, const PlatenResponse&) {});
+    }
 }
 
 void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
                           State& s) {
-    GrainSums& sums = s.grain_sums[chunk];
+    NodeSums& sums = s.node_sums[chunk];
     sum_forces(a, boundary, loading, chunk, s, [&](PlatenPoint& point, const PlatenResponse& r) {
         point.anchor = r.anchor;
         point.shear = r.shear;
@@ -172,14 +132,14 @@ void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const S
 
 void book_half_load_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
     if (!boundary.prescribed.empty()) {
-        s.grain_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
+        s.node_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
     }
 }
 
 void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,
                      State& s) {
-    const Range nodes = a.grain_chunks[chunk].nodes;
-    GrainSums& sums = s.grain_sums[chunk];
+    const Range nodes = a.node_chunks[chunk].nodes;
+    NodeSums& sums = s.node_sums[chunk];
     const double dt = parameters.time_step;
     note_prescribed(boundary.prescribed, chunk, s);
     const std::int32_t n = nodes.size();

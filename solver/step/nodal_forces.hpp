@@ -1,5 +1,5 @@
 // The node stage of a step: the forces of elements, contacts, platens and prescribed loads are summed in a fixed order, then
-// nodes are damped and integrated, chunk by chunk.
+// nodes are damped and integrated, chunk by chunk of nodes.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace graincrack {
 
-/// Sums the forces on the nodes of a chunk into `state.force`, in this order: contacts, elements, node–edge contacts, platens,
-/// prescribed loads. Histories and energies stay as they are.
-void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
-                      State& state);
+/// Sums the forces on all nodes at the present displacements into `state.force`, those of elements and edge loads found anew.
+/// Histories and energies stay as they are.
+void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, State& state);
 
-/// The same in a step: the friction springs of the platens move to the present displacements, and the friction and the work of
-/// the platens are booked, the work as that of their forces over the mean of the platens' displacements before and after.
+/// Sums the forces on the nodes of a chunk into `state.force`, in this order: elements, contacts, node–edge contacts, platens,
+/// prescribed loads. The friction springs of the platens move to the present displacements, and the friction and the work of the
+/// platens are booked, the work as that of their forces over the mean of the platens' displacements before and after.
 void advance_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk,
                           State& state);
 

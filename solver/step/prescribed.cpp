@@ -9,7 +9,7 @@ double value_of(const StepLoading& loading, std::int32_t amplitude, double other
     return amplitude == no_amplitude || loading.amplitudes.empty() ? otherwise : loading.amplitudes[amplitude];
 }
 
-void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoading& loading, std::int32_t index, State& s) {
+void find_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoading& loading, std::int32_t index, State& s) {
     const auto [first, second] = edge.nodes;
     const double half_pressure = 0.5 * value_of(loading, edge.pressure, 0);
     const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
@@ -18,8 +18,6 @@ void add_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadin
                        half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
     s.prescribed.load[index] = load;
     s.prescribed.pressing[index] = -half_pressure * along.y;
-    s.force[first] += load;
-    s.force[second] += load;
 }
 
 /// Moves the force on a prescribed component into its reaction.
@@ -43,15 +41,26 @@ double move_component(double prescribed, double old_velocity, double reaction, d
 
 }  // namespace
 
-void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
-                    State& s) {
-    const Range nodes = a.grain_chunks[chunk].nodes;
-    for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
-        s.force[i] += a.rock_mass[i] * prescribed.gravity;
+void find_edge_loads(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
+                     State& s) {
+    if (prescribed.edges.empty()) {
+        return;
     }
     const Range edges = prescribed.edges_of_chunk[chunk];
     for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        add_edge_load(a, prescribed.edges[i], loading, i, s);
+        find_edge_load(a, prescribed.edges[i], loading, i, s);
+    }
+}
+
+void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
+                    State& s) {
+    const Range nodes = a.node_chunks[chunk].nodes;
+    for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
+        s.force[i] += a.rock_mass[i] * prescribed.gravity;
+    }
+    const Range ends = prescribed.ends_of_chunk[chunk];
+    for (std::int32_t i = ends.begin; i < ends.end; ++i) {
+        s.force[prescribed.ends[i].node] += s.prescribed.load[prescribed.ends[i].edge];
     }
     const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
@@ -67,13 +76,12 @@ void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed,
 double load_half_work(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                       const State& s) {
     double work = 0;
-    const Range edges = prescribed.edges_of_chunk[chunk];
-    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        const auto [first, second] = prescribed.edges[i].nodes;
-        work += dot(s.prescribed.load[i], s.velocity[first] + s.velocity[second]);
+    const Range ends = prescribed.ends_of_chunk[chunk];
+    for (std::int32_t i = ends.begin; i < ends.end; ++i) {
+        work += dot(s.prescribed.load[prescribed.ends[i].edge], s.velocity[prescribed.ends[i].node]);
     }
     Vector2 momentum;
-    const Range nodes = a.grain_chunks[chunk].nodes;
+    const Range nodes = a.node_chunks[chunk].nodes;
     for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
         momentum += a.rock_mass[i] * s.velocity[i];
     }

@@ -10,6 +10,10 @@
 
 namespace graincrack {
 
+/// The loads of the edges of a chunk at the present displacements.
+void find_edge_loads(const Assemblage& assemblage, const PrescribedConditions& prescribed, const StepLoading& loading,
+                     std::int32_t chunk, State& state);
+
 /// Adds gravity and the loads of edges to `state.force`, then moves the force on each prescribed component into its reaction.
 void add_prescribed(const Assemblage& assemblage, const PrescribedConditions& prescribed, const StepLoading& loading,
                     std::int32_t chunk, State& state);

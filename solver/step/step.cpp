@@ -8,10 +8,12 @@
 #include "solver/detection/contact_detection.hpp"
 #include "solver/detection/pair_list.hpp"
 #include "solver/step/contact_forces.hpp"
+#include "solver/step/element_forces.hpp"
 #include "solver/step/load_clock.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
+#include "solver/step/prescribed.hpp"
 
 namespace graincrack {
 
@@ -34,8 +36,8 @@ bool have_changed(const ContactPairList& list) {
     return false;
 }
 
-/// The steps of one thread of the team: its share of the chunks of grains, vertex clusters, contacts and candidate pairs, and the
-/// stages of a step on them. The team waits wherever a stage reads what other threads have written.
+/// The steps of one thread of the team: its share of the chunks of nodes, elements, contacts and candidate pairs, and the stages
+/// of a step on them. The team waits wherever a stage reads what other threads have written.
 class ThreadSteps {
 public:
     ThreadSteps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const LoadingClock& clock,
@@ -47,48 +49,27 @@ public:
           s_(s),
           clock_(clock),
           is_first_(thread == 0),
-          grains_(share_of(a.grain_chunks.size(), thread, team.size())),
-          clusters_(share_of(parameters.mass_scaling.chunks.size(), thread, team.size())),
+          nodes_(share_of(a.node_chunks.size(), thread, team.size())),
+          elements_(share_of(a.element_chunks.size(), thread, team.size())),
           contacts_(share_of(a.contact_chunks.size(), thread, team.size())),
           pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
 
-    /// A step of nodes that move with their own masses. The work of loads is booked at the old velocity, then at the new one.
+    /// Before the first step: what follows from displacements and time alone.
+    void begin() {
+        find_forces_without_history();
+        team_.wait();
+    }
+    /// A step. The work of loads is booked at the old velocity, then at the new one.
     void advance(std::int64_t step, bool detects_contacts) {
-        for_each_chunk(grains_, [&](std::int32_t chunk) {
+        for_each_chunk(nodes_, [&](std::int32_t chunk) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
             book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
-            integrate_nodes(a_, boundary_, parameters_, chunk, s_);
+            integrate(chunk);
             book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
         });
         team_.wait();
-        advance_contact_forces(step, detects_contacts);
-    }
-    /// A step with mass scaling, in which vertex clusters are integrated.
-    void advance_scaled(std::int64_t step, bool detects_contacts) {
-        for_each_chunk(grains_, [&](std::int32_t chunk) {
-            advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
-        });
-        team_.wait();
-        for_each_chunk(clusters_, [&](std::int32_t chunk) {
-            update_clusters(a_, parameters_, clock_.now(), chunk, s_);
-            integrate_clusters(a_, parameters_, clock_.now(), chunk, s_);
-        });
-        team_.wait();
-        for_each_chunk(grains_,
-                       [&](std::int32_t chunk) { book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_); });
-        advance_contact_forces(step, detects_contacts);
-    }
-    /// After the last step: writes the active contacts into the pair list.
-    void store_contacts() {
-        for_each_chunk(pairs_, [&](std::int32_t chunk) { store_active(chunk, s_.contact_pairs); });
-    }
-    [[nodiscard]] const LoadingClock& clock() const { return clock_; }
-
-private:
-    /// Contacts and node–edge contacts at the new displacements.
-    void advance_contact_forces(std::int64_t step, bool detects_contacts) {
         clock_.tick();
+        find_forces_without_history();
         for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.laws, chunk, step, s_); });
         for_each_chunk(pairs_, [&](std::int32_t chunk) {
             (detects_contacts ? detect_contacts : move_active_contacts)(a_, parameters_, chunk, s_);
@@ -97,6 +78,25 @@ private:
         if (detects_contacts) {
             complete_detection();
         }
+    }
+    /// After the last step: writes the active contacts into the pair list.
+    void store_contacts() {
+        for_each_chunk(pairs_, [&](std::int32_t chunk) { store_active(chunk, s_.contact_pairs); });
+    }
+    [[nodiscard]] const LoadingClock& clock() const { return clock_; }
+
+private:
+    void integrate(std::int32_t chunk) {
+        if (parameters_.mass_scaling.is_on()) {
+            update_clusters(a_, parameters_, clock_.now(), chunk, s_);
+            integrate_clusters(a_, parameters_, clock_.now(), chunk, s_);
+        } else {
+            integrate_nodes(a_, boundary_, parameters_, chunk, s_);
+        }
+    }
+    void find_forces_without_history() {
+        for_each_chunk(elements_, [&](std::int32_t chunk) { find_element_forces(a_, chunk, s_); });
+        for_each_chunk(nodes_, [&](std::int32_t chunk) { find_edge_loads(a_, boundary_.prescribed, clock_.now(), chunk, s_); });
     }
     void complete_detection() {
         if (have_changed(s_.contact_pairs)) {
@@ -115,7 +115,7 @@ private:
     State& s_;
     LoadingClock clock_;
     bool is_first_;
-    Range grains_, clusters_, contacts_, pairs_;
+    Range nodes_, elements_, contacts_, pairs_;
 };
 
 /// The steps between two updates of the pair list, with a team of threads. Steps with detection are counted from the start, so
@@ -126,13 +126,10 @@ void advance_between_updates(const Assemblage& a, const Boundary& boundary, cons
     LoadingClock clock_after = clock;  // each thread has a clock of its own; all end alike
     team.run([&](int thread) {
         ThreadSteps steps(a, boundary, parameters, clock, thread, team, s);
+        steps.begin();
         for (std::int64_t step = first_step; step < first_step + n_steps; ++step) {
             const bool detects_contacts = (step - 1) % s.contact_pairs.detection_interval == 0;
-            if (parameters.mass_scaling.is_on()) {
-                steps.advance_scaled(step, detects_contacts);
-            } else {
-                steps.advance(step, detects_contacts);
-            }
+            steps.advance(step, detects_contacts);
         }
         steps.store_contacts();
         if (thread == 0) {
@@ -163,8 +160,8 @@ void start(const Assemblage& a, const StepParameters& parameters, State& s) {
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.contact_chunks.size()); ++chunk) {
         advance_contacts(a, parameters.laws, chunk, s.step, s);
     }
-    s.clusters = make_cluster_state(parameters.mass_scaling);
-    complete_cluster_state(parameters.mass_scaling, s);
+    s.clusters = make_cluster_state(a, parameters.mass_scaling);
+    complete_cluster_state(a, parameters.mass_scaling, s);
 }
 
 }  // namespace graincrack

@@ -29,14 +29,11 @@ void contacts(LoadedSpecimen& l) {
     for_each_chunk(l.assemblage.contact_chunks.size(),
                    [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.laws, chunk, l.state.step, l.state); });
 }
-void forces(LoadedSpecimen& l) {
-    for_each_chunk(l.assemblage.grain_chunks.size(),
-                   [&](std::int32_t chunk) { sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, chunk, l.state); });
-}
+void forces(LoadedSpecimen& l) { sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, l.state); }
 void nodes(LoadedSpecimen& l) {
     StepParameters still = l.parameters;
     still.time_step = 0;  // as much work, and the state stays
-    for_each_chunk(l.assemblage.grain_chunks.size(), [&](std::int32_t chunk) {
+    for_each_chunk(l.assemblage.node_chunks.size(), [&](std::int32_t chunk) {
         book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
         integrate_nodes(l.assemblage, l.boundary, still, chunk, l.state);
         book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
@@ -44,7 +41,7 @@ void nodes(LoadedSpecimen& l) {
 }
 void clusters(LoadedSpecimen& l) {
     const double time_step = std::exchange(l.parameters.time_step, 0.0);
-    for_each_chunk(l.parameters.mass_scaling.chunks.size(), [&](std::int32_t chunk) {
+    for_each_chunk(l.assemblage.node_chunks.size(), [&](std::int32_t chunk) {
         update_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
         integrate_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
     });

@@ -140,6 +140,9 @@ TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
                "\ngraincrack-solve brazilian coarse.h5 -o brazilian-coarse.h5" + test +
                "\ngraincrack-solve uniaxial rectangle.h5 -o uniaxial.h5" + test +
                "\ngraincrack-solve uniaxial rectangle.h5 -o weak.h5 --contact-cohesion 60MPa" + test +
+               "\ngraincrack-solve uniaxial rectangle.h5 -o default.h5" + test +
+               "\ngraincrack-solve uniaxial rectangle.h5 -o half-as-fast.h5" +
+               std::regex_replace(test, std::regex("400mm"), "320mm") +
                "\ngraincrack-solve triaxial rectangle.h5 -o triaxial.h5 --confining-pressure 1MPa" + test +
                "\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --notch 6mm --quiet -o notched.h5"
                "\ngraincrack-solve tension notched.h5 -o notched-tension.h5" +
@@ -163,7 +166,7 @@ TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
     EXPECT_GE(commands.size(), 30u);
     for (const std::string& command : commands) {
         const auto examples = examples_of(shell.must("graincrack-post " + command + " --help"));
-        EXPECT_EQ(examples.size(), 2u) << command;
+        EXPECT_GE(examples.size(), 2u) << command;
         for (const std::string& example : examples) {
             EXPECT_TRUE(example.starts_with("graincrack-post " + command + " ")) << example;
             shell.must(example);

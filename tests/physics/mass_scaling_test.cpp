@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "share/h5_file.hpp"
@@ -44,6 +46,24 @@ SmallRun scaled_run(const Specimen& specimen, const ContactLaw& law, bool platen
 
 // --- the stable step -------------------------------------------------------------------------------------------------------
 
+/// The lowest of the nodes that contacts link with each node.
+std::vector<std::int32_t> lowest_linked(const Assemblage& a) {
+    std::vector<std::int32_t> lowest(a.position.size());
+    std::iota(lowest.begin(), lowest.end(), 0);
+    for (bool changes = true; changes;) {
+        changes = false;
+        for (const ContactGeometry& contact : a.contacts) {
+            for (std::size_t p = 0; p < 2; ++p) {
+                std::int32_t& i = lowest[static_cast<std::size_t>(contact.nodes[p])];
+                std::int32_t& j = lowest[static_cast<std::size_t>(contact.nodes[2 + p])];
+                changes = changes || i != j;
+                i = j = std::min(i, j);
+            }
+        }
+    }
+    return lowest;
+}
+
 /// M' of a specimen whose clusters are those its contacts make, the supported ones constrained by a platen.
 Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, double beta) {
     const auto n = static_cast<Eigen::Index>(a.position.size());
@@ -52,19 +72,20 @@ Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, doubl
         on_platen[static_cast<std::size_t>(point.node)] = point.on_boundary;
     }
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    const MassScaling scaling = make_mass_scaling(a, beta);
-    for (const Range cluster : scaling.clusters) {
+    std::map<std::int32_t, std::vector<Eigen::Index>> clusters;
+    const std::vector<std::int32_t> lowest = lowest_linked(a);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        clusters[lowest[static_cast<std::size_t>(i)]].push_back(i);
+    }
+    for (const auto& [first, nodes] : clusters) {
         double total = 0;
         bool supported = false;
-        for (std::int32_t i = cluster.begin; i < cluster.end; ++i) {
-            const auto node = static_cast<std::size_t>(scaling.nodes[static_cast<std::size_t>(i)]);
-            total += a.mass[node];
-            supported = supported || on_platen[node];
+        for (const Eigen::Index node : nodes) {
+            total += a.mass[static_cast<std::size_t>(node)];
+            supported = supported || on_platen[static_cast<std::size_t>(node)];
         }
-        for (std::int32_t i = cluster.begin; i < cluster.end; ++i) {
-            for (std::int32_t j = cluster.begin; j < cluster.end; ++j) {
-                const std::int32_t k = scaling.nodes[static_cast<std::size_t>(i)];
-                const std::int32_t l = scaling.nodes[static_cast<std::size_t>(j)];
+        for (const Eigen::Index k : nodes) {
+            for (const Eigen::Index l : nodes) {
                 const double mk = a.mass[static_cast<std::size_t>(k)];
                 const double ml = a.mass[static_cast<std::size_t>(l)];
                 const double m = (k == l ? (1 + beta) * mk : 0) - (supported ? 0 : beta * mk * ml / total);

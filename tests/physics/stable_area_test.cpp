@@ -39,7 +39,7 @@ SmallRun crushed() {
 double stiffness_of_contacts(const SmallRun& run) {
     const MassScaling& scaling = run.parameters.mass_scaling;
     const ContactPairList& list = run.state.contact_pairs;
-    const auto n = static_cast<Eigen::Index>(scaling.clusters.size());
+    const auto n = static_cast<Eigen::Index>(scaling.cluster_mass.size());
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);  // over √(M M)
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (!list.contacts[i].active) {
@@ -49,7 +49,7 @@ double stiffness_of_contacts(const SmallRun& run) {
         const auto [first, second] = run.assemblage.surface.edges[static_cast<std::size_t>(list.pairs[i].edge)].nodes;
         Eigen::VectorXd motion = Eigen::VectorXd::Zero(n);
         const auto add = [&](std::int32_t node, double share) {
-            motion(scaling.cluster_of_node[static_cast<std::size_t>(node)]) += share;
+            motion(run.assemblage.cluster_of_node[static_cast<std::size_t>(node)]) += share;
         };
         add(list.pairs[i].node, 1);
         add(first, -(1 - s));

@@ -23,9 +23,7 @@ struct Tensor {
 inline std::vector<Vector2> forces_at(const SmallRun& run, State state, const std::vector<Vector2>& displacement) {
     state.displacement = displacement;
     start(run.assemblage, run.parameters, state);
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(run.assemblage.grain_chunks.size()); ++chunk) {
-        sum_nodal_forces(run.assemblage, run.boundary, state.loading, chunk, state);
-    }
+    sum_nodal_forces(run.assemblage, run.boundary, state.loading, state);
     return state.force;
 }
 

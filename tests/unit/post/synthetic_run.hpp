@@ -106,6 +106,7 @@ struct Recipe {
     Specimen specimen = grid_specimen(8, 16, 0.08, 0.16);
     int rows = 101;
     CrackEvent crack_event = CrackEvent::failed;
+    double platen_speed = 0.005;  ///< m/s
 };
 
 /// Elastic loading in equal steps of stress up to the peak at time 1 s, then a straight fall until 1.25 s. A triaxial
@@ -176,7 +177,7 @@ inline RunHeader synthetic_header(const Recipe& r) {
     header.contact.friction_angle = 0.851;
     header.contact.fracture_energy = 82.6;
     header.confining_pressure = r.confining_pressure;
-    header.platen_speed = 0.005;
+    header.platen_speed = r.platen_speed;
     header.peak_drop = 0.3;
     header.max_strain = 0.015;
     header.time_step = 5e-8;

@@ -44,7 +44,6 @@ TEST(Assemblage, ANodeOfNoElementHasNoMassAndStays) {
     }
     const Assemblage a = of(s);
     const std::int32_t i = a.node_of_specimen[0];
-    EXPECT_EQ(i, a.n_nodes() - 1);  // behind the nodes of grains
     EXPECT_EQ(a.mass[i], 0);
     EXPECT_EQ(a.inverse_mass[i], 0);
 }
@@ -77,29 +76,37 @@ TEST(Assemblage, NodesAreRenumberedOnceEach) {
     }
 }
 
+using Slots = std::map<std::int32_t, std::vector<std::int32_t>>;
+
+/// The slots of each node, in the order they are summed in.
+template <std::size_t few>
+Slots slots_of(const SlotsOfNodes<few>& table, std::size_t zero_slot) {
+    Slots slots;
+    for (std::size_t i = 0; i < table.first.size(); ++i) {
+        for (const std::int32_t slot : table.first[i]) {
+            if (slot != static_cast<std::int32_t>(zero_slot)) {
+                slots[static_cast<std::int32_t>(i)].push_back(slot);
+            }
+        }
+    }
+    for (const FurtherSlot& further : table.further) {
+        slots[further.node].push_back(further.slot);
+    }
+    return slots;
+}
+
 TEST(Assemblage, ContactGeometryAndSlots) {
     const Specimen s = test::jittered_grid(4, 5, 0.02, 0.03, 0.2);
     const Assemblage a = of(s);
     ASSERT_EQ(a.contacts.size(), s.n_contacts());
     double length_sum = 0;
-    std::map<std::int32_t, std::vector<std::int32_t>> slots;  // of each node, in the order they are summed in
-    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
-        for (const std::int32_t slot : a.slots[i]) {
-            if (slot < static_cast<std::int32_t>(a.contact_chunks.size()) * slot_stride) {
-                slots[i].push_back(slot);
-            }
-        }
-    }
-    for (const FurtherSlot& further : a.further_slots) {
-        slots[further.node].push_back(further.slot);
-    }
-    std::map<std::int32_t, std::vector<std::int32_t>> expected;
+    Slots expected;
     for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
         for (std::int32_t k = 0; k < 4; ++k) {
             expected[a.contacts[c].nodes[k]].push_back(slot_of(c, k));
         }
     }
-    EXPECT_EQ(slots, expected);
+    EXPECT_EQ(slots_of(a.contact_slots, a.contact_chunks.size() * slot_stride), expected);
     for (const ContactGeometry& g : a.contacts) {
         EXPECT_EQ(2 * g.point_area, length(g.edge));
         length_sum += length(g.edge);
@@ -107,26 +114,32 @@ TEST(Assemblage, ContactGeometryAndSlots) {
     expect_close(a.contact_length, length_sum, 1e-14, length_sum);
 }
 
-TEST(Assemblage, ChunksCoverEverythingAndShareNoNode) {
+// A node inside of a grain is in many elements.
+TEST(Assemblage, EveryElementHasSlotsOfItsNodes) {
+    const Assemblage a = of(test::crossed_blocks(12, 10, 0.02, 0.03, [](int i, int /*j*/) { return i / 4; }));
+    Slots expected;
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        for (std::int32_t k = 0; k < 3; ++k) {
+            expected[a.element_nodes[e][k]].push_back(element_slot_of(e, k));
+        }
+    }
+    EXPECT_FALSE(a.element_slots.further.empty());
+    EXPECT_EQ(slots_of(a.element_slots, a.element_chunks.size() * element_slot_stride), expected);
+}
+
+TEST(Assemblage, ChunksCoverEverything) {
     const Specimen s = test::jittered_grid(16, 16, 0.02, 0.02, 0.2);
     const Assemblage a = of(s);
-    EXPECT_GT(a.grain_chunks.size(), 4U);
+    EXPECT_GT(a.element_chunks.size(), 4U);
+    EXPECT_GT(a.node_chunks.size(), 4U);
     EXPECT_GT(a.contact_chunks.size(), 2U);
     std::int32_t element = 0;
-    std::int32_t node = 0;
-    for (const GrainChunk& b : a.grain_chunks) {
-        EXPECT_EQ(b.elements.begin, element);
-        EXPECT_EQ(b.nodes.begin, node);
-        for (std::int32_t e = b.elements.begin; e < b.elements.end; ++e) {
-            for (const std::int32_t n : a.element_nodes[e]) {
-                EXPECT_TRUE(n >= b.nodes.begin && n < b.nodes.end);
-            }
-        }
-        element = b.elements.end;
-        node = b.nodes.end;
+    for (const Range& chunk : a.element_chunks) {
+        EXPECT_EQ(chunk.begin, element);
+        EXPECT_LE(chunk.size(), elements_per_chunk);
+        element = chunk.end;
     }
     EXPECT_EQ(element, a.n_elements());
-    EXPECT_EQ(node, a.n_nodes());
     std::int32_t contact = 0;
     for (const ContactChunk& chunk : a.contact_chunks) {
         EXPECT_EQ(chunk.contacts.begin, contact);

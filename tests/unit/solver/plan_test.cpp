@@ -141,7 +141,7 @@ TEST(Memory, GrowsByEveryArrayOfAState) {
         expect_growth(*vectors);
     }
     for (auto* values :
-         {&s.contact_force, &s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy, &s.loading.amplitudes,
+         {&s.contact_force, &s.element_force, &s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy, &s.loading.amplitudes,
           &s.prescribed.pressing, &s.clusters.inverse_mass, &s.contact_pairs.active.overlap}) {
         expect_growth(*values);
     }
@@ -149,7 +149,7 @@ TEST(Memory, GrowsByEveryArrayOfAState) {
         expect_growth(*flags);
     }
     expect_growth(s.platen_points);
-    expect_growth(s.grain_sums);
+    expect_growth(s.node_sums);
     expect_growth(s.contact_sums);
     expect_growth(s.contact_pairs.pairs);
     expect_growth(s.events.front());

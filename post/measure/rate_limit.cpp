@@ -1,0 +1,173 @@
+#include "post/measure/rate_limit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "post/measure/comparable.hpp"
+#include "post/measure/strength.hpp"
+#include "post/measure/test_label.hpp"
+#include "post/table/people_table.hpp"
+#include "share/error.hpp"
+#include "share/units.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double largest_change = 0.05;  // beyond it, twice as slow is not yet in the range where the error is linear
+constexpr double least_ratio = 1.2;      // of the rates: the limit has the scatter of the change over the ratio less one
+
+/// What the rate is proportional to: the tolerance of an automatic rate, or a fixed platen speed, m/s.
+double rate_of(const RunHeader& h) { return h.rate == "auto" ? h.rate_tolerance * h.rate_share : h.platen_speed; }
+
+/// A specimen under one test.
+using Key = std::tuple<std::string, double, std::int64_t, std::int64_t, double>;
+Key key_of(const RunData& run) {
+    const SpecimenSummary& s = run.specimen;
+    return {run.header.test, run.header.confining_pressure, s.seed, s.grains, s.mean_edge};
+}
+
+struct RatePair {
+    const RunData* fast = nullptr;
+    const RunData* slow = nullptr;
+    [[nodiscard]] double ratio() const { return rate_of(fast->header) / rate_of(slow->header); }
+};
+
+void require_same_test(const RatePair& pair) {
+    RunHeader other = pair.slow->header;
+    const std::string rate = other.rate;
+    other.rate_tolerance = pair.fast->header.rate_tolerance;
+    other.rate_share = pair.fast->header.rate_share;
+    other.platen_speed = pair.fast->header.platen_speed;
+    const std::string difference = setting_difference(pair.fast->header, other);
+    if (!difference.empty()) {
+        throw InputError(pair.slow->name + ": differs from " + pair.fast->name + " in " + difference +
+                         "; the limit of slow loading needs tests that differ in their rate only");
+    }
+    if (rate == "blocks") {
+        throw InputError(pair.slow->name + ": has --rate " + rate +
+                         "; the limit of slow loading needs an automatic or a fixed rate");
+    }
+    if (!(pair.ratio() >= least_ratio)) {
+        throw InputError(
+            fmt::format("{}: its rate is that of {}, or too near it; the limit of slow loading needs the same test at "
+                        "two rates, one of them at least {} times the other (--rate-tolerance, --rate-share)",
+                        pair.slow->name, pair.fast->name, least_ratio));
+    }
+}
+
+/// The pairs of each test and pressure.
+std::map<std::pair<double, std::string>, std::vector<RatePair>> pairs_of(const std::vector<RunData>& runs) {
+    std::map<Key, std::vector<const RunData*>> tests;
+    for (const RunData& run : runs) {
+        require_same_material(run, runs.front(), "the limit of slow loading");
+        tests[key_of(run)].push_back(&run);
+    }
+    std::map<std::pair<double, std::string>, std::vector<RatePair>> pairs;
+    for (auto& [key, members] : tests) {
+        if (members.size() != 2) {
+            throw InputError(
+                fmt::format("{}: {} of this specimen and test {} given; the limit of slow loading needs two, at two rates",
+                            members.front()->name, counted(members.size(), "run"), members.size() == 1 ? "is" : "are"));
+        }
+        std::sort(members.begin(), members.end(),
+                  [](const RunData* a, const RunData* b) { return rate_of(a->header) > rate_of(b->header); });
+        const RatePair pair{members[0], members[1]};
+        require_same_test(pair);
+        std::vector<RatePair>& others = pairs[{std::get<1>(key), std::get<0>(key)}];
+        if (!others.empty() && std::abs(pair.ratio() / others.front().ratio() - 1) > 1e-9) {
+            throw InputError(pair.fast->name + ": its rates are not in the ratio of those of " + others.front().fast->name +
+                             "; a mean needs equal ratios");
+        }
+        others.push_back(pair);
+    }
+    return pairs;
+}
+
+/// The strengths of the pairs; empty if a run has none of this kind.
+std::optional<std::pair<std::vector<double>, std::vector<double>>> strengths_of(const std::vector<RatePair>& pairs,
+                                                                                StrengthKind kind) {
+    std::pair<std::vector<double>, std::vector<double>> strengths;
+    for (const RatePair& pair : pairs) {
+        const auto fast = measure_strength(*pair.fast).value(kind);
+        const auto slow = measure_strength(*pair.slow).value(kind);
+        if (!fast || !slow) return std::nullopt;
+        strengths.first.push_back(*fast);
+        strengths.second.push_back(*slow);
+    }
+    return strengths;
+}
+
+const std::vector<std::string> columns{
+    "test",     "confining_pressure_MPa", "strength",           "specimens",           "rate_ratio", "fast_MPa",
+    "slow_MPa", "change_percent",         "change_low_percent", "change_high_percent", "limit_MPa",  "error_MPa"};
+
+void write_for_people(std::ostream& out, const std::vector<std::vector<Cell>>& rows) {
+    PeopleTable people({{"test", ""},
+                        {"specimens", ""},
+                        {"faster", "MPa"},
+                        {"slower", "MPa"},
+                        {"change", "%"},
+                        {"95 % interval", "%"},
+                        {"limit", "MPa"},
+                        {"error", "MPa"}});
+    for (const std::vector<Cell>& cells : rows) {
+        const NamedRow row(columns, cells);
+        const auto low = row.number("change_low_percent");
+        people.row(
+            {series_label(row.text("test"), 1e6 * row.number("confining_pressure_MPa").value_or(0)) + ", " + row.text("strength"),
+             row.text("specimens"), row.shown("fast_MPa"), row.shown("slow_MPa"),
+             fmt::format("{:+.2f}", row.number("change_percent").value_or(0)),
+             low ? fmt::format("{:+.2f} to {:+.2f}", *low, row.number("change_high_percent").value_or(0)) : "",
+             row.shown("limit_MPa"), format_number(row.number("error_MPa").value_or(0), 2)});
+    }
+    people.write(out);
+}
+
+}  // namespace
+
+RateLimit extrapolate_rate(std::span<const double> fast, std::span<const double> slow, double ratio) {
+    std::vector<double> changes;
+    std::vector<double> excess;  // of the slower rate over none
+    for (std::size_t i = 0; i < fast.size(); ++i) {
+        changes.push_back(fast[i] / slow[i] - 1);
+        excess.push_back((fast[i] - slow[i]) / (ratio - 1));
+    }
+    const Estimate mean_excess = sample(excess).mean;
+    const double half_interval = mean_excess.high ? *mean_excess.high - mean_excess.value : 0;
+    return {sample(changes).mean, sample(slow).mean.value - mean_excess.value,
+            std::max(std::abs(mean_excess.value), half_interval)};
+}
+
+void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format) {
+    std::vector<std::vector<Cell>> rows;
+    const std::vector<RunData> runs = read_runs(paths);
+    for (const auto& [test, pairs] : pairs_of(runs)) {
+        for (const StrengthKind kind : {StrengthKind::largest, StrengthKind::first_peak}) {
+            const auto strengths = strengths_of(pairs, kind);
+            if (!strengths) continue;
+            const auto& [fast, slow] = *strengths;
+            const RateLimit limit = extrapolate_rate(fast, slow, pairs.front().ratio());
+            if (std::abs(limit.change.value) > largest_change) {
+                throw InputError(
+                    fmt::format("{}: the {} stress changes by {:+.1f} % between the two rates of {}; beyond {:.0f} % there is no "
+                                "straight line to extrapolate: give slower tests",
+                                pairs.front().fast->name, name_of(kind), 100 * limit.change.value,
+                                series_label(test.second, test.first), 100 * largest_change));
+            }
+            const auto percent = [](const std::optional<double>& value) { return value ? Cell(100 * *value) : Cell(); };
+            rows.push_back({test.second, test.first * 1e-6, name_of(kind), static_cast<std::int64_t>(pairs.size()),
+                            pairs.front().ratio(), sample(fast).mean.value * 1e-6, sample(slow).mean.value * 1e-6,
+                            percent(limit.change.value), percent(limit.change.low), percent(limit.change.high),
+                            limit.limit * 1e-6, limit.error * 1e-6});
+        }
+    }
+    if (!format) return write_for_people(out, rows);
+    TableWriter table(out, columns, *format);
+    for (const auto& row : rows) table.row(row);
+}
+
+}  // namespace graincrack

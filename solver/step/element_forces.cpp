@@ -1,0 +1,72 @@
+#include "solver/step/element_forces.hpp"
+
+#include <array>
+
+#include "solver/simd.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr std::int32_t n = elements_per_chunk;
+
+/// Edge displacements of the elements of a chunk, side by side.
+struct Lanes {
+    alignas(64) double a_x[n], a_y[n], b_x[n], b_y[n];
+};
+
+/// Geometry and elasticity of elements side by side.
+struct Triangles {
+    const double *gradient1_x, *gradient1_y, *gradient2_x, *gradient2_y, *area;
+    const double *c11, *c12, *mu;
+};
+Triangles triangles_from(const Assemblage& a, std::int32_t e) {
+    const TriangleTable& t = a.element_geometry;
+    const ElasticityTable& c = a.elasticity;
+    return {&t.gradient1_x[e], &t.gradient1_y[e], &t.gradient2_x[e], &t.gradient2_y[e],
+            &t.area[e],        &c.c11[e],         &c.c12[e],         &c.mu[e]};
+}
+
+void gather(const Assemblage& a, Range elements, const State& s, Lanes& b) {
+    const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[elements.begin];
+    const Vector2* const displacement = s.displacement.data();
+    for (std::int32_t i = 0; i < elements.size(); ++i) {
+        const auto [n0, n1, n2] = nodes[i];
+        const Vector2 u0 = displacement[n0];
+        const Vector2 to1 = displacement[n1] - u0;
+        const Vector2 to2 = displacement[n2] - u0;
+        b.a_x[i] = to1.x;
+        b.a_y[i] = to1.y;
+        b.b_x[i] = to2.x;
+        b.b_y[i] = to2.y;
+    }
+}
+
+/// \param force [6][n] x, y on the three nodes
+GRAINCRACK_INLINE void find_forces(const Triangles& triangles, std::int32_t count, const Lanes& b, double* __restrict force) {
+    const Triangles t = triangles;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
+        const PlaneElasticity c{t.c11[i], t.c12[i], t.mu[i], 0};
+        const TriangleForces f = triangle_forces(g, triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}));
+        force[i] = -(f.on_node1.x + f.on_node2.x);
+        force[n + i] = -(f.on_node1.y + f.on_node2.y);
+        force[2 * n + i] = f.on_node1.x;
+        force[3 * n + i] = f.on_node1.y;
+        force[4 * n + i] = f.on_node2.x;
+        force[5 * n + i] = f.on_node2.y;
+    }
+}
+
+}  // namespace
+
+void find_element_forces(const Assemblage& a, std::int32_t chunk, State& s) {
+    const Range elements = a.element_chunks[chunk];
+    const Triangles triangles = triangles_from(a, elements.begin);
+    Lanes b;
+    gather(a, elements, s, b);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        find_forces(triangles, elements.size(), b, &s.element_force[element_slot_stride * static_cast<std::size_t>(chunk)]);
+    });
+}
+
+}  // namespace graincrack
