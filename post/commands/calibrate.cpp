@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
+
 #include "post/calibrate/folder.hpp"
 #include "post/chart/picture.hpp"
 #include "post/option_parts.hpp"
@@ -29,7 +31,11 @@ void write_heat_map(const std::string& file, const std::vector<calibrate::Sensit
             rows.push_back(s.response);
             cells.emplace_back();
         }
-        if (rows.size() == 1) columns.push_back(s.parameter);
+        if (rows.size() == 1) {
+            const std::size_t table = s.parameter.find("contact.") == 0 ? 8 : 0;
+            columns.push_back(s.parameter.substr(table));
+            std::replace(columns.back().begin(), columns.back().end(), '_', ' ');
+        }
         cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_told()});
     }
     write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval holds 0", rows, columns, cells, 1),

@@ -31,9 +31,11 @@ Drawing draw_heat_map(const std::string& title, const std::vector<std::string>& 
                     static_cast<int>(top + row_height * static_cast<double>(rows.size()) + gap));
     drawing.text({{gap, row_height}, title, letters, palette::ink, Anchor::start, true});
     for (std::size_t k = 0; k < columns.size(); ++k) {
-        // Names that are wider than their columns stand on two lines by turns.
+        // Names that are wider than their columns stand on two lines by turns, and stay on the page.
         const double y = top - gap - (k % 2 == 0 ? 0 : 0.7 * row_height);
-        drawing.text({{left + (static_cast<double>(k) + 0.5) * width, y}, columns[k], letters, palette::ink, Anchor::middle});
+        const double half = 0.5 * text_width(columns[k], letters);
+        const double x = std::min(left + (static_cast<double>(k) + 0.5) * width, style.page_width - gap - half);
+        drawing.text({{x, y}, columns[k], letters, palette::ink, Anchor::middle});
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double y = top + row_height * static_cast<double>(i);
