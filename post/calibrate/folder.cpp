@@ -46,7 +46,8 @@ Material read_rock(const std::string& name_or_file) {
 
 /// The material with other values, and what was fitted. \param what it is, behind the name of the rock
 std::string material_text(const Material& rock, const Decision& decision, const std::string& what) {
-    std::vector<MaterialSetting> settings = settings_of(decision.point);
+    std::vector<MaterialSetting> settings;
+    for (const auto& [key, value] : decision.point) settings.emplace_back(key, value_text(key, value, " "));
     settings.emplace_back("name", rock.name + ", " + what);
     std::string text = material_with(rock.file.string(), settings);
     // What an earlier calibration fitted holds no longer.
