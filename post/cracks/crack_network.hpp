@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "post/cracks/union_find.hpp"
+#include "share/union_find.hpp"
 #include "share/run_file.hpp"
 
 namespace graincrack {

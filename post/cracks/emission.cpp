@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "post/cracks/union_find.hpp"
+#include "share/union_find.hpp"
 #include "share/fracture_process_zone.hpp"
 
 namespace graincrack {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "post/cracks/union_find.hpp"
+#include "share/union_find.hpp"
 
 namespace graincrack {
 

@@ -34,10 +34,9 @@ constexpr Damping make_damping(double alpha, DampingForm form) {
 /// One component of the damping force, N.
 /// \param force unbalanced, N \param change of the force since the step before, N \param velocity m/s
 inline double damping_force(const Damping& damping, double force, double change, double velocity) {
-    const double size = std::abs(force);
-    const double against = velocity == 0 ? 0.0 : -std::copysign(damping.against_motion * size, velocity);
-    const double with = change == 0 ? 0.0 : std::copysign(damping.with_rate * size, change);
-    return against + with;
+    const double against = velocity == 0 ? 0.0 : std::copysign(damping.against_motion, velocity);
+    const double with = change == 0 ? 0.0 : std::copysign(damping.with_rate, change);
+    return std::abs(force) * (with - against);
 }
 inline Vector2 damping_force(const Damping& damping, const Vector2& force, const Vector2& change, const Vector2& velocity) {
     return {damping_force(damping, force.x, change.x, velocity.x), damping_force(damping, force.y, change.y, velocity.y)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "share/union_find.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -17,15 +19,6 @@ std::vector<std::int32_t> nodes_by_grain(const Specimen& s) {
     return order;
 }
 
-/// Representative of `i` in a forest of parents, with the path to it shortened.
-std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
 /// The clusters, each with its nodes in the order of the grains, in the order of their first nodes.
 std::vector<std::vector<std::int32_t>> find_clusters(const Specimen& s) {
     const std::vector<std::int32_t> by_grain = nodes_by_grain(s);
@@ -33,19 +26,16 @@ std::vector<std::vector<std::int32_t>> find_clusters(const Specimen& s) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(by_grain.size()); ++i) {
         place[by_grain[i]] = i;
     }
-    std::vector<std::int32_t> parent(by_grain.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    UnionFind sets(by_grain.size());
     for (const auto& nodes : s.contact_nodes) {
         for (std::size_t p = 0; p < 2; ++p) {
-            const std::int32_t i = root_of(parent, place[nodes[p]]);
-            const std::int32_t j = root_of(parent, place[nodes[2 + p]]);
-            parent[std::max(i, j)] = std::min(i, j);
+            sets.join(static_cast<std::size_t>(place[nodes[p]]), static_cast<std::size_t>(place[nodes[2 + p]]));
         }
     }
     std::vector<std::vector<std::int32_t>> clusters;
     std::vector<std::size_t> cluster_of_root(by_grain.size());
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(by_grain.size()); ++i) {
-        const std::int32_t root = root_of(parent, i);
+    for (std::size_t i = 0; i < by_grain.size(); ++i) {
+        const std::size_t root = sets.find(i);
         if (root == i) {  // the first node of a cluster
             cluster_of_root[i] = clusters.size();
             clusters.emplace_back();

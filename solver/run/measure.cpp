@@ -14,10 +14,6 @@
 namespace graincrack {
 namespace {
 
-constexpr double near_growth = 1.25;       // of the jumps, under which an intact point that would fail is near it
-constexpr double scattered_share = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
-constexpr double near_friction = 0.5;      // of its limit, from which on a point is near sliding: friction gives no other sign
-
 /// Least-squares slope of one displacement component over the same coordinate.
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
     const auto coordinate = [&](std::int32_t i) { return along_y ? a.position[i].y : a.position[i].x; };
@@ -269,43 +265,6 @@ double stored_in_contacts(const Assemblage& a, const ContactLaws& laws, const St
         }
     });
     return energy;
-}
-
-double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s) {
-    std::size_t intact = 0;  // near failure
-    std::size_t failed = 0;  // near sliding, or softening as they slide
-    contact_law::with_law(laws.variant(), [&](auto kind) {
-        for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
-            const ContactLaw& law = laws[contact_class];
-            for (const std::size_t i : points_of(c)) {
-                const double opening = s.opening[i];
-                const double sliding = s.sliding[i];
-                if (s.failed[i] == 0) {
-                    const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
-                    intact += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
-                } else if (law.softens_in_shear && s.residual[i] == 0) {
-                    failed += 1;  // it loses cohesion as it slides on
-                } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
-                    const double limit = contact_law::residual_limit(law, -law.kt * opening);
-                    failed += std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit ? 1 : 0;
-                }
-            }
-        });
-    });
-    const ContactPairList& list = s.contact_pairs;
-    for (std::size_t i = 0; i < list.contacts.size(); ++i) {
-        const NodeEdgeContact& contact = list.contacts[i];
-        if (contact.active && contact.overlap > 0) {
-            const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
-            const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
-            failed += std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit ? 1 : 0;
-        }
-    }
-    const double points = 2.0 * std::max(a.n_contacts(), 1);
-    const double half_a_line = 0.5 * std::sqrt(points);
-    const double share = std::max(static_cast<double>(failed) / half_a_line,
-                                  static_cast<double>(intact) / std::max(half_a_line, scattered_share * points));
-    return std::min(1.0, share);
 }
 
 Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s) {

@@ -65,14 +65,6 @@ Measurement measure(const Assemblage& assemblage, const Boundary& boundary, cons
 /// Stored in contacts and in node–edge contacts, J.
 double stored_in_contacts(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
 
-/// How far failure involves a section of the specimen, 0 to 1; the larger of two ratios:
-/// - contact points that have failed, are closed and whose friction has reached half its limit, and node–edge contacts of which
-///   that is true, over half the root of the number of points, about as many as stand on half a line across: one joint that
-///   slides lets the whole specimen move;
-/// - intact points that would fail if their jumps grew by a quarter, over 3.5 % of all points (or half a line, if that is more:
-///   fewer than 100 grains): fewer than that are scattered, and fail one by one (share/doc/equilibrium.md). Pure.
-double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
-
 /// The state as a frame of the run file, in the specimen's own order.
 Frame make_frame(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
 

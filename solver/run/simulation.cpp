@@ -20,6 +20,7 @@
 #include "solver/run/damping_load.hpp"
 #include "solver/run/frame_output.hpp"
 #include "solver/run/measure.hpp"
+#include "solver/run/near_failure.hpp"
 #include "solver/run/program_driver.hpp"
 #include "solver/run/saved_state.hpp"
 #include "solver/run/sensitivity.hpp"
@@ -283,7 +284,7 @@ private:
         rate.unbalanced_ratio = m.unbalanced_ratio;
         rate.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
         rate.damping_load = state_.damping_load.share();
-        rate.near_failure = near_failure(assemblage_, parameters_.laws, state_);
+        rate.near_failure = near_failure(assemblage_, parameters_.laws, state_, specimen_.width);
         return rate;
     }
 

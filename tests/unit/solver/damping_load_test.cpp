@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "solver/run/damping_load.hpp"
-#include "solver/run/measure.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
@@ -64,53 +63,6 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
     EXPECT_GT(once, 0);
     follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     EXPECT_EQ(s.damping_load.share(), once);
-}
-
-// Two blocks under pressure, pushed along the joint: below the friction limit, near it, and sliding.
-TEST(NearFailure, CountsJointsThatSlideAndPointsThatAreAboutToFail) {
-    SmallRun run(test::jointed_rectangle(4, 2, 0.06, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
-    const ContactLaw& law = run.parameters.laws[0];
-    const double overlap = 10e6 / law.kt;
-    const double limit = 10e6 * law.tan_phi / law.ks;  // sliding at which friction is at its limit
-    const auto at = [&](double sliding) {
-        for (std::size_t c = 0; c < run.assemblage.contacts.size(); ++c) {
-            for (const std::size_t p : {0U, 1U}) {
-                run.state.opening[2 * c + p] = -overlap;
-                run.state.sliding[2 * c + p] = sliding;
-                run.state.slip[2 * c + p] = 0;
-            }
-        }
-        return near_failure(run.assemblage, law, run.state);
-    };
-    EXPECT_EQ(at(0), 0);
-    EXPECT_EQ(at(0.49 * limit), 0);
-    EXPECT_EQ(at(0.51 * limit), 1);
-    EXPECT_EQ(at(limit), 1);
-    // One point of eight: half the root of eight is more than 3.5 % of them.
-    at(0.4 * limit);
-    run.state.sliding[3] = limit;
-    expect_close(near_failure(run.assemblage, law, run.state), 1 / (0.5 * std::sqrt(8)), 1e-12, 1);
-}
-
-// Intact points about to open count over 3.5 % of all points where that is more than half a line across, and failed ones that
-// slide over half a line however many points there are.
-TEST(NearFailure, ScatteredIntactPointsWeighLessThanFailedOnesThatSlide) {
-    SmallRun run(test::one_diagonal_grid(12, 12, 0.12, 0.12), test::augig_law());
-    const ContactLaw& law = run.parameters.laws[0];
-    const double points = 2.0 * run.assemblage.n_contacts();
-    const double half_a_line = 0.5 * std::sqrt(points);
-    ASSERT_GT(0.035 * points, 1.5 * half_a_line);
-    const auto [first, second] = points_of(run.assemblage.contact_of_specimen[5]);
-    const auto share = [&] { return near_failure(run.assemblage, law, run.state); };
-    EXPECT_EQ(share(), 0);
-    run.state.opening[first] = 0.79 * law.dct;
-    EXPECT_EQ(share(), 0);  // a quarter more is not failure yet
-    run.state.opening[first] = 0.81 * law.dct;
-    expect_close(share(), 1 / (0.035 * points), 1e-12, 1);
-    run.state.failed[second] = 1;
-    run.state.opening[second] = -10e6 / law.kt;
-    run.state.sliding[second] = 10e6 * law.tan_phi / law.ks;
-    expect_close(share(), 1 / half_a_line, 1e-12, 1);
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+#include "solver/run/near_failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "share/union_find.hpp"
+#include "solver/detection/active_contacts.hpp"
+#include "solver/detection/node_edge_contact.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double near_growth = 1.25;       // of the jumps, under which an intact point that would fail is near it
+constexpr double near_friction = 0.5;      // of its limit, from which on a point is near sliding: friction gives no other sign
+constexpr double scattered_share = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
+constexpr double half = 0.5;               // of the width: a chain as long as that involves the section
+
+/// Vertex clusters that sliding contacts join, with the rectangle that each chain of them fills.
+class SlidingChains {
+public:
+    explicit SlidingChains(const Assemblage& a) : a_(a), sets_(static_cast<std::size_t>(a.n_clusters())) {}
+    void join(std::int32_t node, std::int32_t other) {
+        sets_.join(static_cast<std::size_t>(a_.cluster_of_node[node]), static_cast<std::size_t>(a_.cluster_of_node[other]));
+        nodes_.insert(nodes_.end(), {node, other});
+    }
+    /// Of the longest, m.
+    [[nodiscard]] double longest() {
+        struct Rectangle {
+            Vector2 low, high;
+        };
+        std::vector<Rectangle> rectangles(static_cast<std::size_t>(a_.n_clusters()), {{1e300, 1e300}, {-1e300, -1e300}});
+        double longest = 0;
+        for (const std::int32_t node : nodes_) {
+            Rectangle& r = rectangles[sets_.find(static_cast<std::size_t>(a_.cluster_of_node[node]))];
+            const Vector2& p = a_.position[node];
+            r.low = {std::min(r.low.x, p.x), std::min(r.low.y, p.y)};
+            r.high = {std::max(r.high.x, p.x), std::max(r.high.y, p.y)};
+            longest = std::max(longest, length(r.high - r.low));
+        }
+        return longest;
+    }
+
+private:
+    const Assemblage& a_;
+    UnionFind sets_;
+    std::vector<std::int32_t> nodes_;
+};
+
+}  // namespace
+
+double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width) {
+    std::size_t intact = 0;
+    SlidingChains chains(a);
+    contact_law::with_law(laws.variant(), [&](auto kind) {
+        for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
+            const ContactLaw& law = laws[contact_class];
+            bool slides = false;
+            for (const std::size_t i : points_of(c)) {
+                const double opening = s.opening[i];
+                const double sliding = s.sliding[i];
+                if (s.failed[i] == 0) {
+                    const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
+                    intact += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+                } else if (law.softens_in_shear && s.residual[i] == 0) {
+                    slides = true;  // it loses cohesion as it slides on
+                } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
+                    const double limit = contact_law::residual_limit(law, -law.kt * opening);
+                    slides = slides || std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit;
+                }
+            }
+            if (slides) chains.join(a.contacts[c].nodes[0], a.contacts[c].nodes[1]);
+        });
+    });
+    const ContactPairList& list = s.contact_pairs;
+    for (std::size_t i = 0; i < list.contacts.size(); ++i) {
+        const NodeEdgeContact& contact = list.contacts[i];
+        if (contact.active && contact.overlap > 0) {
+            const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
+            const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
+            if (std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit) {
+                for (const std::int32_t end : a.surface.edges[list.pairs[i].edge].nodes) {
+                    chains.join(list.pairs[i].node, end);
+                }
+            }
+        }
+    }
+    const double points = 2.0 * std::max(a.n_contacts(), 1);
+    const double scattered = std::max(0.5 * std::sqrt(points), scattered_share * points);
+    return std::min(1.0, std::max(static_cast<double>(intact) / scattered, chains.longest() / (half * width)));
+}
+
+}  // namespace graincrack
