@@ -103,7 +103,9 @@ std::pair<std::vector<std::string>, std::string> path_of(const std::string& key)
 }
 
 /// Tables that a calibration reads or writes: how it is done, and what was fitted. No property of the rock.
-bool is_of_calibration(const std::string& table) { return table == "study" || table == "fitted"; }
+bool is_of_calibration(const std::string& table) {
+    return table == "targets" || table == "parameters" || table == "study" || table == "fitted";
+}
 
 /// A needed key that is not there.
 struct MissingKey {
@@ -161,7 +163,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     for (const TomlSection& section : toml.sections) {
         if (find_table(section.name) != nullptr) continue;
         const std::string& first = section.name.front();
-        if (section.name.size() == 1 && is_of_calibration(first)) continue;
+        if (is_of_calibration(first)) continue;
         if (std::optional<TomlKeys> table = fabric_table(material.fabric, section.name)) {
             tables.push_back(*std::move(table));
             continue;

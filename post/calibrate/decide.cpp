@@ -4,110 +4,474 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
-#include "post/calibrate/compression_stage.hpp"
-#include "post/calibrate/confirmation.hpp"
-#include "post/calibrate/elastic_stage.hpp"
-#include "post/calibrate/tensile_stage.hpp"
+#include "share/error.hpp"
+#include "share/units.hpp"
 
 namespace graincrack::calibrate {
 
 namespace {
 
-/// A disagreement of the laboratory's own values above which a report says so.
-constexpr double remarkable = 0.03;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* grain_modulus = "rock.young_modulus";
+constexpr const char* grain_ratio = "rock.poisson_ratio";
 
-void note_targets(Progress& progress) {
-    std::string text;
-    for (const Target& t : progress.targets()) {
-        if (t.role == Role::predicted) continue;
-        text += fmt::format("{}{} {:.5g}{}{} within {}", text.empty() ? "" : "; ", t.symbol, t.value / t.si,
-                            t.unit.empty() ? "" : " ", t.unit,
-                            t.absolute ? fmt::format("{:g}", t.bound) : fmt::format("{:g} %", 100 * t.bound));
+/// Thrown where runs are missing: no later decision can be taken. Caught in `decide` only.
+struct RunsMissing {};
+/// Thrown where a calibration ends. Caught in `decide` only.
+struct Ended {
+    Ending ending;
+    std::string reason;
+    std::string next;
+};
+
+/// Tests of each purpose have specimens of their own: tens of thousands by the test, then these.
+namespace seeds {
+constexpr std::int64_t of_test = 10000;
+constexpr std::int64_t elastic = 1;
+constexpr std::int64_t design = 1000;  ///< of each design
+constexpr std::int64_t point = 10;     ///< of each of its points
+constexpr std::int64_t confirmation = 9000;
+constexpr std::int64_t after_design = 50;  ///< of each confirmation, by the designs before it
+}  // namespace seeds
+
+/// Values of a target in the runs that have it.
+std::vector<double> values_of(const Target& target, const std::vector<const Measures*>& runs) {
+    std::vector<double> values;
+    for (const Measures* run : runs) {
+        const double value = target.kind.read(*run);
+        if (std::isfinite(value)) values.push_back(value);
     }
-    progress.note(
-        "targets", text,
-        fmt::format("discs: {}; rectangles: {}", label_of(progress.study().discs), label_of(progress.study().rectangles)));
-    const double off = disagreement(progress.rock());
-    if (std::abs(off) > remarkable) {
-        progress.note("targets", fmt::format("C and φ of the laboratory imply a UCS {:+.1f} % off the measured one", 100 * off),
-                      "UCS and φ are fitted, C follows from them");
-    }
+    return values;
 }
 
-/// Whether a change of the parameters of σt leaves UCS as it was: UCS changes by 0.3 % where Gf is five times as large, by 0.9 %
-/// where the open shear strength is three times as large (share/doc/readings.md).
-bool leaves_compression(const Point& before, const Point& after) {
-    for (const Parameter p : {Parameter::tensile_strength, Parameter::fracture_energy, Parameter::open_shear_strength}) {
-        if (!before[p] || !after[p]) continue;
-        const double most = p == Parameter::tensile_strength ? 1.1 : 2;
-        const double ratio = *after[p] / *before[p];
-        if (ratio > most || ratio < 1 / most) return false;
+double log_or_nan(double value) { return value > 0 ? std::log(value) : nan; }
+
+/// What the surfaces say of a target that was not met.
+struct Miss {
+    bool expected = false;      ///< it is off at the optimum of the surfaces too
+    bool out_of_reach = false;  ///< no place of the boxes has it
+    std::string remedy;         ///< which parameter would have to go where
+};
+
+class Calibration {
+public:
+    Calibration(const Problem& problem, const FindRun& find) : problem_(problem), find_(find) {}
+    void run();
+    Decision decision;
+
+private:
+    [[nodiscard]] const Study& study() const { return problem_.study; }
+    [[nodiscard]] const Target* target(const char* name) const;
+    void note(std::string stage, std::string what, std::string result) {
+        decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
     }
-    return true;
+    /// The finished runs of `n` specimens. What is missing is noted, and less is returned.
+    std::vector<const Measures*> get(WantedRun run, std::size_t n);
+    void require_all() const {
+        if (!decision.wanted.empty()) throw RunsMissing{};
+    }
+    [[nodiscard]] Point with_grains(Point point) const;
+
+    void find_elasticity();
+    void make_design(const Box& box);
+    void fit(const Box& box);
+    void find_place();
+    void correct_elasticity();
+    void confirm();
+    [[nodiscard]] Miss miss_of(const Outcome& outcome) const;
+    void end();
+
+    const Problem& problem_;
+    const FindRun& find_;
+    std::vector<Test> tests_;  ///< of the designs
+    double grain_modulus_ = 0;
+    double grain_ratio_ = 0;
+    std::size_t designs_ = 0;
+    Box all_;  ///< holds the boxes of all designs
+    Fit fit_;
+    std::vector<std::vector<bool>> peaks_;  ///< of each response, whether a test has it
+};
+
+const Target* Calibration::target(const char* name) const {
+    const auto found = std::find_if(problem_.targets.begin(), problem_.targets.end(),
+                                    [&](const Target& t) { return t.kind.name == name && t.use == Use::fit; });
+    return found == problem_.targets.end() ? nullptr : &*found;
 }
 
-/// Whether every mean is within its bound, though not every interval: another fit would not move a mean closer.
-bool lacks_specimens_only(const Decision& decision) {
-    return std::none_of(decision.outcomes.begin(), decision.outcomes.end(), [](const Outcome& o) {
-        return !o.ours || std::abs(o.ours->value - o.target.value) > o.target.tolerance();
-    });
-}
-
-/// "σt is outside, +12 % ± 3 % off with 80 specimens, for a bound of 5 %; …", of the targets that were missed
-std::string label_of_missed(const std::vector<Outcome>& outcomes) {
-    std::string missed;
-    for (const Outcome& o : outcomes) {
-        if (o.target.role == Role::predicted || o.verdict == "within" || !o.ours) continue;
-        const double unit = o.target.absolute ? 1 : o.target.value / 100;
-        const char* symbol = o.target.absolute ? "" : " %";
-        const double half = o.ours->high ? *o.ours->high - o.ours->value : 0;
-        missed += fmt::format("{}{} is {}, {:+.3g}{} ± {:.2g}{} off with {} specimens, for a bound of {:.2g}{}",
-                              missed.empty() ? "" : "; ", o.target.symbol, o.verdict, (o.ours->value - o.target.value) / unit,
-                              symbol, half / unit, symbol, o.specimens, o.target.tolerance() / unit, symbol);
-    }
-    return missed;
-}
-
-/// Time of runs, by the mean of finished ones of the same test; of a test without any, none is counted.
-double time_of(const std::vector<WantedRun>& wanted, const std::vector<FinishedRun>& finished) {
-    std::map<std::string, std::pair<double, double>> times;  // sum and number
-    for (const FinishedRun& run : finished) {
-        times[run.test].first += run.wall_time;
-        times[run.test].second += 1;
-    }
-    double sum = 0;
-    for (const WantedRun& run : wanted) {
-        const auto time = times.find(run.test);
-        if (time != times.end()) sum += time->second.first / time->second.second;
-    }
-    return sum;
-}
-
-void calibrate_rock(Progress& progress) {
-    note_targets(progress);
-    Point& point = progress.decision.point;
-    find_elasticity(progress);
-    double way = 0;
-    TensilePath path = find_tensile_path(progress, way);
-    find_start(progress);
-    Ending ending = Ending::undecided;
-    for (std::size_t round = 0; round < progress.study().rounds && ending != Ending::calibrated; ++round) {
-        fit_compression(progress, round);
-        const Point before = point;
-        adjust_tensile(progress, path, way, seeds::final_discs + static_cast<std::int64_t>(round) * seeds::per_round);
-        const bool last = round + 1 == progress.study().rounds;
-        if (!last && !leaves_compression(before, point)) {
-            progress.note("σt", "its parameters changed enough to change UCS", "cc and φc are fitted again");
-            continue;
+std::vector<const Measures*> Calibration::get(WantedRun run, std::size_t n) {
+    std::vector<const Measures*> runs;
+    for (std::size_t i = 0; i < n; ++i, ++run.seed) {
+        if (const Measures* found = find_(run)) {
+            runs.push_back(found);
+        } else {
+            decision.wanted.push_back(run);
         }
-        ending = confirm(progress, round);
-        if (ending == Ending::calibrated) predict(progress, round);
-        if (ending == Ending::undecided && lacks_specimens_only(progress.decision)) break;
     }
-    throw Ended{ending, ending == Ending::calibrated ? "new specimens are within the bounds of every target"
-                                                     : label_of_missed(progress.decision.outcomes)};
+    return runs;
+}
+
+Point Calibration::with_grains(Point point) const {
+    point.insert(point.begin(), {{grain_modulus, grain_modulus_}, {grain_ratio, grain_ratio_}});
+    return point;
+}
+
+/// E within 1 %, ν within 0.0075: half of the usual bounds. Contacts take some per cent of the stiffness, so that to scale by
+/// what is off converges by a factor of ten or more a time.
+void Calibration::find_elasticity() {
+    grain_modulus_ = problem_.young_modulus;
+    grain_ratio_ = problem_.poisson_ratio;
+    const Target* e = target("young_modulus");
+    const Target* nu = target("poisson_ratio");
+    if (e == nullptr && nu == nullptr) return;
+    const Target* ucs = target("uniaxial");
+    // Contacts soften from the start, so that the chord must end where the rock's does, at half its UCS: the strain limit is that
+    // of an elastic specimen at its UCS.
+    const std::optional<double> limit =
+        ucs != nullptr ? std::optional(rounded(ucs->value * (1 - grain_ratio_ * grain_ratio_) / grain_modulus_, 5))
+                       : std::nullopt;
+    constexpr int attempts = 6;
+    const Point contacts = point_at(problem_.parameters, first_guess(problem_.parameters));
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        WantedRun run;
+        run.test = Test{"uniaxial", 0, 0.1};
+        run.seed = seeds::elastic;
+        run.point = with_grains(contacts);
+        run.max_strain = limit;
+        run.label = fmt::format("e{}", attempt + 1);
+        run.reason = "E and ν of assemblages of such grains";
+        const auto runs = get(run, study().elastic);
+        require_all();
+        const auto mean = [&](const Target* t, double otherwise) {
+            if (t == nullptr) return otherwise;
+            const std::vector<double> values = values_of(*t, runs);
+            if (!values.empty()) return sample(values).mean.value;
+            throw InputError(
+                fmt::format("calibrate: uniaxial runs have no {}; the table of `moduli` must have a row for each", t->kind.name));
+        };
+        const double wanted_e = e != nullptr ? e->value : grain_modulus_;
+        const double wanted_nu = nu != nullptr ? nu->value : grain_ratio_;
+        const double measured_e = mean(e, wanted_e);
+        const double measured_nu = mean(nu, wanted_nu);
+        const std::string grains = fmt::format("grains E {:.5g} GPa, ν {:.4g}", grain_modulus_ * 1e-9, grain_ratio_);
+        const std::string assemblage = fmt::format("assemblage E {:.5g} GPa, ν {:.4g}", measured_e * 1e-9, measured_nu);
+        note("elasticity", grains, assemblage);
+        if (std::abs(measured_e / wanted_e - 1) <= 0.01 && std::abs(measured_nu - wanted_nu) <= 0.0075) return;
+        grain_modulus_ *= wanted_e / measured_e;
+        grain_ratio_ += wanted_nu - measured_nu;
+        const bool outside = grain_modulus_ > 2 * problem_.young_modulus || grain_modulus_ < 0.5 * problem_.young_modulus ||
+                             !(grain_ratio_ >= 0.01 && grain_ratio_ <= 0.45);
+        if (outside || attempt + 1 == attempts) {
+            throw Ended{
+                Ending::not_reached,
+                fmt::format("E {:.4g} GPa and ν {:.3g} are out of reach: {} make an {}", wanted_e * 1e-9, wanted_nu, grains,
+                            assemblage),
+                "give contacts that are stiffer than the process zone's (contact.normal_stiffness, contact.shear_stiffness)"};
+        }
+    }
+}
+
+/// Adds the points of one more design: a specimen of each test at each place, three discs.
+void Calibration::make_design(const Box& box) {
+    const auto p = static_cast<std::size_t>(box.size());
+    const std::size_t n = study().points > 0 ? study().points : 4 * (p + 2);
+    const std::vector<Place> places = sobol_places(box, designs_ * n, n);
+    ++designs_;
+    for (std::size_t t = 0; t < tests_.size(); ++t) {
+        for (std::size_t i = 0; i < n; ++i) {
+            WantedRun run;
+            run.test = tests_[t];
+            run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + static_cast<std::int64_t>(designs_) * seeds::design +
+                       static_cast<std::int64_t>(i) * seeds::point;
+            run.point = with_grains(point_at(problem_.parameters, places[i]));
+            run.label = fmt::format("d{}p{:02}", designs_, i + 1);
+            run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
+            const auto runs = get(run, run.test.name == "brazilian" ? study().discs : 1);
+            for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
+                Response& response = fit_.responses[r];
+                if (!run.test.has(response.target)) continue;
+                const std::vector<double> values = values_of(response.target, runs);
+                response.values.push_back(values.empty() ? nan : log_or_nan(sample(values).mean.value));
+                response.tests += runs.size();
+                response.measured += values.size();
+                peaks_[r].push_back(!values.empty());
+            }
+        }
+    }
+    fit_.places.insert(fit_.places.end(), places.begin(), places.end());
+    require_all();
+}
+
+/// Surfaces through the points inside a box, and the place where they meet the targets best.
+void Calibration::fit(const Box& box) {
+    fit_.box = box;
+    std::vector<Place> places;
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < fit_.places.size(); ++i) {
+        if (!box.contains(fit_.places[i])) continue;
+        places.push_back(fit_.places[i]);
+        inside.push_back(i);
+    }
+    std::vector<Aim> aims;
+    std::vector<Logistic> logistics;
+    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
+        Response& response = fit_.responses[r];
+        std::vector<double> values;
+        for (const std::size_t i : inside) values.push_back(response.values[i]);
+        response.surface = ResponseSurface::fit(box, places, values);
+    }
+    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
+        const Response& response = fit_.responses[r];
+        if (response.target.use != Use::fit || response.target.is_elastic()) continue;
+        if (response.surface) {
+            aims.push_back({&*response.surface, std::log(response.target.value), response.target.log_deviation()});
+        }
+        if (!response.target.kind.needs_first_peak || response.measured == response.tests) continue;
+        Eigen::MatrixXd factors(static_cast<Eigen::Index>(inside.size()), box.size());
+        Eigen::VectorXd happened(factors.rows());
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            factors.row(static_cast<Eigen::Index>(i)) = places[i].transpose();
+            happened(static_cast<Eigen::Index>(i)) = peaks_[r][inside[i]] ? 1 : 0;
+        }
+        logistics.push_back(fit_logistic(factors, happened));
+    }
+    std::vector<LeastShare> shares;
+    for (const Logistic& logistic : logistics) shares.push_back({&logistic, study().first_peak_share});
+    if (aims.empty()) {
+        throw Ended{Ending::undecided, fmt::format("no target can be fitted from {} points", inside.size()),
+                    "ask for more points (--set points=N), or for targets that these tests have"};
+    }
+    fit_.optimum = find_optimum(box, first_guess(problem_.parameters), aims, shares);
+    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
+    decision.fit = fit_;
+    note("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
+         label_of(point_at(problem_.parameters, fit_.optimum.place)));
+}
+
+/// Designs until the optimum is inside the last box, then smaller ones about it.
+void Calibration::find_place() {
+    const auto p = static_cast<Eigen::Index>(problem_.parameters.size());
+    const Box limits = limits_of(problem_.parameters);
+    Box box{Place::Zero(p), Place::Ones(p)};
+    all_ = box;
+    std::size_t moves = 0;
+    std::size_t zooms = 0;
+    while (true) {
+        make_design(box);
+        all_ = hull(all_, box);
+        fit(box);
+        const Place at = fit_.optimum.place;
+        const Box moved = box.about(at, 1, limits);
+        // At an edge: so near that the box would move by nearly half of its width. Directions that are kept do not move it.
+        std::string moving;
+        for (Eigen::Index k = 0; k < p; ++k) {
+            const bool at_edge =
+                std::abs(box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - box.centre(k)) > 0.1 * box.half(k);
+            if (at_edge && fit_.optimum.kept_share(k) < 0.5)
+                moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
+        }
+        if (!moving.empty() && moves < study().moves) {
+            ++moves;
+            box = moved;
+            note("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
+        } else if (zooms < study().zooms) {
+            ++zooms;
+            box = box.about(at, 0.5, limits);
+            note("zoom", "a box of half the width about the optimum", "");
+        } else {
+            if (!moving.empty()) note("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
+            return;
+        }
+    }
+}
+
+/// E and ν change a little with the contacts: the grains are scaled once more, by the surfaces.
+void Calibration::correct_elasticity() {
+    for (const Response& response : fit_.responses) {
+        if (response.target.use != Use::fit || !response.surface) continue;
+        const double expected = std::exp(response.surface->value(fit_.optimum.place));
+        if (response.target.kind.name == "young_modulus") grain_modulus_ *= response.target.value / expected;
+        if (response.target.kind.name == "poisson_ratio")
+            grain_ratio_ = std::clamp(grain_ratio_ + response.target.value - expected, 0.01, 0.45);
+    }
+    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
+}
+
+/// Within: the mean is within the bound, and its standard error no larger; outside: the whole 95 % interval is beyond the bound.
+std::string verdict_on(const Target& target, const Sample& ours) {
+    const double off = std::abs(ours.mean.value - target.value);
+    const double half = ours.mean.high ? *ours.mean.high - ours.mean.value : std::numeric_limits<double>::infinity();
+    const double error = ours.deviation ? *ours.deviation / std::sqrt(static_cast<double>(ours.n)) : 0;
+    if (off <= target.deviation && error <= target.deviation) return "within";
+    return off - half > target.deviation ? "outside" : "undecided";
+}
+
+/// The optimum on new specimens, whose numbers were fixed beforehand.
+void Calibration::confirm() {
+    const std::vector<Test> all = tests_of(problem_.targets);
+    std::vector<std::vector<const Measures*>> runs;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        const bool fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(),
+                                        [&](const Target& target) { return target.use == Use::fit && all[t].has(target); });
+        const std::size_t n = !fitted                      ? study().predicted
+                              : all[t].name == "brazilian" ? study().confirmation_discs
+                                                           : study().confirmation_rectangles;
+        const std::int64_t seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
+                                  static_cast<std::int64_t>(designs_) * seeds::after_design;
+        WantedRun run;
+        run.test = all[t];
+        run.seed = seed;
+        run.point = decision.point;
+        run.label = fmt::format("c{}", designs_);
+        run.reason = fitted ? "the optimum on new specimens" : "a prediction";
+        runs.push_back(get(run, n));
+    }
+    require_all();
+    for (const Target& target : problem_.targets) {
+        const auto t = std::find_if(all.begin(), all.end(), [&](const Test& test) { return test.has(target); }) - all.begin();
+        const std::vector<const Measures*>& its = runs[static_cast<std::size_t>(t)];
+        const std::vector<double> values = values_of(target, its);
+        Outcome outcome{target, {}, its.size(), ""};
+        if (!values.empty()) outcome.ours = sample(values);
+        const auto share = static_cast<double>(values.size()) / static_cast<double>(its.size());
+        if (std::isfinite(target.value)) {
+            const bool lacking = target.kind.needs_first_peak && share < study().first_peak_share;
+            outcome.verdict = !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
+        }
+        decision.outcomes.push_back(outcome);
+    }
+    // Repeated tests say how equal points scatter.
+    for (Response& response : fit_.responses) {
+        const auto outcome = std::find_if(decision.outcomes.begin(), decision.outcomes.end(),
+                                          [&](const Outcome& o) { return o.target.name() == response.target.name(); });
+        if (outcome == decision.outcomes.end() || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 4) continue;
+        const double n = response.target.test() == "brazilian" ? static_cast<double>(study().discs) : 1;
+        response.pure_error = *outcome->ours->deviation / outcome->ours->mean.value / std::sqrt(n);
+    }
+    decision.fit = fit_;
+}
+
+/// "UCS +12 % off (± 3 %)": SI values as parts of the target
+std::string off_text(const Outcome& o) {
+    const Target& t = o.target;
+    if (!o.ours) return fmt::format("{}: none of {} tests has it", t.symbol(), o.tests);
+    const double scale = t.kind.absolute ? 1 : 100 / t.value;
+    const char* unit = t.kind.absolute ? "" : " %";
+    const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : nan;
+    std::string text = fmt::format("{} {:+.3g}{} off (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
+                                   (o.ours->mean.value - t.value) * scale, unit, half * scale, unit, t.deviation * scale, unit);
+    if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have it", o.ours->n, o.tests);
+    return text;
+}
+
+void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
+
+Miss Calibration::miss_of(const Outcome& outcome) const {
+    const Target& t = outcome.target;
+    const auto response = std::find_if(fit_.responses.begin(), fit_.responses.end(),
+                                       [&](const Response& r) { return r.target.name() == t.name(); });
+    if (response == fit_.responses.end() || t.is_elastic()) return {};
+    if (!response->surface)
+        return {true, true,
+                fmt::format("{} of {} tests of the designs have {}", response->measured, response->tests, t.symbol())};
+    const Place& place = fit_.optimum.place;
+    const double wanted = std::log(t.value);
+    const double here = response->surface->value(place);
+    const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(place));
+    const bool lacking = outcome.ours && outcome.ours->n < outcome.tests && outcome.verdict == "outside";
+    if (std::abs(here - wanted) <= allowed && !lacking) return {};
+    // Whether this target alone is in reach, by a surface through the points of all designs.
+    const auto wide = ResponseSurface::fit(all_, fit_.places, response->values);
+    double lowest = here;
+    double highest = here;
+    for (const Place& at : sobol_places(all_, 0, 1024)) {
+        const double spread = 2 * std::sqrt(wide->variance(at));
+        lowest = std::min(lowest, wide->value(at) - spread);
+        highest = std::max(highest, wide->value(at) + spread);
+    }
+    // The parameter that moves it most, and where it would have to go alone.
+    const Place gradient = response->surface->gradient(place);
+    Eigen::Index k = 0;
+    gradient.cwiseAbs().maxCoeff(&k);
+    const Parameter& p = problem_.parameters[static_cast<std::size_t>(k)];
+    const double to = place(k) + (wanted - here) / gradient(k);
+    return {true, wanted < lowest || wanted > highest,
+            fmt::format("{} alone would want {} to go from {} to {} (first box {} to {})", t.symbol(), p.key,
+                        value_text(p.key, p.value(place(k)), " "),
+                        std::abs(to) < 10 ? value_text(p.key, p.value(to), " ") : "far outside", value_text(p.key, p.low, " "),
+                        value_text(p.key, p.high, " "))};
+}
+
+void Calibration::end() {
+    std::string missed;
+    std::string remedies;
+    std::string specimens;
+    bool expected = false;
+    bool out_of_reach = false;
+    bool outside = false;
+    for (const Outcome& o : decision.outcomes) {
+        if (o.target.use == Use::predict || o.verdict == "within") continue;
+        add(missed, off_text(o) + ": " + o.verdict);
+        const Miss miss = miss_of(o);
+        if (miss.expected) add(remedies, miss.remedy);
+        expected = expected || miss.expected;
+        out_of_reach = out_of_reach || miss.out_of_reach;
+        outside = outside || o.verdict == "outside";
+        if (o.ours && o.ours->deviation) {
+            const double n =
+                std::max(std::pow(2 * *o.ours->deviation / o.target.deviation, 2), 2.0 * static_cast<double>(o.tests));
+            add(specimens, fmt::format("{:.0f} for {}", std::ceil(n), o.target.symbol()));
+        }
+    }
+    if (missed.empty()) {
+        throw Ended{Ending::calibrated, "new specimens are within the bounds of every target",
+                    "calibrated.toml is a material like any other; what was predicted was not fitted"};
+    }
+    remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
+    if (expected && out_of_reach) throw Ended{Ending::not_reached, missed, remedies};
+    if (expected) throw Ended{Ending::contradictory, missed, "each is in reach, but not all together: " + remedies};
+    const std::string another = fmt::format("ask for one more design (--set zooms={})", study().zooms + 1);
+    if (outside) throw Ended{Ending::undecided, missed, "the surfaces expected every target to be met here: " + another};
+    throw Ended{
+        Ending::undecided, missed,
+        fmt::format("confirm on more specimens, by estimate {} (--set confirmation_discs=N, confirmation_rectangles=N), or {}",
+                    specimens, another)};
+}
+
+void Calibration::run() {
+    // What is fitted comes first, then other targets and everything else that the same tests measure.
+    std::vector<Target> fitted;
+    for (const Target& t : problem_.targets) {
+        if (t.use == Use::fit) fitted.push_back(t);
+    }
+    tests_ = tests_of(fitted);
+    const auto add_response = [&](const Target& t) {
+        for (const Response& known : fit_.responses) {
+            if (known.target.name() == t.name() || (known.target.test() == t.test() && known.target.kind.read == t.kind.read &&
+                                                    known.target.confining_pressure == t.confining_pressure))
+                return;
+        }
+        fit_.responses.push_back({t, {}, {}, {}});
+    };
+    for (const Target& t : fitted) add_response(t);
+    for (const Test& test : tests_) {
+        for (const Target& t : problem_.targets) {
+            if (test.has(t) && t.kind.peak_drop <= test.peak_drop) add_response(t);
+        }
+        for (const TargetKind& kind : target_kinds()) {
+            if (kind.pressure == PressureOf::name && !(test.confining_pressure > 0)) continue;
+            if (kind.pressure == PressureOf::none && test.confining_pressure > 0) continue;
+            Target t{kind, test.confining_pressure, nan, nan, Use::predict};
+            if (test.has(t) && kind.peak_drop <= test.peak_drop) add_response(t);
+        }
+    }
+    peaks_.resize(fit_.responses.size());
+    find_elasticity();
+    find_place();
+    correct_elasticity();
+    confirm();
+    end();
 }
 
 }  // namespace
@@ -122,20 +486,19 @@ std::string label_of(Ending ending) {
     }
 }
 
-Decision decide(const Material& rock, const Study& study, const std::vector<FinishedRun>& finished) {
-    Progress progress(rock, study, finished);
+Decision decide(const Problem& problem, const FindRun& find) {
+    Calibration calibration(problem, find);
+    Decision& decision = calibration.decision;
     try {
-        calibrate_rock(progress);
-    } catch (RunsMissing& missing) {
-        progress.decision.ending = Ending::wanted;
-        progress.decision.reason = missing.runs.front().reason;
-        progress.decision.wanted_time = time_of(missing.runs, finished);
-        progress.decision.wanted = std::move(missing.runs);
+        calibration.run();
+    } catch (const RunsMissing&) {
+        decision.reason = decision.wanted.front().reason;
     } catch (const Ended& end) {
-        progress.decision.ending = end.ending;
-        progress.decision.reason = end.reason;
+        decision.ending = end.ending;
+        decision.reason = end.reason;
+        decision.next = end.next;
     }
-    return std::move(progress.decision);
+    return std::move(decision);
 }
 
 }  // namespace graincrack::calibrate

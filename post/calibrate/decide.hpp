@@ -1,47 +1,52 @@
-// What a calibration decides: a pure function of a rock with its targets and of finished runs. Called again when the runs that it
-// wanted are finished, it takes the same decisions and goes on; nothing is remembered but runs.
+// What a calibration decides: a pure function of targets, parameters and finished runs. Called again when the runs that it wanted
+// are finished, it takes the same decisions and goes on; nothing is remembered but runs.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "post/calibrate/optimum.hpp"
 #include "post/calibrate/run.hpp"
-#include "post/calibrate/sampling.hpp"
-#include "post/calibrate/specimens.hpp"
-#include "post/calibrate/target.hpp"
 #include "post/fit/statistics.hpp"
 
 namespace graincrack::calibrate {
-
-/// How a calibration is done. Bounds and numbers are set before it begins.
-struct Study {
-    TargetOptions targets;
-    Specimens specimens;
-    double max_strain = 0.015;    ///< strain limit of compression tests
-    std::size_t elastic = 3;      ///< specimens for E and ν of the grains
-    std::size_t scan_discs = 20;  ///< discs at each level of a parameter of σt
-    std::size_t scouts = 5;       ///< pairs of single tests at most, to get near
-    std::size_t centre_runs = 5;  ///< of designs
-    std::size_t moves = 3;        ///< of a design whose targets lie outside, at most
-    std::size_t rounds = 3;       ///< of fit and confirmation, at most
-    std::size_t predicted = 5;    ///< specimens for a prediction
-    SamplingRule discs{10, 80, 0.03};
-    SamplingRule rectangles{10, 40, 0.03};
-    double design_factor = 1.35;  ///< cc at +1 over cc at the centre
-    double design_angle = 0.15;   ///< φc at +1 minus φc at the centre, a part of the rock's φ
-    double narrow = 0.4;          ///< width of the second design, a part of the first
-};
 
 enum class Ending {
     wanted,         ///< runs are missing
     calibrated,     ///< the confirmation is within the bounds
     not_reached,    ///< a target is out of reach
     contradictory,  ///< each target is in reach, but not all together
-    undecided       ///< specimens scatter too much for a verdict at the largest number of them
+    undecided       ///< the confirmation scatters too much for a verdict, or the surfaces do not describe the rock
 };
 /// "runs are wanted", "calibrated", "not reached", "contradictory", "undecided".
 std::string label_of(Ending ending);
+
+/// A quantity at all points of the designs. Targets come first, then what else the same tests measure.
+struct Response {
+    Target target;
+    std::vector<double> values;              ///< ln of the mean over the specimens of a point; NaN: none of them has it
+    std::optional<ResponseSurface> surface;  ///< through the points inside the last box
+    std::optional<double> pure_error;        ///< standard deviation of a value between equal points, by repeated tests
+    std::size_t tests = 0;                   ///< of the designs
+    std::size_t measured = 0;                ///< of them that have it
+};
+
+/// The last fit.
+struct Fit {
+    Box box;
+    std::vector<Place> places;  ///< of all designs
+    std::vector<Response> responses;
+    Optimum optimum;
+};
+
+/// A target on new specimens.
+struct Outcome {
+    Target target;
+    std::optional<Sample> ours;  ///< SI; empty if no test has it
+    std::size_t tests = 0;
+    std::string verdict;  ///< within, outside, undecided; empty for a prediction without a measured value
+};
 
 /// A decision and the numbers that it used, for the report.
 struct Step {
@@ -50,33 +55,26 @@ struct Step {
     std::string result;
 };
 
-/// A target at the end, or at the nearest point.
-struct Outcome {
-    Target target;
-    std::optional<Estimate> ours;  ///< SI, on new specimens; empty if not tested
-    std::size_t specimens = 0;
-    std::string verdict;  ///< within, outside, undecided; empty for a prediction without a laboratory value
-    std::string note;     ///< two kinds of tests
-};
-
-/// A calibrated value with its 95 % interval, SI.
-struct Calibrated {
-    Parameter parameter;
-    Estimate value;
-};
-
 struct Decision {
     Ending ending = Ending::wanted;
-    std::string reason;              ///< one sentence: which target, by how much
-    std::vector<WantedRun> wanted;   ///< none twice, none that is finished
-    double wanted_time = 0;          ///< s of one processor for them, by finished runs of the same tests; 0 if there are none
-    Point point;                     ///< calibrated; else the nearest so far
-    std::vector<Calibrated> values;  ///< of what was fitted, as far as it was
+    std::string reason;             ///< one sentence: which target, by how much
+    std::string next;               ///< what to do next
+    std::vector<WantedRun> wanted;  ///< none twice, none that is finished
+    Point point;                    ///< calibrated, else the nearest so far
+    std::optional<Fit> fit;
     std::vector<Outcome> outcomes;
     std::vector<Step> steps;
 };
 
-/// \param rock with [laboratory] values \throws InputError naming one that is missing
-Decision decide(const Material& rock, const Study& study, const std::vector<FinishedRun>& finished);
+/// What is calibrated and how.
+struct Problem {
+    std::vector<Target> targets;
+    std::vector<Parameter> parameters;
+    Study study;
+    double young_modulus = 0;  ///< of the rock, Pa: first guess of that of the grains
+    double poisson_ratio = 0;
+};
+
+Decision decide(const Problem& problem, const FindRun& find);
 
 }  // namespace graincrack::calibrate

@@ -3,140 +3,269 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <functional>
+#include <limits>
 #include <numbers>
+
+#include "share/error.hpp"
+#include "share/incomplete_material.hpp"
+#include "share/mohr_coulomb.hpp"
+#include "share/units.hpp"
 
 namespace graincrack::calibrate {
 
 namespace {
 
-constexpr double GPa = 1e9;
-constexpr double MPa = 1e6;
 constexpr double degree = std::numbers::pi / 180;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double laboratory(const Material& rock, const std::string& key) { return rock.laboratory.at(key); }
+/// What default boxes follow from.
+struct Basis {
+    const Material& rock;
+    double edge;
+    double ucs;             ///< NaN if the laboratory has none; its boxes then have no defaults
+    double friction_angle;  ///< of the rock
+    bool frictional;        ///< law `cohesive-frictional`, whose friction bears beside its cohesion
+};
 
-/// tc √(ks/kt), the law's own shear strength of open contacts: the plane condition changes kt and ks alike.
-double usual_open_shear_strength(const Material& rock, const Point& point) {
-    Material material = material_at(rock, point);
-    material.contact.open_shear_strength.reset();
-    return contact_parameters(material, PlaneCondition::strain, std::nullopt).open_shear_strength;
+/// A box about a first guess, as parts of a reference value. The limits of boxes that move are wider.
+Parameter parts_of(double reference, double first, double low, double high, double least, double most, bool logarithmic,
+                   std::string source) {
+    return {"",
+            logarithmic,
+            reference * low,
+            reference * high,
+            reference * least,
+            reference * most,
+            reference * first,
+            std::move(source)};
+}
+
+Parameter tensile_strength(const Basis& b) {
+    if (b.frictional) return parts_of(b.rock.rock.tensile_strength, 0.9, 0.6, 1.4, 0.2, 3, true, "0.9 of the Brazilian strength");
+    const double guess = fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
+    return parts_of(guess, 1, 0.5, 2, 0.1, 4, true, "2 K_IC/√(π dp), Eq 40");
+}
+Parameter cohesion(const Basis& b) {
+    if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, as friction bears beside it");
+    return parts_of(b.ucs, 0.5, 0.25, 1, 0.05, 3, true, "UCS/2, the centre of Kazerani & Zhao's design");
+}
+Parameter friction_angle(const Basis& b) {
+    Parameter p = b.frictional ? parts_of(b.friction_angle, 0.85, 0.65, 1.05, 0, 0, false, "0.85 φ")
+                               : parts_of(b.friction_angle, 0.7, 0.45, 0.95, 0, 0, false,
+                                          "0.7 φ: specimens are rougher than their contacts");
+    p.least = 5 * degree;
+    p.most = 75 * degree;
+    return p;
+}
+Parameter residual_friction_angle(const Basis& b) {
+    Parameter p = parts_of(b.friction_angle, 0.7, 0.5, 0.9, 0, 0, false, "0.7 φ, somewhat below that of intact contacts");
+    p.least = 5 * degree;
+    p.most = 75 * degree;
+    return p;
+}
+/// K_IC² / Ẽ and half of it: what a notch that is long enough to measure K_IC would want of G_I.
+Parameter fracture_energy(const Basis& b) {
+    const double of_toughness = fpz::mode_i_fracture_energy(b.rock.rock, PlaneCondition::strain);
+    return parts_of(of_toughness, 0.75, 0.5, 1, 0.5, 1, true, "½ to 1 K_IC²/Ẽ, so that K_IC stays the rock's");
+}
+Parameter open_shear_strength(const Basis& b) {
+    return parts_of(b.rock.rock.tensile_strength, 3, 1, 9, 0.3, 30, true, "3 times the Brazilian strength");
+}
+/// Published tables of moduli of granite's minerals have coefficients of variation from 0.17 to 0.32.
+Parameter contrast(const Basis& b) {
+    double mean = 0;
+    double square = 0;
+    for (const auto& [name, phase] : b.rock.fabric.phases) {
+        const double r = relative_young_modulus(phase, b.rock.rock);
+        mean += phase.fraction * r;
+        square += phase.fraction * r * r;
+    }
+    const double variation = std::sqrt(square - mean * mean) / mean;
+    if (!(variation > 0)) return {"", true, nan, nan, nan, nan, nan, ""};
+    return {"",
+            true,
+            0.17 / variation,
+            0.32 / variation,
+            0.17 / variation,
+            0.32 / variation,
+            b.rock.fabric.contrast,
+            "coefficients of variation of published moduli, 0.17 to 0.32"};
+}
+
+struct Row {
+    const char* key;
+    Parameter (*box)(const Basis& basis);
+    bool free_by_default;       ///< of every law
+    bool free_when_frictional;  ///< of the law `cohesive-frictional`
+};
+constexpr Row rows[] = {
+    {"contact.tensile_strength", tensile_strength, true, true},
+    {"contact.cohesion", cohesion, true, true},
+    {"contact.friction_angle", friction_angle, true, true},
+    {"contact.residual_friction_angle", residual_friction_angle, false, true},
+    {"contact.fracture_energy", fracture_energy, false, false},
+    {"contact.open_shear_strength", open_shear_strength, false, false},
+    {"contact.normal_stiffness",
+     [](const Basis& b) {
+         return parts_of(fpz::normal_stiffness(b.rock.rock, PlaneCondition::strain), 1, 0.3, 3, 0.01, 10, true,
+                         "E / w_I, Eqs 3-5");
+     },
+     false, false},
+    {"phases.contrast", contrast, false, false},
+};
+
+struct DisplayUnit {
+    const char* symbol;
+    double si;
+};
+DisplayUnit unit_of(const std::string& key) {
+    const Quantity quantity = material_quantity(key);
+    switch (quantity.dimension) {
+        case Dimension::stress:
+            return quantity.name == quantity::young_modulus.name ? DisplayUnit{"GPa", 1e9} : DisplayUnit{"MPa", 1e6};
+        case Dimension::angle: return {"deg", degree};
+        case Dimension::one: return {"", 1};
+        default: return {si_unit(quantity.dimension).data(), 1};
+    }
+}
+
+Basis basis_of(const Material& rock, double edge) {
+    const auto of = [&](const char* key) {
+        const auto found = rock.laboratory.find(key);
+        return found == rock.laboratory.end() ? nan : found->second;
+    };
+    Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional"};
+    if (std::isnan(basis.friction_angle) && !std::isnan(of("cohesion"))) {
+        const double b = std::pow(basis.ucs / (2 * of("cohesion")), 2);
+        basis.friction_angle = std::asin((b - 1) / (b + 1));
+    }
+    return basis;
+}
+
+/// A row of [parameters] on top of its default box.
+void set(Parameter& p, const TomlEntry& entry, const std::string& where) {
+    const std::string& text = entry.values.empty() ? entry.key : entry.values.front().text;
+    if (entry.key == "scale") {
+        if (text != "log" && text != "linear") throw InputError(fmt::format("{}: {} is neither log nor linear", where, text));
+        p.logarithmic = text == "log";
+        return;
+    }
+    double* const to = entry.key == "low" ? &p.low : entry.key == "high" ? &p.high : entry.key == "first" ? &p.first : nullptr;
+    if (to == nullptr) throw InputError(fmt::format("{}: unknown key; known are low, high, scale, first", where));
+    *to = parse_quantity(text, material_quantity(p.key), where);
+    // Bounds that are given are limits too.
+    if (to == &p.low) p.least = p.low;
+    if (to == &p.high) p.most = p.high;
+    p.source = "given";
+}
+
+void require_sound(Parameter& p, const std::string& where) {
+    if (std::isnan(p.low) || std::isnan(p.high)) {
+        throw InputError(fmt::format("{}: {} has no usual bounds for this rock; low and high are needed", where, p.key));
+    }
+    if (!(p.low < p.high) || (p.logarithmic && !(p.low > 0)))
+        throw InputError(
+            fmt::format("{}: {}: low must be below high{}", where, p.key, p.logarithmic ? " and above 0 (scale = \"log\")" : ""));
+    p.least = std::min(p.least, p.low);
+    p.most = std::max(p.most, p.high);
+    if (!(p.first >= p.low && p.first <= p.high)) p.first = p.value(0);
 }
 
 }  // namespace
 
-const std::array<ParameterRow, n_parameters>& parameters() {
-    using P = Parameter;
-    static const std::array<ParameterRow, n_parameters> table{{
-        {P::young_modulus, "rock.young_modulus", "grain_young_modulus_GPa", "E", "E of the grains", "GPa", GPa, "young_modulus",
-         "E of the rock", "half to twice the first guess"},
-        {P::poisson_ratio, "rock.poisson_ratio", "grain_poisson_ratio", "nu", "ν of the grains", "", 1, "poisson_ratio",
-         "ν of the rock", "0.01 to 0.45"},
-        {P::tensile_strength, "contact.tensile_strength", "contact_tensile_strength_MPa", "tc", "tc", "MPa", MPa,
-         "tensile_strength", "2 K_IC/√(π dp), Eq 40", "0.3 to 3 times the first guess",
-         &contact_parameter(&ContactParameters::tensile_strength)},
-        {P::cohesion, "contact.cohesion", "contact_cohesion_MPa", "cc", "cc", "MPa", MPa,
-         "compressive_strength, confined_strength", "UCS/2", "0.05 to 3 UCS", &contact_parameter(&ContactParameters::cohesion)},
-        {P::friction_angle, "contact.friction_angle", "contact_friction_angle_deg", "phic", "φc", "°", degree,
-         "confined_strength", "0.7 φ: specimens are rougher than their contacts", "5° to 75°",
-         &contact_parameter(&ContactParameters::friction_angle)},
-        {P::fracture_energy, "contact.fracture_energy", "contact_fracture_energy_J/m2", "gf", "Gf", "J/m²", 1, "tensile_strength",
-         "K_IC²/Ẽ, plane stress", "a tenth of the first guess to Eq 32, plane stress",
-         &contact_parameter(&ContactParameters::fracture_energy)},
-        {P::open_shear_strength, "contact.open_shear_strength", "contact_open_shear_strength_MPa", "os",
-         "shear strength of open contacts", "MPa", MPa, "tensile_strength", "tc √(ks/kt)", "a fifth of the first guess to cc",
-         &contact_parameter(&ContactParameters::open_shear_strength)},
-    }};
-    return table;
+double Parameter::coordinate(double value) const {
+    if (logarithmic) return std::log(value / low) / std::log(high / low) * 2 - 1;
+    return (value - low) / (high - low) * 2 - 1;
 }
 
-const ParameterRow& row_of(Parameter parameter) { return parameters()[static_cast<std::size_t>(parameter)]; }
-
-std::string unit_in_files(const ParameterRow& row) {
-    const std::string column = row.column;
-    return row.unit[0] == '\0' ? "" : column.substr(column.rfind('_') + 1);
+double Parameter::value(double coordinate) const {
+    const double share = (coordinate + 1) / 2;
+    return logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
 }
 
-Point Point::with(Parameter parameter, double value) const {
-    Point changed = *this;
-    changed[parameter] = rounded(parameter, value);
-    return changed;
+double Parameter::coordinate_by_log(double value) const {
+    return logarithmic ? 2 / std::log(high / low) : 2 * value / (high - low);
 }
 
-double rounded(Parameter parameter, double value) {
-    const double si = row_of(parameter).si;
-    return std::strtod(fmt::format("{:.6g}", value / si).c_str(), nullptr) * si;
-}
-
-Material material_at(const Material& rock, const Point& point) {
-    Material material = rock;
-    if (point[Parameter::young_modulus]) material.rock.young_modulus = *point[Parameter::young_modulus];
-    if (point[Parameter::poisson_ratio]) material.rock.poisson_ratio = *point[Parameter::poisson_ratio];
-    for (const ParameterRow& row : parameters()) {
-        if (row.contact != nullptr && point[row.parameter]) material.contact.*row.contact->given = point[row.parameter];
-    }
-    return material;
-}
-
-std::array<double, n_parameters> effective_values(const Material& rock, const Point& point, PlaneCondition plane) {
-    Material bare;  // without names and laboratory values, whose copies take most of the time of a decision
-    bare.rock = rock.rock;
-    bare.contact = rock.contact;
-    const Material material = material_at(bare, point);
-    const ContactParameters contact = contact_parameters(material, plane, std::nullopt);
-    std::array<double, n_parameters> values{material.rock.young_modulus, material.rock.poisson_ratio};
-    for (const ParameterRow& row : parameters()) {
-        if (row.contact != nullptr) values[static_cast<std::size_t>(row.parameter)] = contact.*row.contact->value;
-    }
-    return values;
-}
-
-double first_guess(Parameter parameter, const Material& rock, const Point& point, double edge) {
-    switch (parameter) {
-        case Parameter::young_modulus: return laboratory(rock, "young_modulus");
-        case Parameter::poisson_ratio: return laboratory(rock, "poisson_ratio");
-        case Parameter::tensile_strength: return fpz::contact_tensile_strength_from_toughness(rock.rock.mode_i_toughness, edge);
-        case Parameter::cohesion: return 0.5 * laboratory(rock, "compressive_strength");
-        case Parameter::friction_angle: return 0.7 * laboratory(rock, "friction_angle");
-        case Parameter::fracture_energy: {
-            Material own = material_at(rock, point);
-            own.contact.fracture_energy.reset();
-            return contact_parameters(own, PlaneCondition::stress, std::nullopt).fracture_energy;
+std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge) {
+    const Basis basis = basis_of(rock, edge);
+    const auto usual = [&](const std::string& key) {
+        Parameter p{"", true, nan, nan, nan, nan, nan};
+        for (const Row& row : rows) {
+            if (key == row.key) p = row.box(basis);
         }
-        case Parameter::open_shear_strength: return usual_open_shear_strength(rock, point);
-    }
-    return 0;
-}
-
-Range range_of(Parameter parameter, const Material& rock, const Point& point, double edge) {
-    const double guess = first_guess(parameter, rock, point, edge);
-    switch (parameter) {
-        case Parameter::young_modulus: return {0.5 * guess, 2 * guess};
-        case Parameter::poisson_ratio: return {0.01, 0.45};
-        case Parameter::tensile_strength: return {0.3 * guess, 3 * guess};
-        case Parameter::cohesion: return {0.1 * guess, 6 * guess};
-        case Parameter::friction_angle: return {5 * degree, 75 * degree};
-        case Parameter::fracture_energy: {
-            const Rock grains = material_at(rock, point).rock;
-            return {0.1 * guess, fpz::mixed_mode_fracture_energy(grains, PlaneCondition::stress)};
+        p.key = key;
+        return p;
+    };
+    std::vector<Parameter> parameters;
+    for (const TomlSection& section : file.sections) {
+        if (section.name.front() != "parameters" || section.name.size() < 2) continue;
+        const std::string& key = section.name[1];
+        const std::string where = fmt::format("{}: line {}: parameters.\"{}\"", file.file, section.line, key);
+        try {
+            static_cast<void>(material_quantity(key));
+        } catch (const UsageError& error) {
+            throw InputError(fmt::format("{}: {}", where, error.what()));
         }
-        case Parameter::open_shear_strength:
-            return {0.2 * guess, point[Parameter::cohesion].value_or(rock.contact.cohesion.value_or(0))};
+        Parameter p = usual(key);
+        for (const TomlEntry& entry : file.entries) {
+            if (entry.section == section.name) set(p, entry, where + "." + entry.key);
+        }
+        require_sound(p, where);
+        parameters.push_back(p);
     }
-    return {};
+    if (parameters.empty()) {
+        for (const Row& row : rows) {
+            if (!(basis.frictional ? row.free_when_frictional : row.free_by_default)) continue;
+            parameters.push_back(usual(row.key));
+            require_sound(parameters.back(), file.file);
+        }
+    }
+    return parameters;
 }
 
-std::string label_of(Parameter parameter, double value) {
-    const ParameterRow& row = row_of(parameter);
-    return fmt::format("{:.4g}{}{}", value / row.si, row.unit[0] == '\0' ? "" : " ", row.unit);
+Box limits_of(const std::vector<Parameter>& parameters) {
+    const auto n = static_cast<Eigen::Index>(parameters.size());
+    Place low(n);
+    Place high(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Parameter& p = parameters[static_cast<std::size_t>(k)];
+        low(k) = p.coordinate(p.least);
+        high(k) = p.coordinate(p.most);
+    }
+    return box_between(low, high);
+}
+
+Place first_guess(const std::vector<Parameter>& parameters) {
+    Place place(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        place(static_cast<Eigen::Index>(k)) = parameters[k].coordinate(parameters[k].first);
+    return place;
+}
+
+Point point_at(const std::vector<Parameter>& parameters, const Place& place) {
+    Point point;
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        point.emplace_back(parameters[k].key, parameters[k].value(place(static_cast<Eigen::Index>(k))));
+    return point;
+}
+
+std::string value_text(const std::string& key, double value, const char* between) {
+    const DisplayUnit unit = unit_of(key);
+    return fmt::format("{:.6g}{}{}", value / unit.si, unit.symbol[0] == '\0' ? "" : between, unit.symbol);
+}
+
+std::vector<MaterialSetting> settings_of(const Point& point) {
+    std::vector<MaterialSetting> settings;
+    for (const auto& [key, value] : point) settings.emplace_back(key, value_text(key, value));
+    return settings;
 }
 
 std::string label_of(const Point& point) {
     std::string text;
-    for (const ParameterRow& row : parameters()) {
-        if (!point[row.parameter]) continue;
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", row.symbol, label_of(row.parameter, *point[row.parameter]));
-    }
+    for (const auto& [key, value] : point)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value_text(key, value, " "));
     return text;
 }
 

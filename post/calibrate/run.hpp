@@ -1,71 +1,73 @@
-// Runs of a calibration: those that are wanted, and those that are finished.
+// Runs of a calibration, and how many there are of which kind.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "post/calibrate/parameter.hpp"
+#include "post/calibrate/target.hpp"
 
 namespace graincrack::calibrate {
 
+/// A kind of test: all of its runs have these options.
+struct Test {
+    std::string name;  ///< brazilian, tension, uniaxial, triaxial
+    double confining_pressure = 0;
+    double peak_drop = 1;  ///< fall below the peak that ends it; 1: it goes on to the strain limit
+    [[nodiscard]] std::string label() const { return name + pressure_text(confining_pressure); }
+    [[nodiscard]] bool is_compression() const { return name == "uniaxial" || name == "triaxial"; }
+    [[nodiscard]] bool has(const Target& target) const {
+        return target.test() == name && target.confining_pressure == confining_pressure;
+    }
+};
+
+/// The tests of targets, the longest first; each goes on as far as the target that needs most.
+std::vector<Test> tests_of(const std::vector<Target>& targets);
+
 /// A run that a decision needs.
 struct WantedRun {
-    std::string test;               ///< brazilian, uniaxial, triaxial, tension
-    double confining_pressure = 0;  ///< Pa
-    std::int64_t seed = 0;          ///< of the specimen
+    Test test;
+    std::int64_t seed = 0;  ///< of the specimen
     Point point;
-    std::optional<double> max_strain;  ///< of a run with a limit of its own; empty: that of the study
+    std::optional<double> max_strain;  ///< empty: that of the study
+    std::string label;                 ///< short, for its name: "d1p07"
     std::string reason;
-    bool notched = false;  ///< a specimen with a notch, for K_IC
 };
 
-/// What a finished run is and what it measured, all of it read from the run. SI.
-struct FinishedRun {
-    std::string test;
-    double confining_pressure = 0;
-    std::int64_t seed = 0;
-    std::array<double, n_parameters> values{};  ///< all parameters, also those that followed from others
-    double max_strain = 0;
-    double mean_edge = 0;                 ///< of the specimen
-    double strength = 0;                  ///< largest stress, positive
-    double wall_time = 0;                 ///< s, that it took
-    bool has_peak = true;                 ///< the stress fell behind its largest value; else the test ended at its strain limit
-    std::optional<double> young_modulus;  ///< of the assemblage, as `moduli` measures it
-    std::optional<double> poisson_ratio;
-    std::optional<double> predicted_young_modulus;  ///< by the compliance formula
-    std::optional<double> predicted_poisson_ratio;
-    std::optional<double> crack_initiation;  ///< axial stress, Pa, by count of cracks
-    std::optional<double> crack_damage;      ///< axial stress, Pa, at the reversal of volume
-    std::optional<double> mode_i_toughness;  ///< Pa √m, of a specimen with a notch
+/// What a finished run measured; null if it is not finished.
+using FindRun = std::function<const Measures*(const WantedRun&)>;
+
+/// The paper's specimens, unless set: rectangles of 80 mm × 160 mm with 1,122 grains, discs of 80 mm with 452.
+struct Specimens {
+    double width = 0.08;   ///< m
+    double height = 0.16;  ///< m
+    double diameter = 0.08;
+    double grains = 1122;
+    double disc_grains = 452;
+    std::optional<double> edge;  ///< m: mean edge of the grains, instead of their numbers
+    /// Mean edge, m: as it is set, or that of equilateral grains that fill a rectangle.
+    [[nodiscard]] double mean_edge() const;
 };
 
-/// Finished runs by what they are.
-class FinishedRuns {
-public:
-    /// \param max_strain of runs without a limit of their own
-    FinishedRuns(const Material& rock, std::vector<FinishedRun> runs, double max_strain);
-    /// The run that is wanted, or nothing.
-    [[nodiscard]] const FinishedRun* find(const WantedRun& wanted) const;
-    [[nodiscard]] std::size_t size() const { return runs_.size(); }
-
-private:
-    using Key = std::tuple<std::string, std::int64_t, std::int64_t>;
-    static Key key_of(const std::string& test, double pressure, std::int64_t seed);
-    Material rock_;
-    std::vector<FinishedRun> runs_;
-    std::map<Key, std::vector<std::size_t>> places_;
-    double max_strain_ = 0;
+/// How a calibration is done. All numbers are set before it begins.
+struct Study {
+    Specimens specimens;
+    double max_strain = 0.015;                           ///< strain limit of compression tests
+    double rate_tolerance = 0.006;                       ///< of compression tests
+    double confining_pressure = 8e6;                     ///< Pa, without [targets]: at which friction is fitted
+    std::vector<double> predicted_pressures{4e6, 20e6};  ///< Pa, without [targets]
+    std::size_t elastic = 2;                             ///< specimens for E and ν of the grains
+    std::size_t points = 0;                              ///< of a design; 0: 4 (p + 2) for p parameters
+    std::size_t discs = 3;                               ///< at a point; one of every other test
+    std::size_t moves = 2;                               ///< of a box whose optimum lies at an edge, at most
+    std::size_t zooms = 1;                               ///< designs of half the width of the one before
+    std::size_t confirmation_discs = 10;
+    std::size_t confirmation_rectangles = 6;  ///< of every test of rectangles
+    std::size_t predicted = 3;                ///< specimens of a test that only predictions need
+    double first_peak_share = 0.5;            ///< of tests that shall have a first peak, at least
 };
-
-/// Plane condition of a test: discs in plane stress, all else in plane strain, as the solver's defaults are.
-PlaneCondition plane_of(const std::string& test);
-
-/// Whether two wanted runs are the same.
-bool same_run(const Material& rock, const WantedRun& a, const WantedRun& b);
 
 }  // namespace graincrack::calibrate

@@ -1,54 +1,51 @@
-// Strengths without and with confining pressure as surfaces over cc and φc: central composite designs, the place where both
-// targets are met, and its interval.
+// A response as a surface over the free parameters: the logarithm, linear in all of them, with those quadratic terms by which it
+// predicts better.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "post/ccd/model.hpp"
-#include "post/fit/statistics.hpp"
+#include "post/calibrate/design.hpp"
 
 namespace graincrack::calibrate {
 
-/// A place: cc in Pa, φc in rad.
-using Place = std::array<double, 2>;
+class ResponseSurface {
+public:
+    /// Least squares. Starting from the linear terms, that square or product is added which reduces PRESS most, until none
+    /// reduces it or the degrees of freedom are as few as half of the values. PRESS is the sum of the squared residuals, each
+    /// predicted without its own value (Allen 1974). \param values ln of the response at each place; NaN: it has none there, and
+    /// is left out \return empty unless there are two values more than linear terms
+    static std::optional<ResponseSurface> fit(const Box& box, const std::vector<Place>& places,
+                                              const std::vector<double>& values);
 
-/// A design about a centre: cc by a factor, φc by an amount, at −1 and +1.
-struct Frame {
-    Place centre{};
-    double factor = 1.35;  ///< cc at +1 over cc at the centre
-    double angle = 0;      ///< rad
-    [[nodiscard]] std::vector<double> coded(const Place& place) const;
-    [[nodiscard]] Place place(const std::vector<double>& coded) const;
+    [[nodiscard]] double value(const Place& place) const { return basis(place).dot(coefficients_); }
+    /// Variance of `value`, by the scatter about the surface.
+    [[nodiscard]] double variance(const Place& place) const;
+    /// Derivatives by the coordinates of a place, and their covariance.
+    [[nodiscard]] Place gradient(const Place& place) const { return slopes(place).transpose() * coefficients_; }
+    [[nodiscard]] Eigen::MatrixXd gradient_covariance(const Place& place) const;
+
+    [[nodiscard]] double scatter() const { return scatter_; }  ///< standard deviation about the surface
+    [[nodiscard]] double prediction_error() const;             ///< √(PRESS/n)
+    [[nodiscard]] int n_values() const { return n_values_; }
+    [[nodiscard]] int freedom() const { return n_values_ - static_cast<int>(terms_.size()); }
+    [[nodiscard]] int n_quadratic() const { return static_cast<int>(terms_.size() - 1) - static_cast<int>(box_.size()); }
+
+private:
+    /// Numbers of the coordinates that a term multiplies; none: of the constant.
+    using Term = std::vector<Eigen::Index>;
+    [[nodiscard]] Eigen::VectorXd basis(const Place& place) const;
+    /// Derivative of each term, a row a term.
+    [[nodiscard]] Eigen::MatrixXd slopes(const Place& place) const;
+
+    Box box_;
+    std::vector<Term> terms_;
+    Eigen::VectorXd coefficients_;
+    Eigen::MatrixXd inverse_;  ///< (XᵀX)⁻¹
+    double scatter_ = 0;
+    double press_ = 0;
+    int n_values_ = 0;
 };
-
-/// The places of a rotatable central composite design with centre runs, `scale` times as wide as the frame. Each has a specimen
-/// of its own.
-std::vector<Place> design_places(const Frame& frame, double scale, std::size_t centre_runs);
-
-/// One specimen at one place: its strengths over their targets.
-struct SurfacePoint {
-    Place place{};
-    std::array<double, 2> over_target{};  ///< without pressure, with pressure
-};
-
-struct SurfaceSolution {
-    Place place{};                       ///< where both are met; else the most desirable place of the design
-    bool met = false;                    ///< both within the design
-    std::array<double, 2> expected{};    ///< strengths over their targets there, by the surfaces
-    std::array<Estimate, 2> interval{};  ///< of cc and φc, 95 %
-    std::array<std::optional<double>, 2> lack_of_fit_p{};
-};
-
-/// Full quadratics in ln cc and φc through the strengths, by regression; the root of both nearest to the centre; and, where it
-/// lies outside the design, the most desirable place inside. \throws InputError if there are too few points
-SurfaceSolution solve_surfaces(const Frame& frame, const std::vector<SurfacePoint>& points);
-
-/// The place where both targets are met, from the means of specimens at one place and the slopes of the surfaces there. The
-/// interval has the scatter of these means alone, and that of the slopes over the way to the root: designs led to the place, so
-/// that their own scatter says nothing more about it. \param points of the designs \param replicates two or more at one place
-SurfaceSolution correct_by_replicates(const Frame& frame, const std::vector<SurfacePoint>& points,
-                                      const std::vector<SurfacePoint>& replicates);
 
 }  // namespace graincrack::calibrate

@@ -1,6 +1,7 @@
 #include "post/calibrate/target.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,73 +9,201 @@
 
 #include "share/error.hpp"
 #include "share/mohr_coulomb.hpp"
+#include "share/units.hpp"
 
 namespace graincrack::calibrate {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double MPa = 1e6;
+
+double column(const Measures& measures, const char* name, double si) {
+    const auto found = measures.find(name);
+    return found == measures.end() ? nan : found->second * si;
+}
+double first_peak(const Measures& m) { return column(m, "first_peak_MPa", MPa); }
+double tensile_share(const Measures& m) {
+    const double tensile = column(m, "tensile_cracks_by_sign", 1);
+    return tensile / (tensile + column(m, "shear_cracks_by_sign", 1));
+}
+
+constexpr double never = 1;
+constexpr double behind_first_peak = 0.1;  // a first peak is one that the stress falls 5 % of σ1 − σ3 behind
+constexpr double usual_drop = 0.3;         // the solver's own
+
+constexpr Quantity stress{"stress", Dimension::stress, 0, 1e12, "stress", true};
+constexpr Quantity part{"part", Dimension::one, 0, 1, "part", true};
+
+}  // namespace
+
+const std::vector<TargetKind>& target_kinds() {
+    using enum PressureOf;
+    static const std::vector<TargetKind> kinds{
+        {"young_modulus", "E", "compression", none, quantity::young_modulus, "GPa", 1e9, 0.02, false, behind_first_peak, false,
+         [](const Measures& m) { return column(m, "young_modulus_GPa", 1e9); }},
+        {"poisson_ratio", "ν", "compression", none, quantity::poisson_ratio, "", 1, 0.015, true, behind_first_peak, false,
+         [](const Measures& m) { return column(m, "poisson_ratio", 1); }},
+        {"brazilian", "Brazilian strength", "brazilian", none, stress, "MPa", MPa, 0.05, false, usual_drop, false,
+         [](const Measures& m) { return column(m, "tensile_strength_MPa", MPa); }, "tensile_strength"},
+        {"direct_tension", "direct tensile strength", "tension", none, stress, "MPa", MPa, 0.05, false, usual_drop, false,
+         [](const Measures& m) { return column(m, "tensile_strength_MPa", MPa); }, "direct_tensile_strength"},
+        {"uniaxial", "UCS", "compression", none, stress, "MPa", MPa, 0.05, false, behind_first_peak, true, first_peak,
+         "compressive_strength"},
+        {"first_peak", "first peak", "compression", name, stress, "MPa", MPa, 0.05, false, behind_first_peak, true, first_peak,
+         "confined_strength"},
+        {"largest", "largest stress", "compression", either, stress, "MPa", MPa, 0.05, false, never, false,
+         [](const Measures& m) { return column(m, "peak_compressive_stress_MPa", MPa); }},
+        {"residual", "residual strength", "compression", either, stress, "MPa", MPa, 0.1, false, never, false,
+         [](const Measures& m) { return column(m, "residual_MPa", MPa); }},
+        {"drop", "drop behind the first peak", "compression", either, part, "%", 0.01, 0.2, false, never, false,
+         [](const Measures& m) { return column(m, "drop_percent", 0.01); }},
+        {"crack_initiation", "crack initiation", "compression", either, stress, "MPa", MPa, 0.1, false, behind_first_peak, false,
+         [](const Measures& m) { return column(m, "crack_initiation_count_MPa", MPa); }},
+        {"crack_damage", "crack damage", "compression", either, stress, "MPa", MPa, 0.1, false, behind_first_peak, false,
+         [](const Measures& m) { return column(m, "crack_damage_2d_MPa", MPa); }},
+        {"tensile_share", "tensile share of cracks", "compression", either, part, "", 1, 0.2, false, behind_first_peak, false,
+         tensile_share},
+        {"strain_at_peak", "strain at the peak", "compression", either, part, "%", 0.01, 0.1, false, behind_first_peak, false,
+         [](const Measures& m) { return column(m, "strain_at_peak", 1); }},
+    };
+    return kinds;
+}
+
+std::string pressure_text(double pascal) { return pascal > 0 ? fmt::format("{:.7g}MPa", pascal / MPa) : ""; }
+
+std::string Target::name() const { return kind.name + (confining_pressure > 0 ? "_" + pressure_text(confining_pressure) : ""); }
+
+std::string Target::symbol() const {
+    return kind.symbol + (confining_pressure > 0 ? fmt::format(" at {:.7g} MPa", confining_pressure / MPa) : "");
+}
+
+std::string Target::test() const {
+    return kind.test != "compression" ? kind.test : confining_pressure > 0 ? "triaxial" : "uniaxial";
+}
+
+std::string Target::text(double si_value) const {
+    return fmt::format("{:.4g}{}{}", si_value / kind.si, kind.unit.empty() ? "" : " ", kind.unit);
+}
+
+Target target_of(const std::string& name, const std::string& where) {
+    std::vector<std::string> known;
+    for (const TargetKind& kind : target_kinds()) {
+        if (name == kind.name && kind.pressure != PressureOf::name) return {kind};
+        if (kind.pressure == PressureOf::none) {
+            known.push_back(kind.name);
+            continue;
+        }
+        known.push_back(kind.name + "_8MPa");
+        if (!name.starts_with(kind.name + "_")) continue;
+        return {kind, parse_quantity(name.substr(kind.name.size() + 1), quantity::confining_pressure, where)};
+    }
+    throw InputError(fmt::format("{}: unknown target{}; known are {} (of any pressure)", where, did_you_mean(name, known),
+                                 fmt::join(known, ", ")));
+}
 
 namespace {
 
 double needed(const Material& rock, const std::string& key) {
     const auto found = rock.laboratory.find(key);
     if (found != rock.laboratory.end()) return found->second;
-    throw InputError(fmt::format("{}: [laboratory] has no {}; a calibration needs it", rock.file.string(), key));
+    throw InputError(
+        fmt::format("{}: [laboratory] has no {}; a calibration without [targets] needs it", rock.file.string(), key));
 }
 
-Target strength(const std::string& name, const std::string& symbol, const std::string& test, double pressure, double value,
-                Role role) {
-    const bool compression = test == "uniaxial" || test == "triaxial";
-    return {name,  symbol,   compression ? "peak_compressive_stress_MPa" : "tensile_strength_MPa",
-            test,  pressure, value,
-            1e6,   "MPa",    0.05,
-            false, role,     false};
-}
-
-}  // namespace
-
+/// The slope b = (1 + sin φ)/(1 − sin φ) of the laboratory's line.
 double laboratory_slope(const Material& rock) {
     const auto angle = rock.laboratory.find("friction_angle");
     if (angle != rock.laboratory.end()) return mohr_coulomb_slope(angle->second);
     const auto cohesion = rock.laboratory.find("cohesion");
     if (cohesion != rock.laboratory.end()) return std::pow(needed(rock, "compressive_strength") / (2 * cohesion->second), 2);
     throw InputError(
-        fmt::format("{}: [laboratory] has neither friction_angle nor cohesion; a calibration needs one", rock.file.string()));
+        fmt::format("{}: [laboratory] has neither friction_angle nor cohesion; a calibration without [targets] needs one",
+                    rock.file.string()));
 }
+
+double usual_deviation(const Target& target) { return target.kind.deviation * (target.kind.absolute ? 1 : target.value); }
+
+std::vector<Target> laboratory_targets(const Material& rock, double pressure, const std::vector<double>& predicted_pressures) {
+    std::vector<Target> targets;
+    const auto add = [&](const std::string& name, double confining, double value, Use use) {
+        targets.push_back(target_of(name, "targets"));
+        Target& target = targets.back();
+        target.confining_pressure = confining;
+        target.value = value;
+        target.deviation = usual_deviation(target);
+        target.use = use;
+    };
+    const double ucs = needed(rock, "compressive_strength");
+    const double slope = laboratory_slope(rock);
+    add("young_modulus", 0, needed(rock, "young_modulus"), Use::fit);
+    add("poisson_ratio", 0, needed(rock, "poisson_ratio"), Use::fit);
+    add("brazilian", 0, needed(rock, "tensile_strength"), Use::fit);
+    add("uniaxial", 0, ucs, Use::fit);
+    add("first_peak_1MPa", pressure, ucs + slope * pressure, Use::fit);
+    for (const double p : predicted_pressures) {
+        if (p != pressure) add("first_peak_1MPa", p, ucs + slope * p, Use::predict);
+    }
+    for (const char* name : {"direct_tension", "crack_initiation", "crack_damage"}) add(name, 0, nan, Use::predict);
+    return targets;
+}
+
+/// A key of a row of [targets].
+void set(Target& target, const TomlEntry& entry, const std::string& where) {
+    const std::string& text = entry.values.empty() ? entry.key : entry.values.front().text;
+    if (entry.key == "value") {
+        target.value = parse_quantity(text, target.kind.quantity, where);
+    } else if (entry.key == "deviation") {
+        // A deviation of a strength may be a part of it.
+        const bool relative = text.ends_with("%") && target.kind.quantity.dimension != Dimension::one;
+        target.deviation = relative ? -parse_quantity(text, part, where) : parse_quantity(text, target.kind.quantity, where);
+    } else if (entry.key == "use" && (text == "fit" || text == "predict")) {
+        target.use = text == "fit" ? Use::fit : Use::predict;
+    } else if (entry.key == "use") {
+        throw InputError(fmt::format("{}: {} is neither fit nor predict", where, text));
+    } else {
+        throw InputError(fmt::format("{}: unknown key; known are value, deviation, use", where));
+    }
+}
+
+}  // namespace
 
 double disagreement(const Material& rock) {
     const auto angle = rock.laboratory.find("friction_angle");
     const auto cohesion = rock.laboratory.find("cohesion");
-    if (angle == rock.laboratory.end() || cohesion == rock.laboratory.end()) return 0;
-    return 2 * cohesion->second * std::sqrt(mohr_coulomb_slope(angle->second)) / needed(rock, "compressive_strength") - 1;
+    const auto ucs = rock.laboratory.find("compressive_strength");
+    const auto none = rock.laboratory.end();
+    if (angle == none || cohesion == none || ucs == none) return 0;
+    return 2 * cohesion->second * std::sqrt(mohr_coulomb_slope(angle->second)) / ucs->second - 1;
 }
 
-std::vector<Target> targets_of(const Material& rock, const TargetOptions& options) {
-    // Bounds: what laboratories can tell apart. E of one rock scatters by 2 to 5 %, ν by 0.02; strengths by 5 to 15 %, so that
-    // the mean of ten tests is known to about 5 %.
-    const double ucs = needed(rock, "compressive_strength");
-    const double slope = laboratory_slope(rock);
-    std::vector<Target> targets{
-        {"young_modulus", "E", "young_modulus_GPa", "uniaxial", 0, needed(rock, "young_modulus"), 1e9, "GPa", 0.02, false,
-         Role::fitted},
-        {"poisson_ratio", "ν", "poisson_ratio", "uniaxial", 0, needed(rock, "poisson_ratio"), 1, "", 0.015, true, Role::fitted},
-        strength("tensile_strength", "σt", "brazilian", 0, needed(rock, "tensile_strength"), Role::fitted),
-        strength("compressive_strength", "UCS", "uniaxial", 0, ucs, Role::fitted)};
-    const auto confined = [&](double pressure, Role role) {
-        targets.push_back(strength(confined_strength, fmt::format("σ1 at {:g} MPa", pressure / 1e6), "triaxial", pressure,
-                                   ucs + slope * pressure, role));
-    };
-    confined(options.confining_pressure, Role::fitted);
-    for (const double pressure : options.predicted_pressures) confined(pressure, Role::predicted);
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    targets.push_back(strength("direct_tensile_strength", "direct tensile strength", "tension", 0, unknown, Role::predicted));
-    targets.push_back({"mode_i_toughness", "K_IC", "mode_i_toughness_MPa.m^0.5", "tension", 0, rock.rock.mode_i_toughness, 1e6,
-                       "MPa √m", 0.1, false, Role::predicted, true});
-    targets.push_back(
-        strength("crack_initiation", "crack initiation by count of cracks", "uniaxial", 0, unknown, Role::predicted));
-    targets.push_back(strength("crack_damage", "crack damage by reversal of volume", "uniaxial", 0, unknown, Role::predicted));
+std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
+                               const std::vector<double>& predicted_pressures) {
+    std::vector<Target> targets;
+    for (const TomlSection& section : file.sections) {
+        if (section.name.front() != "targets" || section.name.size() < 2) continue;
+        const std::string where = fmt::format("{}: line {}: targets.{}", file.file, section.line, section.name[1]);
+        Target target = target_of(section.name[1], where);
+        target.value = target.deviation = nan;
+        for (const TomlEntry& entry : file.entries) {
+            if (entry.section == section.name) set(target, entry, where + "." + entry.key);
+        }
+        if (std::isnan(target.value) && target.use == Use::fit)
+            throw InputError(fmt::format("{}: value is missing; only a target with use = \"predict\" needs none", where));
+        if (std::isnan(target.deviation)) target.deviation = usual_deviation(target);
+        if (target.deviation < 0) target.deviation *= -target.value;
+        targets.push_back(target);
+    }
+    for (const TomlEntry& entry : file.entries) {
+        if (entry.section == std::vector<std::string>{"targets"})
+            throw InputError(
+                fmt::format("{}: line {}: targets.{}: a row is wanted, as {{value = \"8.8 MPa\", deviation = \"5 %\"}}",
+                            file.file, entry.line, entry.key));
+    }
+    if (targets.empty()) return laboratory_targets(rock, confining_pressure, predicted_pressures);
+    if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; }))
+        throw InputError(fmt::format("{}: [targets] has none to be fitted", file.file));
     return targets;
-}
-
-const Target& target(const std::vector<Target>& targets, const std::string& name) {
-    return *std::find_if(targets.begin(), targets.end(), [&](const Target& t) { return t.name == name; });
 }
 
 }  // namespace graincrack::calibrate

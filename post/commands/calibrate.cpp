@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <filesystem>
+#include <algorithm>
 
 #include "post/calibrate/folder.hpp"
+#include "post/chart/picture.hpp"
 #include "post/option_parts.hpp"
+#include "post/plot/heat_map.hpp"
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 
@@ -19,27 +21,48 @@ struct Options {
     std::vector<std::string> settings;
 };
 
+/// Response by response, a row each. \pre each response has all parameters
+void write_heat_map(const std::string& file, const std::vector<calibrate::Sensitivity>& all) {
+    std::vector<std::string> rows;
+    std::vector<std::string> columns;
+    std::vector<std::vector<HeatCell>> cells;
+    for (const calibrate::Sensitivity& s : all) {
+        if (rows.empty() || rows.back() != s.response) {
+            rows.push_back(s.response);
+            cells.emplace_back();
+        }
+        if (rows.size() == 1) {
+            const std::size_t table = s.parameter.find("contact.") == 0 ? 8 : 0;
+            columns.push_back(s.parameter.substr(table));
+            std::replace(columns.back().begin(), columns.back().end(), '_', ' ');
+        }
+        cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_told()});
+    }
+    write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval holds 0", rows, columns, cells, 1),
+                  file);
+}
+
 void write(const Options& options, const Call& call) {
     using calibrate::Ending;
-    const calibrate::Decision decision =
-        calibrate::calibrate_folder(call.file(), options.material, options.settings, call.diagnostics());
+    const std::string& folder = call.file();
+    const auto [decision, wanted_time, sensitivities] =
+        calibrate::calibrate_folder(folder, options.material, options.settings, call.diagnostics());
+    if (!sensitivities.empty()) write_heat_map(folder + "/identify.png", sensitivities);
     if (decision.ending == Ending::wanted) {
-        fmt::print(call.out, "{}/wanted.tsv\n", call.file());
+        fmt::print(call.out, "{}/wanted.tsv\n", folder);
         const std::size_t n = decision.wanted.size();
-        const std::string time =
-            decision.wanted_time > 0 ? fmt::format(" (about {:.2g} min of one processor)", decision.wanted_time / 60) : "";
+        const std::string time = wanted_time > 0 ? fmt::format(" (about {:.2g} min of one processor)", wanted_time / 60) : "";
         fmt::print(call.diagnostics(), "graincrack-post: calibrate: {} {} wanted{}: {}\n", n, n == 1 ? "run is" : "runs are",
                    time, decision.reason);
         return;
     }
     if (decision.ending == Ending::calibrated) {
-        fmt::print(call.out, "{}/calibrated.toml\n", call.file());
+        fmt::print(call.out, "{}/calibrated.toml\n", folder);
         return;
     }
-    throw NumericalError(
-        fmt::format("calibrate: {}: {}: {}; {}/report.md has every step{}", call.file(), calibrate::label_of(decision.ending),
-                    decision.reason, call.file(),
-                    std::filesystem::exists(call.file() + "/nearest.toml") ? ", nearest.toml the nearest point" : ""));
+    throw NumericalError(fmt::format("calibrate: {}: {}: {}; next: {}; {}/report.md has every step{}", folder,
+                                     calibrate::label_of(decision.ending), decision.reason, decision.next, folder,
+                                     decision.point.empty() ? "" : ", nearest.toml the nearest point"));
 }
 
 }  // namespace
@@ -47,12 +70,13 @@ void write(const Options& options, const Call& call) {
 Command calibrate_command() {
     return make_command<Options>(
         "calibrate", "the next runs of a calibration, or the calibrated material; runs nothing itself",
-        {"results/my-rock", "results/my-rock --material augig-granite --set max_discs=40"},
-        FileArguments{"folder", "folder with strength.tsv, moduli.tsv, toughness.tsv of the finished runs"},
+        {"results/my-rock", "results/my-rock --material augig-granite --set zooms=2"},
+        FileArguments{"folder", "folder with strength.tsv and moduli.tsv of the finished runs"},
         [](CLI::App& app, Options& options) {
-            app.add_option("--material", options.material,
-                           "material with [laboratory] and [study]: a name of share/materials or a TOML file (default: "
-                           "FOLDER/material.toml)")
+            app.add_option(
+                   "--material", options.material,
+                   "material with [targets], [parameters], [study], or just [laboratory]: a name of share/materials or a TOML "
+                   "file (default: FOLDER/material.toml)")
                 ->type_name("FILE");
             add_names(app, "--set", options.settings, "KEY=VALUE", "a key of [study] with another value; may be given again");
         },

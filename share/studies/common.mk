@@ -57,7 +57,7 @@ MATERIAL ?= augig-granite
 MATERIAL_FILE := $(abspath $(firstword $(wildcard $(filter /%,$(MATERIAL)) $(CALLED_FROM)/$(MATERIAL) $(STUDIES)/../materials/$(MATERIAL).toml)))
 $(if $(MATERIAL_FILE),,$(error $(or $(material_variable),MATERIAL)=$(MATERIAL): no such file, nor a name in share/materials))
 MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' -e 's/[[:space:]]*$$//' $(MATERIAL_FILE) | \
-                 awk '/^\[/ { on = $$0 != "[laboratory]" } on && NF' | cksum | awk '{ printf "%04x", $$1 % 65536 }')
+                 awk '/^\[/ { on = $$0 !~ /^\[(laboratory|targets|parameters|study|fitted)[].]/ } on && NF' | cksum | awk '{ printf "%04x", $$1 % 65536 }')
 RUNS := $(OUT)/runs/$(MATERIAL_ID)
 # $(call of_material,contact.cohesion): a value as a bare number, in MPa, degrees, mm
 of_material = $(shell $(POST) material value $(1) $(MATERIAL_FILE))

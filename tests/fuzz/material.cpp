@@ -1,4 +1,4 @@
-// Material files, whole and incomplete, and the [study] table of a calibration.
+// Material files, whole and incomplete, and the tables of a calibration.
 #include "share/material.hpp"
 #include "post/calibrate/folder.hpp"
 #include "share/incomplete_material.hpp"
@@ -11,5 +11,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         std::vector<std::string> notes;
         rock_of_laboratory(read_incomplete_material(file), notes);
     });
-    return fuzz::one_input([&] { calibrate::read_study(read_material(file)); });
+    return fuzz::one_input([&] { calibrate::read_problem(read_material(file)); });
 }

@@ -1,162 +1,173 @@
-// Parts of the decisions of a calibration, each on numbers with known answers.
+// Parts of a calibration, each on numbers with known answers.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "post/calibrate/elasticity.hpp"
-#include "post/calibrate/run.hpp"
-#include "post/calibrate/sampling.hpp"
-#include "post/calibrate/search.hpp"
-#include "post/calibrate/specimens.hpp"
-#include "post/calibrate/surface.hpp"
-#include "post/calibrate/target.hpp"
-#include "share/error.hpp"
-#include "tests/support/check.hpp"
+#include "post/calibrate/optimum.hpp"
+#include "post/fit/logistic.hpp"
+#include "tests/support/normal.hpp"
 
-namespace graincrack::calibrate {
+namespace graincrack {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+using calibrate::Aim;
+using calibrate::Box;
+using calibrate::find_optimum;
+using calibrate::Optimum;
+using calibrate::Place;
+using calibrate::ResponseSurface;
+using calibrate::sobol_places;
 
-Material augig() { return read_material(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml"); }
+Place place(double x, double y) { return Place{{x, y}}; }
+const Box unit{place(0, 0), place(1, 1)};
 
-TEST(Sampling, TenSpecimensAndOnUntilTheIntervalIsNarrow) {
-    const SamplingRule rule{10, 80, 0.03};
-    // Deviation 1.0541 of the mean 10: half of the interval 2.2622 · 1.0541/√10 = 0.754, 7.54 %
-    std::vector<double> values{9, 11, 9, 11, 9, 11, 9, 11, 9, 11};
-    EXPECT_NEAR(*relative_half_interval(values), 0.0754, 1e-4);
-    EXPECT_EQ(specimens_wanted(values, rule), 64U);  // 10 (7.54/3)² = 63.2
-    EXPECT_EQ(specimens_wanted(values, {10, 40, 0.03}), 40U);
-    EXPECT_EQ(specimens_wanted(values, {10, 80, 0.08}), 10U);
-    values.resize(4);
-    EXPECT_EQ(specimens_wanted(values, rule), 10U);
-    EXPECT_EQ(specimens_wanted(std::vector<double>{9}, {1, 1, 0.03}), 1U);
+/// Values of a function at places, with scatter.
+template <class Function>
+std::vector<double> values_at(const std::vector<Place>& places, const Function& function, double scatter = 0) {
+    test::Normal normal(5);
+    std::vector<double> values;
+    for (const Place& p : places) values.push_back(function(p(0), p(1)) + scatter * normal());
+    return values;
 }
 
-TEST(Sampling, TwoKindsOfTestsAreRecognised) {
-    const std::vector<double> two{200, 204, 196, 202, 198, 300, 310, 290, 305, 295};
-    const std::vector<bool> peak{true, true, true, true, true, false, false, false, false, false};
-    const auto found = find_bistable(two, peak);
-    ASSERT_TRUE(found.has_value());
-    EXPECT_NEAR(found->mean_with_peak, 200, 1e-9);
-    EXPECT_NEAR(found->mean_without_peak, 300, 1e-9);
-    const std::vector<double> one{200, 204, 196, 202, 198, 201, 203, 197, 199, 200};
-    EXPECT_FALSE(find_bistable(one, peak).has_value());
-    EXPECT_FALSE(find_bistable(two, std::vector<bool>(10, true)).has_value());
+// Jeffreys' prior adds half an outcome to each side of a 2 × 2 table: ln((n₁ + ½)/(n₀ + ½)).
+TEST(Logistic, IsFiniteWithoutAnyOfOneKind) {
+    const Eigen::MatrixXd factors{{0.0}, {0.0}, {0.0}, {0.0}, {1.0}, {1.0}, {1.0}, {1.0}, {1.0}, {1.0}};
+    const Logistic fit = fit_logistic(factors, Eigen::VectorXd{{1, 1, 1, 1, 0, 0, 0, 1, 1, 1}});
+    EXPECT_NEAR(fit.logit(Eigen::VectorXd{{0}}), std::log(4.5 / 0.5), 1e-8);
+    EXPECT_NEAR(fit.logit(Eigen::VectorXd{{1}}), 0, 1e-8);
+    EXPECT_NEAR(fit.probability(Eigen::VectorXd{{0}}), 0.9, 1e-8);
 }
 
-TEST(Levels, SlopeOnTheSameSpecimensHasTheirScatterTakenOut) {
-    Levels levels;
-    // σ = s x^0.7 with s from 1 to 4: exact, however different the specimens are
-    for (const double x : {1.0, 2.0, 4.0}) {
-        std::vector<double> results;
-        for (const double s : {1.0, 2.5, 4.0}) results.push_back(s * std::pow(x, 0.7));
-        levels.add(std::log(x), results);
+// Each half of each coordinate has half of the first 2^k numbers, and a later design has other points.
+TEST(Design, FillsItsBoxEvenly) {
+    const Box box{place(3, 0), place(2, 1)};
+    const std::vector<Place> places = sobol_places(box, 0, 31);
+    int lower = 0;
+    for (const Place& p : places) {
+        EXPECT_TRUE(box.contains(p));
+        if (p(0) < 3) ++lower;
     }
-    ASSERT_TRUE(levels.slope().has_value());
-    EXPECT_NEAR(levels.slope()->value, 0.7, 1e-12);
-    EXPECT_NEAR(*levels.slope()->high, 0.7, 1e-6);
-    // Mean 2.5 x^0.7: 5 at x = 2^(1/0.7), in the bracket of 2 and 4, where ln mean is a line in ln x
-    EXPECT_NEAR(levels.crossing(5, 0.7), std::log(2) / 0.7, 1e-12);
-    EXPECT_NEAR(levels.crossing(25, 0.7), std::log(10) / 0.7, 1e-12);  // beyond all levels
-    EXPECT_EQ(levels.nearest(2.6), 0.0);
+    EXPECT_EQ(lower, 15);
+    EXPECT_NE(sobol_places(box, 31, 1)[0], places[0]);
+    EXPECT_EQ(sobol_places(box, 7, 2)[0], places[7]);
 }
 
-TEST(Elasticity, GrainsForTheWantedAssemblage) {
-    const Material grains = augig();
-    const auto of = [](const Material& m) {
-        const auto c = contact_parameters(m, PlaneCondition::strain, std::nullopt);
-        const auto e = fpz::assemblage_moduli(m.rock, PlaneCondition::strain, c.normal_stiffness, c.shear_stiffness, 680);
-        return Elasticity{e.young_modulus, e.poisson_ratio};
-    };
-    const Elasticity predicted = of(grains);
-    // An assemblage as predicted, but for 2 % in E and 0.01 in ν: the grains found give the wanted values with the same
-    // difference.
-    const Elasticity measured{0.98 * predicted.young_modulus, predicted.poisson_ratio + 0.01};
-    const Elasticity wanted{25.8e9, 0.23};
-    const Elasticity found = grains_for(grains, measured, predicted, wanted);
-    Material other = grains;
-    other.rock.young_modulus = found.young_modulus;
-    other.rock.poisson_ratio = found.poisson_ratio;
-    EXPECT_NEAR(of(other).young_modulus * 0.98 / wanted.young_modulus, 1, 1e-9);
-    EXPECT_NEAR(of(other).poisson_ratio + 0.01, wanted.poisson_ratio, 1e-9);
-    test::expect_one_line<InputError>(
-        [&] {
-            grains_for(grains, measured, {30e9, 0.2}, wanted);
-        },
-        {"predicted E 30 GPa", "25.8 GPa"});
+TEST(Design, ABoxStaysInItsLimits) {
+    const Box limits{place(0, 0), place(1.5, 1)};
+    const Box moved = unit.about(place(1, 0.5), 1, limits);
+    EXPECT_NEAR(moved.centre(0), 0.5, 1e-12);
+    EXPECT_NEAR(moved.centre(1), 0, 1e-12);
+    const Box zoomed = unit.about(place(1, 0.5), 0.5, limits);
+    EXPECT_NEAR(zoomed.centre(0), 1, 1e-12);
+    EXPECT_NEAR(zoomed.half(0), 0.5, 1e-12);
 }
 
-TEST(Surfaces, RootOfExactQuadraticsIsFound) {
-    const Frame frame{{70e6, 40 * degree}, 1.35, 8 * degree};
-    std::vector<SurfacePoint> points;
-    for (const Place& place : design_places(frame, 1, 5)) {
-        const auto x = frame.coded(place);
-        points.push_back({place, {1.1 + 0.3 * x[0] + 0.05 * x[1] + 0.02 * x[0] * x[0], 0.95 + 0.1 * x[0] + 0.2 * x[1]}});
+TEST(ResponseSurface, HasTheTermsThatPredict) {
+    const std::vector<Place> places = sobol_places(unit, 0, 20);
+    const auto quadratic = [](double x, double y) { return 2 + 0.5 * x - y + 0.3 * x * x; };
+    const auto surface = ResponseSurface::fit(unit, places, values_at(places, quadratic, 1e-6));
+    ASSERT_TRUE(surface.has_value());
+    EXPECT_GE(surface->n_quadratic(), 1);
+    EXPECT_NEAR(surface->value(place(0.7, -0.2)), quadratic(0.7, -0.2), 1e-5);
+    EXPECT_NEAR(surface->gradient(place(0.7, -0.2))(0), 0.5 + 0.6 * 0.7, 1e-5);
+    EXPECT_NEAR(surface->gradient(place(0.7, -0.2))(1), -1, 1e-5);
+    EXPECT_NEAR(surface->scatter(), 1e-6, 4e-7);
+    // In another box the coordinates of a place stay the same.
+    const Box half{place(0.25, 0), place(0.5, 0.5)};
+    const std::vector<Place> inside = sobol_places(half, 0, 20);
+    const auto other = ResponseSurface::fit(half, inside, values_at(inside, quadratic, 1e-6));
+    EXPECT_NEAR(other->gradient(place(0.3, 0.1))(0), 0.5 + 0.6 * 0.3, 1e-4);
+}
+
+// Scatter and PRESS of a plane against a regression by hand: n = 20, three terms, Σ residual²/(n − 3).
+TEST(ResponseSurface, ScatterAndPress) {
+    const std::vector<Place> places = sobol_places(unit, 0, 20);
+    std::vector<double> values = values_at(
+        places, [](double x, double y) { return x + y; }, 0.1);
+    values[3] = std::nan("");
+    const auto surface = ResponseSurface::fit(unit, places, values);
+    EXPECT_EQ(surface->n_values(), 19);
+    EXPECT_EQ(surface->freedom(), 19 - 3 - surface->n_quadratic());
+    double sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i != 3) sum += std::pow(values[i] - surface->value(places[i]), 2);
     }
-    const SurfaceSolution solution = solve_surfaces(frame, points);
-    ASSERT_TRUE(solution.met);
-    const auto x = frame.coded(solution.place);
-    EXPECT_NEAR(1.1 + 0.3 * x[0] + 0.05 * x[1] + 0.02 * x[0] * x[0], 1, 1e-8);
-    EXPECT_NEAR(0.95 + 0.1 * x[0] + 0.2 * x[1], 1, 1e-8);
-    for (SurfacePoint& p : points) p.over_target[1] -= 0.5;  // now out of the design
-    const SurfaceSolution outside = solve_surfaces(frame, points);
-    EXPECT_FALSE(outside.met);
-    EXPECT_LT(outside.expected[1], 1);
-    EXPECT_GT(frame.coded(outside.place)[1], 0.9);  // towards more friction
+    EXPECT_NEAR(surface->scatter(), std::sqrt(sum / surface->freedom()), 1e-9);
+    EXPECT_GT(surface->prediction_error(), std::sqrt(sum / 19));
+    double press = 0;  // each value predicted by the surface without it
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i == 3) continue;
+        const double leverage = surface->variance(places[i]) / (surface->scatter() * surface->scatter());
+        press += std::pow((values[i] - surface->value(places[i])) / (1 - leverage), 2);
+    }
+    EXPECT_NEAR(surface->prediction_error(), std::sqrt(press / 19), 1e-9);
+    EXPECT_FALSE(ResponseSurface::fit(unit, {places.begin(), places.begin() + 4}, {1, 2, 3, 4}).has_value());
 }
 
-TEST(Targets, TheLineOfTheLaboratory) {
-    const Material rock = augig();
-    const auto targets = targets_of(rock, {8e6, {12e6}});
-    const double b = (1 + std::sin(53 * degree)) / (1 - std::sin(53 * degree));
-    EXPECT_NEAR(laboratory_slope(rock), b, 1e-9);
-    EXPECT_NEAR(target(targets, confined_strength).value, 122e6 + b * 8e6, 1);
-    EXPECT_NEAR(target(targets, "mode_i_toughness").value, 1.5e6, 1e-3);
-    EXPECT_EQ(targets.back().role, Role::predicted);
-    EXPECT_NEAR(disagreement(rock), 2 * 21 * std::sqrt(b) / 122 - 1, 1e-9);
+struct Planes {
+    std::vector<Place> places = sobol_places(unit, 0, 20);
+    ResponseSurface first = *ResponseSurface::fit(unit, places,
+                                                  values_at(
+                                                      places, [](double x, double y) { return x + y; }, 1e-9));
+    ResponseSurface second = *ResponseSurface::fit(unit, places,
+                                                   values_at(
+                                                       places, [](double x, double y) { return x - y; }, 1e-9));
+};
+
+// x + y = 0.5 ± 0.1 and x − y = 0.1 ± 0.2: x = 0.3 and y = 0.2, each with a variance of (0.01 + 0.04)/4.
+TEST(Optimum, OfTwoPlanes) {
+    const Planes planes;
+    const Optimum optimum = find_optimum(unit, place(0, 0), {{&planes.first, 0.5, 0.1}, {&planes.second, 0.1, 0.2}});
+    EXPECT_NEAR(optimum.place(0), 0.3, 1e-6);
+    EXPECT_NEAR(optimum.place(1), 0.2, 1e-6);
+    EXPECT_NEAR(optimum.covariance(0, 0), 0.0125, 1e-6);
+    EXPECT_NEAR(optimum.covariance(0, 1), -0.0075, 1e-6);
+    EXPECT_NEAR(optimum.condition, 2, 1e-4);
+    EXPECT_TRUE(optimum.kept.empty());
+    // Outside of the box the nearest, by weights: at the corner x = 1 both slopes along y must balance.
+    const Optimum edge = find_optimum(unit, place(0, 0), {{&planes.first, 1.5, 0.1}, {&planes.second, 1.5, 0.1}});
+    EXPECT_NEAR(edge.place(0), 1, 1e-9);
+    EXPECT_NEAR(edge.place(1), 0, 1e-6);
+    EXPECT_NEAR(edge.deviations[0], -5, 1e-4);
 }
 
-TEST(Specimens, AreToldByNameAndByOptions) {
-    Specimens paper;
-    WantedRun run{"triaxial", 8e6, 1, {}, std::nullopt, ""};
-    EXPECT_EQ(specimen_name(paper, run), "rectangle80x160g1122-s1");
-    EXPECT_EQ(mesh_options(paper, run), "rectangle --width 80mm --height 160mm --grains 1122 --seed 1");
-    EXPECT_NEAR(paper.mean_edge(), 5.13e-3, 0.01e-3);  // Kazerani & Zhao (2014), Table 6
-    run.test = "tension";
-    run.notched = true;
-    EXPECT_EQ(specimen_name(paper, run), "rectangle80x160g1122n32-s1");
-    EXPECT_EQ(mesh_options(paper, run), "rectangle --width 80mm --height 160mm --grains 1122 --notch 32mm --seed 1");
-    paper.edge = 2.5e-3;
-    EXPECT_EQ(specimen_name(paper, {"brazilian", 0, 3, {}, std::nullopt, ""}), "disc80e2.5-s3");
-    EXPECT_EQ(mesh_options(paper, {"brazilian", 0, 3, {}, std::nullopt, ""}), "disc --diameter 80mm --edge 2.5mm --seed 3");
+TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
+    const Planes planes;
+    const Optimum optimum = find_optimum(unit, place(0.2, -0.4), {{&planes.first, 0.5, 0.1}});
+    ASSERT_EQ(optimum.kept.size(), 1U);
+    // From (0.2, −0.4) along (1, 1) until x + y = 0.5.
+    EXPECT_NEAR(optimum.place(0), 0.55, 1e-4);
+    EXPECT_NEAR(optimum.place(1), -0.05, 1e-4);
+    EXPECT_NEAR(optimum.kept_share(0), 0.5, 1e-6);
 }
 
-TEST(FinishedRuns, AreFoundByWhatTheyAre) {
-    const Material rock = augig();
-    Point p;
-    p = p.with(Parameter::tensile_strength, 20e6).with(Parameter::cohesion, 70e6).with(Parameter::friction_angle, 40 * degree);
-    const WantedRun wanted{"brazilian", 0, 3, p, std::nullopt, ""};
-    FinishedRun run;
-    run.test = "brazilian";
-    run.seed = 3;
-    run.values = effective_values(rock, p, PlaneCondition::stress);
-    run.values[2] *= 1 + 5e-7;  // as a table with seven digits may have it
-    const FinishedRuns runs(rock, {run}, 0.015);
-    EXPECT_NE(runs.find(wanted), nullptr);
-    WantedRun other = wanted;
-    other.seed = 4;
-    EXPECT_EQ(runs.find(other), nullptr);
-    other = wanted;
-    other.notched = true;
-    EXPECT_EQ(runs.find(other), nullptr);
-    // Gf as it follows anyway is the same run; another one is not.
-    other = wanted;
-    other.point = p.with(Parameter::fracture_energy, run.values[5]);
-    EXPECT_NE(runs.find(other), nullptr);
-    other.point = p.with(Parameter::fracture_energy, 1.01 * run.values[5]);
-    EXPECT_EQ(runs.find(other), nullptr);
+// 0.1 (x − y) = t ± 0.1 tells x − y no better than ± 1, along (1, −1)/√2 ± 0.71: it stays 0 as long as that misses the target by
+// little.
+TEST(Optimum, WhatATargetNeedsIsNotKept) {
+    const Planes planes;
+    const auto weak = ResponseSurface::fit(unit, planes.places,
+                                           values_at(
+                                               planes.places, [](double x, double y) { return 0.1 * (x - y); }, 1e-9));
+    const Optimum kept = find_optimum(unit, place(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.03, 0.1}});
+    EXPECT_EQ(kept.kept.size(), 1U);
+    EXPECT_NEAR(kept.place(0), 0, 1e-3);
+    const Optimum moved = find_optimum(unit, place(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.08, 0.1}});
+    EXPECT_TRUE(moved.kept.empty());
+    EXPECT_NEAR(moved.place(0), 0.4, 1e-3);
+    EXPECT_NEAR(moved.place(1), -0.4, 1e-3);
+}
+
+// A share that falls with x: logit 2 − 8 x, one half at x = 0.25.
+TEST(Optimum, KeepsAShare) {
+    const Planes planes;
+    const Logistic share{Eigen::VectorXd{{2, -8, 0}}};
+    const Optimum free = find_optimum(unit, place(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}});
+    EXPECT_NEAR(free.place(0), 1, 1e-6);
+    const Optimum kept = find_optimum(unit, place(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}}, {{&share, 0.5}});
+    EXPECT_LT(kept.place(0), 0.45);
+    EXPECT_GT(kept.place(0), 0.25);
 }
 
 }  // namespace
-}  // namespace graincrack::calibrate
+}  // namespace graincrack

@@ -1,0 +1,33 @@
+#include "post/calibrate/design.hpp"
+
+#include <gsl/gsl_qrng.h>
+
+#include <memory>
+
+namespace graincrack::calibrate {
+
+Box box_between(const Place& low, const Place& high) { return {0.5 * (low + high), 0.5 * (high - low)}; }
+
+Box hull(const Box& a, const Box& b) {
+    return box_between((a.centre - a.half).cwiseMin(b.centre - b.half), (a.centre + a.half).cwiseMax(b.centre + b.half));
+}
+
+Box Box::about(const Place& at, double times, const Box& limits) const {
+    const Place width = (times * half).cwiseMin(limits.half);
+    const Box of_centres{limits.centre, limits.half - width};
+    return {of_centres.nearest(at), width};
+}
+
+std::vector<Place> sobol_places(const Box& box, std::size_t first, std::size_t n) {
+    const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> sequence(
+        gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(box.size())), &gsl_qrng_free);
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < first + n; ++i) {
+        Place share(box.size());
+        gsl_qrng_get(sequence.get(), share.data());
+        if (i >= first) places.emplace_back(box.centre + box.half.cwiseProduct(2 * share - Place::Ones(box.size())));
+    }
+    return places;
+}
+
+}  // namespace graincrack::calibrate

@@ -1,0 +1,225 @@
+#include "post/calibrate/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/calibrate/identify.hpp"
+#include "post/fit/regression.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::calibrate {
+
+namespace {
+
+/// A disagreement of the laboratory's own values above which a report says so.
+constexpr double remarkable = 0.03;
+
+using Cells = std::vector<std::string>;
+
+std::string markdown_row(const Cells& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+std::string markdown_head(const Cells& cells) {
+    std::string rule = "|";
+    for (std::size_t i = 0; i < cells.size(); ++i) rule += "---|";
+    return "\n" + markdown_row(cells) + rule + "\n";
+}
+
+std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.2g} %", 100 * part) : ""; }
+
+std::string count_of(std::size_t n, const char* one, const char* several, const Cells& names) {
+    return fmt::format("{} {}{}{}", n, n == 1 ? one : several, n == 0 ? "" : ": ", fmt::join(names, ", "));
+}
+
+/// How many free parameters, targets of both kinds and first peaks there are, what became of K_IC, and what is fixed.
+std::string summary_text(const Material& rock, const std::optional<Material>& at, const Problem& problem,
+                         const Decision& decision, std::size_t n_runs) {
+    Cells parameters;
+    for (const Parameter& p : problem.parameters) parameters.push_back(p.key);
+    Cells fitted;
+    Cells predicted;
+    for (const Target& t : problem.targets) (t.use == Use::fit ? fitted : predicted).push_back(t.symbol());
+    std::string text =
+        fmt::format("- {}\n- {}\n- {}\n", count_of(parameters.size(), "free parameter", "free parameters", parameters),
+                    count_of(fitted.size(), "fitted target", "fitted targets", fitted),
+                    count_of(predicted.size(), "predicted target", "predicted targets", predicted));
+    if (at) {
+        const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
+        const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
+        text += fmt::format(
+            "- K_IC was not tested: a notch long enough for it takes a large plate. The fracture energy of contacts, {:.4g} "
+            "J/m², stands for √(Ẽ G_I) = {:.3g} MPa √m; the rock has {:.3g} MPa √m\n",
+            contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
+        Cells fixed;
+        for (const ContactParameter& row : all_contact_parameters()) {
+            const std::string key = "contact." + row.key();
+            if (std::find(parameters.begin(), parameters.end(), key) != parameters.end()) continue;
+            const bool given = (at->contact.*row.given).has_value();
+            if (contact.*row.value == 0 && !given) continue;
+            fixed.push_back(fmt::format("{} {}{}", key, value_text(key, contact.*row.value, " "), given ? "" : " (derived)"));
+        }
+        if (!at->fabric.phases.empty()) fixed.push_back(fmt::format("phases.contrast {:g}", at->fabric.contrast));
+        text += fmt::format("- fixed (contacts in plane strain): {}\n", fmt::join(fixed, ", "));
+    }
+    Cells peaks;
+    if (decision.fit) {
+        for (const Response& r : decision.fit->responses) {
+            if (r.target.kind.needs_first_peak)
+                peaks.push_back(fmt::format("{} in {} of {} tests", r.target.symbol(), r.measured, r.tests));
+        }
+        for (const Outcome& o : decision.outcomes) {
+            if (o.target.kind.needs_first_peak)
+                peaks.push_back(fmt::format("at the end {} in {} of {}", o.target.symbol(), o.ours ? o.ours->n : 0, o.tests));
+        }
+    }
+    text += fmt::format("- first peaks: {}\n- {} runs; compression at a rate tolerance of {:g}, to {:.3g} % strain at most\n",
+                        peaks.empty() ? "not tested" : fmt::format("{}", fmt::join(peaks, "; ")), n_runs,
+                        problem.study.rate_tolerance, 100 * problem.study.max_strain);
+    const double off = disagreement(rock);
+    if (std::abs(off) > remarkable)
+        text +=
+            fmt::format("- C and φ of the laboratory imply a UCS {:+.1f} % off the measured one; C is not fitted\n", 100 * off);
+    return text;
+}
+
+std::string outcomes_text(const Decision& decision) {
+    std::string text =
+        markdown_head({"target", "asked", "laboratory", "new specimens", "tests with it", "off", "bound", "verdict"});
+    for (const Outcome& o : decision.outcomes) {
+        const Target& t = o.target;
+        const bool known = std::isfinite(t.value);
+        const double scale = t.kind.absolute ? 1 : 100 / t.value;
+        const char* unit = t.kind.absolute ? "" : " %";
+        text += markdown_row({t.symbol() + (t.kind.unit.empty() ? "" : ", " + t.kind.unit),
+                              t.use == Use::fit ? "fitted" : "predicted", known ? fmt::format("{:.5g}", t.value / t.kind.si) : "",
+                              o.ours ? with_interval(o.ours->mean, t.kind.si) : "",
+                              fmt::format("{} of {}", o.ours ? o.ours->n : 0, o.tests),
+                              known && o.ours ? fmt::format("{:+.3g}{}", (o.ours->mean.value - t.value) * scale, unit) : "",
+                              known ? fmt::format("± {:.3g}{}", t.deviation * scale, unit) : "", o.verdict});
+    }
+    return text;
+}
+
+/// "0.8 contact.cohesion − 0.6 contact.friction_angle", in widths of the first box
+std::string direction_text(const std::vector<Parameter>& parameters, const Place& direction) {
+    std::string text;
+    for (Eigen::Index k = 0; k < direction.size(); ++k) {
+        if (std::abs(direction(k)) < 0.1) continue;
+        text += fmt::format("{}{:.2f} {}", direction(k) < 0 ? (text.empty() ? "−" : " − ") : (text.empty() ? "" : " + "),
+                            std::abs(direction(k)), parameters[static_cast<std::size_t>(k)].key);
+    }
+    return text;
+}
+
+std::string values_text(const Problem& problem, const Decision& decision) {
+    std::string text = markdown_head({"parameter", "value", "95 % interval", "first guess", "first box", "limits", "source"});
+    const Optimum& optimum = decision.fit->optimum;
+    for (const auto& [key, value] : decision.point) {
+        const auto p = std::find_if(problem.parameters.begin(), problem.parameters.end(),
+                                    [&, k = key](const Parameter& each) { return each.key == k; });
+        const auto in = [&, k = key](double v) { return value_text(k, v, " "); };
+        if (p == problem.parameters.end()) {
+            text += markdown_row({key, in(value), "", "", "", "", "scaled until the assemblage has the rock's"});
+            continue;
+        }
+        const auto k = static_cast<Eigen::Index>(p - problem.parameters.begin());
+        const double half = optimum.half_interval(k);
+        const double place = optimum.place(k);
+        text += markdown_row({key, in(value),
+                              optimum.kept_share(k) > 0.5
+                                  ? "not told by the data"
+                                  : fmt::format("{} to {}", in(p->value(place - half)), in(p->value(place + half))),
+                              in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
+                              fmt::format("{} to {}", in(p->least), in(p->most)), p->source});
+    }
+    text += "\nIntervals have the scatter of the surfaces and of the measured values (the deviations of the targets).\n";
+    for (const Place& direction : optimum.kept)
+        text += fmt::format(
+            "\nThe data do not tell the direction {} (widths of the first box): kept at the first guess, or where the last box "
+            "is nearest to it.\n",
+            direction_text(problem.parameters, direction));
+    text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
+                                             : "\nThere are fewer targets than parameters.";
+    Cells pairs;
+    for (Eigen::Index k = 0; k < optimum.place.size(); ++k) {
+        for (Eigen::Index l = 0; l < k; ++l) {
+            const double c = optimum.covariance(k, l) / std::sqrt(optimum.covariance(k, k) * optimum.covariance(l, l));
+            if (std::isfinite(c) && optimum.kept_share(k) < 0.5 && optimum.kept_share(l) < 0.5)
+                pairs.push_back(fmt::format("{} and {} {:+.2f}", problem.parameters[static_cast<std::size_t>(l)].key,
+                                            problem.parameters[static_cast<std::size_t>(k)].key, c));
+        }
+    }
+    return text + (pairs.empty() ? "\n" : fmt::format(" Correlations: {}.\n", fmt::join(pairs, ", ")));
+}
+
+std::string surfaces_text(const Fit& fit) {
+    std::string text =
+        "\nln(response) by least squares in the last box. Scatter is the standard deviation about the surface, √(PRESS/n) that "
+        "of "
+        "values predicted without their own test; equal points scatter by repeated tests at the end, and lack of fit is the "
+        "probability that the scatter about the surface is no more than that.\n";
+    text += markdown_head(
+        {"response", "points", "quadratic terms", "scatter", "√(PRESS/n)", "equal points", "lack of fit p", "at the optimum"});
+    for (const Response& r : fit.responses) {
+        if (!r.surface) {
+            text += markdown_row({r.target.symbol(), fmt::format("no surface; {} of {} tests have it", r.measured, r.tests), "",
+                                  "", "", "", "", ""});
+            continue;
+        }
+        const ResponseSurface& s = *r.surface;
+        std::string lack;
+        // Six rectangles or ten discs at one point: five degrees of freedom at least.
+        if (r.pure_error) lack = fmt::format("{:.2g}", f_tail(std::pow(s.scatter() / *r.pure_error, 2), s.freedom(), 5));
+        text += markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()),
+                              percent(s.scatter()), percent(s.prediction_error()), r.pure_error ? percent(*r.pure_error) : "",
+                              lack, r.target.text(std::exp(s.value(fit.optimum.place)))});
+    }
+    return text;
+}
+
+std::string identify_text(const Problem& problem, const Fit& fit) {
+    Cells head{"response"};
+    for (const Parameter& p : problem.parameters) head.push_back(p.key);
+    std::string text =
+        "\nd ln(response)/d ln(parameter) at the optimum with 95 % intervals; bold: the interval does not hold 0. identify.tsv "
+        "has the same.\n\n![Sensitivities](identify.png)\n" +
+        markdown_head(head);
+    const std::vector<Sensitivity> all = sensitivities(problem.parameters, fit);
+    for (std::size_t i = 0; i < all.size(); i += problem.parameters.size()) {
+        Cells cells{all[i].response};
+        for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
+            const Sensitivity& s = all[i + k];
+            const std::string number = fmt::format("{:.2f}", s.exponent.value);
+            cells.push_back(fmt::format("{} ({:.2f} to {:.2f})", s.is_told() ? "**" + number + "**" : number, *s.exponent.low,
+                                        *s.exponent.high));
+        }
+        text += markdown_row(cells);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string with_interval(const Estimate& e, double si) {
+    if (!e.low || !e.high) return fmt::format("{:.5g}", e.value / si);
+    return fmt::format("{:.5g} ({:.5g} to {:.5g})", e.value / si, *e.low / si, *e.high / si);
+}
+
+std::string report_text(const Material& rock, const std::optional<Material>& at, const Problem& problem, const Decision& decision,
+                        std::size_t n_runs) {
+    std::string text =
+        fmt::format("# {}: {}\n\n{}.\n\nNext: {}.\n\n", rock.name, label_of(decision.ending), decision.reason, decision.next);
+    text += summary_text(rock, at, problem, decision, n_runs);
+    if (!decision.outcomes.empty()) text += "\n## Targets\n" + outcomes_text(decision);
+    if (decision.fit) {
+        text += "\n## Values\n" + values_text(problem, decision);
+        text += "\n## Surfaces\n" + surfaces_text(*decision.fit);
+        text += "\n## What tells what\n" + identify_text(problem, *decision.fit);
+    }
+    text += "\n## Steps\n" + markdown_head({"stage", "what", "result"});
+    for (const Step& step : decision.steps) text += markdown_row({step.stage, step.what, step.result});
+    return text;
+}
+
+}  // namespace graincrack::calibrate

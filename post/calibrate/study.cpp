@@ -1,0 +1,172 @@
+#include "post/calibrate/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "share/error.hpp"
+#include "share/units.hpp"
+
+namespace graincrack::calibrate {
+
+namespace {
+
+constexpr Quantity specimens{"specimens", Dimension::one, 1, 50, "number of specimens"};
+constexpr Quantity discs{"discs", Dimension::one, 1, 9, "number of discs at a point"};
+constexpr Quantity points{"points", Dimension::one, 4, 99, "number of points of a design"};
+constexpr Quantity designs{"designs", Dimension::one, 0, 3, "number of designs"};
+constexpr Quantity grains{"grains", Dimension::one, 2, 1e7, "number of grains of a specimen"};
+constexpr Quantity share{"share", Dimension::one, 0.05, 0.95, "share of tests"};
+
+/// A key of [study]: its quantity, and where its values go.
+struct StudyKey {
+    Quantity quantity;
+    std::function<void(const std::vector<double>&)> set;
+    bool several = false;
+};
+
+std::map<std::string, StudyKey> study_keys(Study& study) {
+    const auto number = [](double& to) { return [&to](const std::vector<double>& v) { to = v[0]; }; };
+    const auto count = [](std::size_t& to) {
+        return [&to](const std::vector<double>& v) { to = static_cast<std::size_t>(v[0]); };
+    };
+    return {{"width", {quantity::width, number(study.specimens.width)}},
+            {"height", {quantity::height, number(study.specimens.height)}},
+            {"diameter", {quantity::diameter, number(study.specimens.diameter)}},
+            {"grains", {grains, number(study.specimens.grains)}},
+            {"disc_grains", {grains, number(study.specimens.disc_grains)}},
+            {"mean_edge", {quantity::mean_edge, [&study](const std::vector<double>& v) { study.specimens.edge = v[0]; }}},
+            {"max_strain", {quantity::max_strain, number(study.max_strain)}},
+            {"rate_tolerance", {quantity::rate_tolerance, number(study.rate_tolerance)}},
+            {"confining_pressure", {quantity::confining_pressure, number(study.confining_pressure)}},
+            {"predicted_pressures",
+             {quantity::confining_pressure, [&study](const std::vector<double>& v) { study.predicted_pressures = v; }, true}},
+            {"elastic_specimens", {specimens, count(study.elastic)}},
+            {"points", {points, count(study.points)}},
+            {"discs", {discs, count(study.discs)}},
+            {"moves", {designs, count(study.moves)}},
+            {"zooms", {designs, count(study.zooms)}},
+            {"confirmation_discs", {specimens, count(study.confirmation_discs)}},
+            {"confirmation_rectangles", {specimens, count(study.confirmation_rectangles)}},
+            {"predicted_specimens", {specimens, count(study.predicted)}},
+            {"first_peak_share", {share, number(study.first_peak_share)}}};
+}
+
+/// Fowler, Noll & Vo's hash (FNV-1a) in 32 bits.
+std::uint32_t digest(const std::string& text) {
+    std::uint32_t hash = 2166136261U;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    return hash;
+}
+
+/// What the solver reads of a material.
+std::string made_of(const Material& m) {
+    const Rock& r = m.rock;
+    std::string text = fmt::format("{} {} {} {} {} {} {} {}", r.young_modulus, r.poisson_ratio, r.density, r.mode_i_toughness,
+                                   r.mode_ii_toughness, r.tensile_strength, m.platen_friction_angle, m.law);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (const auto& value = m.contact.*row.given) text += fmt::format(" {}={}", row.key(), *value);
+    }
+    return text + fabric_text(m.fabric);
+}
+
+/// " --phases quartz=0.3,mica=0.7 --strength-modulus 5", what a specimen has of the fabric of a material, and a name for it.
+std::pair<std::string, std::string> fabric_options(const MaterialFabric& fabric) {
+    std::string name;
+    std::string options;
+    for (const auto& [phase, values] : fabric.phases) {
+        options += fmt::format("{}{}={:.6g}", options.empty() ? " --phases " : ",", phase, values.fraction);
+        name += fmt::format("{}{:.3g}", phase.substr(0, 2), 100 * values.fraction);
+    }
+    if (fabric.strength_modulus) {
+        options += fmt::format(" --strength-modulus {:.6g}", *fabric.strength_modulus);
+        name += fmt::format("m{:.6g}", *fabric.strength_modulus);
+        if (fabric.strength_correlation > 0) {
+            options += fmt::format(" --strength-correlation {:.6g}mm", fabric.strength_correlation * 1e3);
+            name += fmt::format("c{:.6g}", fabric.strength_correlation * 1e3);
+        }
+    }
+    return {options, name};
+}
+
+}  // namespace
+
+Study read_study(const Material& rock, const TomlFile& file, const std::vector<std::string>& settings) {
+    Study study;
+    // 1.5 % for Augig granite (UCS 122 MPa, E 25.8 GPa), for other rocks in proportion to the strain UCS/E.
+    const auto ucs = rock.laboratory.find("compressive_strength");
+    const auto e = rock.laboratory.find("young_modulus");
+    if (ucs != rock.laboratory.end() && e != rock.laboratory.end())
+        study.max_strain = rounded(0.015 * (ucs->second / e->second) / (122e6 / 25.8e9), 2);
+    auto keys = study_keys(study);
+    const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
+        const auto key = keys.find(name);
+        if (key != keys.end()) return key->second;
+        std::vector<std::string> known;
+        for (const auto& each : keys) known.push_back(each.first);
+        throw UsageError(
+            fmt::format("{}: unknown key{}; known are {}", where, did_you_mean(name, known), fmt::join(known, ", ")));
+    };
+    const auto set = [&](StudyKey& key, const std::vector<std::string>& texts, const std::string& where) {
+        if (texts.empty() || (texts.size() > 1 && !key.several)) throw UsageError(where + ": one value is needed");
+        std::vector<double> values;
+        for (const std::string& text : texts) values.push_back(parse_quantity(text, key.quantity, where));
+        key.set(values);
+    };
+    for (const TomlEntry& entry : file.entries) {
+        if (entry.section != std::vector<std::string>{"study"}) continue;
+        const std::string where = fmt::format("{}: line {}: study.{}", file.file, entry.line, entry.key);
+        std::vector<std::string> texts;
+        for (const TomlValue& value : entry.values) texts.push_back(value.text);
+        try {
+            set(known_key(entry.key, where), texts, where);
+        } catch (const UsageError& error) {
+            throw InputError(error.what());
+        }
+    }
+    for (const std::string& setting : settings) {
+        const std::size_t at = setting.find('=');
+        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", setting));
+        std::vector<std::string> texts;
+        std::istringstream list(setting.substr(at + 1));
+        for (std::string text; std::getline(list, text, ',');) texts.push_back(text);
+        const std::string where = "--set " + setting;
+        set(known_key(setting.substr(0, at), where), texts, where);
+    }
+    return study;
+}
+
+RunRow row_of(const Material& rock, const Study& study, const WantedRun& run) {
+    const Specimens& s = study.specimens;
+    const bool disc = run.test.name == "brazilian";
+    const auto [fabric, fabric_name] = fabric_options(rock.fabric);
+    RunRow row;
+    row.mesh = disc ? fmt::format("disc --diameter {:.6g}mm", s.diameter * 1e3)
+                    : fmt::format("rectangle --width {:.6g}mm --height {:.6g}mm", s.width * 1e3, s.height * 1e3);
+    row.specimen =
+        disc ? fmt::format("disc{:.6g}", s.diameter * 1e3) : fmt::format("rectangle{:.6g}x{:.6g}", s.width * 1e3, s.height * 1e3);
+    row.mesh += s.edge ? fmt::format(" --edge {:.6g}mm", *s.edge * 1e3)
+                       : fmt::format(" --grains {:.7g}", disc ? s.disc_grains : s.grains);
+    row.specimen += s.edge ? fmt::format("e{:.6g}", *s.edge * 1e3) : fmt::format("g{:.7g}", disc ? s.disc_grains : s.grains);
+    row.mesh += fmt::format("{} --seed {}", fabric, run.seed);
+    row.specimen += fmt::format("{}-s{}", fabric_name, run.seed);
+    for (const auto& [key, value] : settings_of(run.point))
+        row.material += fmt::format("{}--set {}={}", row.material.empty() ? "" : " ", key, value);
+    row.solve = run.test.name;
+    if (run.test.name == "triaxial") row.solve += " --confining-pressure " + pressure_text(run.test.confining_pressure);
+    if (run.test.name == "tension") row.solve += " --plane stress";  // as the Brazilian test, with which it is compared
+    if (run.test.is_compression()) {
+        row.solve +=
+            fmt::format(" --max-strain {:.5g} --peak-drop {} --rate-tolerance {:.6g}", run.max_strain.value_or(study.max_strain),
+                        run.test.peak_drop < 1 ? fmt::format("{:g}", run.test.peak_drop) : "none", study.rate_tolerance);
+    }
+    row.file = fmt::format("{}_{}_{}_{:08x}.h5", run.test.label(), row.specimen, run.label,
+                           digest(made_of(rock) + row.mesh + row.material + row.solve));
+    return row;
+}
+
+}  // namespace graincrack::calibrate
