@@ -215,8 +215,7 @@ void Calibration::fit(const Box& box) {
     }
     std::vector<Aim> aims;
     std::vector<Logistic> logistics;
-    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
-        Response& response = fit_.responses[r];
+    for (Response& response : fit_.responses) {
         std::vector<double> values;
         for (const std::size_t i : inside) values.push_back(response.values[i]);
         response.surface = ResponseSurface::fit(box, places, values);

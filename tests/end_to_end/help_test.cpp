@@ -210,7 +210,7 @@ std::vector<std::string> options_of(const std::string& help) {
 TEST(Help, EveryOptionIsAmongThoseOfAllTools) {
     const Shell shell;
     const std::vector<std::string> without_variable{"help", "version", "config", "print-config", "completion", "files-from"};
-    const auto known = options_of_all_tools();
+    const auto& known = options_of_all_tools();
     const std::function<void(const std::string&)> check = [&](const std::string& command) {
         const std::string help = shell.must(command + " --help");
         for (const std::string& sub : subcommands_of(help)) check(command + " " + sub);

@@ -48,7 +48,7 @@ TEST(Bar, ModulusWithInterfaces) {
     const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), boundary_load(run, {stress, 0, 0}));
     // Nodes of two elements that are ten segments apart.
     const auto at = [&](int segment) {
-        const auto element = static_cast<std::size_t>(4 * cells * segment);
+        const std::size_t element = 4 * static_cast<std::size_t>(cells) * static_cast<std::size_t>(segment);
         return test::displacement_of(
             u, run.assemblage.node_of_specimen[static_cast<std::size_t>(run.specimen.element_nodes[element][0])]);
     };
@@ -132,9 +132,7 @@ TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
     ASSERT_EQ(specimen.n_contacts(), 2U);
     SmallRun run(specimen, augig_law(), PlaneCondition::stress, 0.5, rock_without_poisson_effect());
     const double v = 0.1;
-    const auto is_first = [&](std::size_t node) {
-        return run.assemblage.surface.grain_of_node[node] == 0;
-    };
+    const auto is_first = [&](std::size_t node) { return run.assemblage.surface.grain_of_node[node] == 0; };
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
         run.state.velocity[i] = {is_first(i) ? v : 0, 0};
     }
