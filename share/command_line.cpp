@@ -218,6 +218,9 @@ std::string subcommand_message(const CLI::App& app, const std::string& wrong) {
 
 /// What is left over: unknown options and arguments too many.
 std::string leftover_message(const Call& call, const std::vector<std::string>& left) {
+    const CLI::App* last = running(call.app).back();
+    const bool wants_subcommand = !last->get_subcommands({}).empty();
+    if (wants_subcommand && left.front().front() != '-') return subcommand_message(*last, left.front());
     for (const std::string& argument : left) {
         if (argument.size() < 2 || argument.front() != '-') continue;
         const std::string name = argument.substr(0, argument.find('='));
@@ -235,8 +238,7 @@ std::string leftover_message(const Call& call, const std::vector<std::string>& l
         }
         return fmt::format("{}: unknown option{}; see {}", name, did_you_mean(name, known), help_command(call.app));
     }
-    const CLI::App* last = running(call.app).back();
-    if (!last->get_subcommands({}).empty()) return subcommand_message(*last, left.front());
+    if (wants_subcommand) return subcommand_message(*last, left.front());
     return fmt::format("unexpected argument \"{}\"; see {}", left.front(), help_command(call.app));
 }
 

@@ -107,7 +107,7 @@ void add_contact_options(CLI::App& command, ContactOptions& o) {
     add_choice<Coupling>(command, "--coupling", o.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
                          "full: failure in one mode takes the cohesion in both; none: each mode for itself");
     add_parameters(command, o);
-    add_choice(command, "--plane", o.plane, {"strain", "stress"}, "plane condition");
+    add_choice(command, "--plane", o.plane, {"strain", "stress"}, "plane condition; default: strain, in tests of discs stress");
 }
 
 void apply_contact_options(const ContactOptions& o, SimulationRequest& request) {

@@ -107,6 +107,14 @@ std::string contacts_label(const Check& check, const Runs& runs) {
     return label;
 }
 
+/// Length of the zone in which a contact softens over the mean edge, and whether grains resolve it.
+std::string contact_zone_label(const Runs& runs) {
+    const auto of = [](const TestReport* run) { return run->contact_zone_length / run->data.specimen.mean_edge; };
+    const auto [least, most] =
+        std::minmax_element(runs.begin(), runs.end(), [&](const auto* a, const auto* b) { return of(a) < of(b); });
+    return range_label(of(*least), of(*most), of(*least) < 1 ? " (not resolved: below one edge)" : "");
+}
+
 /// What speaks against the strengths of runs of one kind, and of how many.
 std::string objections_label(const Runs& runs) {
     std::vector<std::pair<std::string, std::size_t>> kinds;
@@ -159,8 +167,7 @@ const std::vector<Check>& checks() {
         {"load that damping carries before the peak", nullptr, percent_of(&RunHeader::damping_load), "\u00a0%"},
         {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
         {"confinement achieved, mean ± s.d.", confinement_label},
-        {"contact zone over mean edge", nullptr,
-         [](const TestReport& t) { return t.contact_zone_length / t.data.specimen.mean_edge; }},
+        {.name = "contact zone over mean edge", .of_all = contact_zone_label},
         {.name = "tensile : shear cracks at the peak",
          .contacts = [](const TestReport& t) -> std::vector<double> {
              return {t.at_peak.tensile, t.at_peak.shear};

@@ -220,6 +220,8 @@ TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({}), "no subcommand given; one of uniaxial, triaxial fits");
     EXPECT_EQ(complaint({"uniaxal", "a.h5"}),
               "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
+    EXPECT_EQ(complaint({"uniaxal", "a.h5", "--confining-pressure", "4MPa"}),
+              "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
     EXPECT_EQ(complaint({"uniaxial", "a.h5"}), "--output: missing; give the run file");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--egde", "4mm"}),
               "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
