@@ -70,7 +70,8 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     add_quantity(*rectangle_app, "--width", rectangle.width, quantity::width, "width, across the load")->required();
     add_quantity(*rectangle_app, "--height", rectangle.height, quantity::height, "height, along the load")->required();
     add_quantity(*rectangle_app, "--notch", options.request.notch, quantity::notch,
-                 "length of a notch through the centre, across the load: its grain boundaries are broken from the start");
+                 "length of a notch through the centre, across the load, whose grain boundaries are broken from the start; the "
+                 "width of the specimen makes it a joint");
     add_mesh_options(*rectangle_app, options);
 
     Shape disc{ShapeKind::disc, 0, 0, Pole::facet};

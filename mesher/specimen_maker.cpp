@@ -117,10 +117,13 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         throw UsageError("--notch: there is no room for one; six grain edges of " + metres(plan.edge) +
                          " across the specimen would do");
     }
-    if (request.notch && !(*request.notch >= 2 * plan.edge && *request.notch <= request.shape.width - 4 * plan.edge)) {
+    const bool through = request.notch && std::abs(*request.notch - request.shape.width) <= 1e-9 * request.shape.width;
+    if (request.notch && !through &&
+        !(*request.notch >= 2 * plan.edge && *request.notch <= request.shape.width - 4 * plan.edge)) {
         throw UsageError("--notch: must leave two grain edges of " + metres(plan.edge) +
                          " at either side and be as long as two itself: " + metres(2 * plan.edge) + " to " +
-                         metres(request.shape.width - 4 * plan.edge) + " would do");
+                         metres(request.shape.width - 4 * plan.edge) + " would do; so would " + metres(request.shape.width) +
+                         ", a joint through the whole width");
     }
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));

@@ -16,8 +16,9 @@ constexpr Quantity significance{"alpha", Dimension::one, 0, 1, "level of signifi
 }  // namespace
 
 void add_format(CLI::App& app, TableFormat& format) {
-    add_choice<TableFormat>(app, "--format", format, {{"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
-                            "form of the table: tab-separated with one header line, or JSON lines");
+    add_choice<TableFormat>(app, "--format", format,
+                            {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
+                            "form of the table: aligned columns, tab-separated with one header line, or JSON lines");
 }
 
 void add_output(CLI::App& app, std::string& output, const std::string& help) {

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "share/error.hpp"
 #include "share/incomplete_material.hpp"
 #include "share/printable.hpp"
+#include "share/shared_file.hpp"
 #include "share/toml_file.hpp"
 #include "share/toml_keys.hpp"
 #include "share/units.hpp"
@@ -113,21 +113,10 @@ struct MissingKey {
     std::string meaning;  ///< "mass density of the rock, in kg/m3"
 };
 
-/// Folders in which a name is looked up. An installation finds its folder relative to the program, so that it may be moved.
-std::vector<fs::path> material_folders() {
-    std::vector<fs::path> folders;
-    if (const char* own = std::getenv("GRAINCRACK_MATERIALS"); own != nullptr && *own != '\0') folders.emplace_back(own);
-    std::error_code unknown;
-    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-    if (!unknown) folders.push_back((program.parent_path() / GRAINCRACK_MATERIALS_FROM_PROGRAM).lexically_normal());
-    folders.emplace_back(GRAINCRACK_SOURCE_MATERIALS);
-    return folders;
-}
-
 /// Adds the phases of a file of phases to those that a material gives itself. \param where the material's file
 void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::string& where) {
     std::error_code ignored;
-    for (const fs::path& folder : material_folders()) {
+    for (const fs::path& folder : materials().places()) {
         const fs::path file = folder / "phases" / (name + ".toml");
         if (!fs::is_regular_file(file, ignored)) continue;
         const TomlFile toml = read_toml(file.string());
@@ -233,30 +222,9 @@ const std::vector<Quantity>& laboratory_quantities() {
 
 namespace {
 
-/// The file of a material.
 fs::path find_material(const std::string& name_or_file) {
     if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
-    std::error_code ignored;
-    fs::path path(name_or_file);
-    if (name_or_file.find('/') != std::string::npos || path.extension() == ".toml" || fs::is_regular_file(path, ignored)) {
-        return path;
-    }
-    std::vector<std::string> known;
-    for (const fs::path& folder : material_folders()) {
-        fs::path file = folder / (name_or_file + ".toml");
-        if (fs::is_regular_file(file, ignored)) return file;
-        for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator(); entry.increment(ignored)) {
-            if (ignored) break;
-            if (entry->path().extension() == ".toml") known.push_back(entry->path().stem().string());
-        }
-    }
-    std::sort(known.begin(), known.end());
-    known.erase(std::unique(known.begin(), known.end()), known.end());
-    std::vector<std::string> folders;
-    for (const fs::path& folder : material_folders()) folders.push_back(folder.string());
-    throw InputError(fmt::format("material {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too",
-                                 name_or_file, did_you_mean(name_or_file, known),
-                                 known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(folders, ", ")));
+    return materials().find(name_or_file);
 }
 
 }  // namespace

@@ -41,9 +41,7 @@ struct Material {
 /// friction_angle, grain_size, min_grain_size, max_grain_size.
 const std::vector<Quantity>& laboratory_quantities();
 
-/// Reads a material. `name_or_file` is a path if it contains '/', ends in ".toml" or is a file; else a name looked up as
-/// NAME.toml in the folder $GRAINCRACK_MATERIALS, in the place where the program's installation keeps materials and in
-/// share/materials of the source tree, in this order. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
+/// Reads a material, a name or a file as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
 /// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
 ///         message names file and key and says what would be right.
 Material read_material(const std::string& name_or_file);

@@ -11,6 +11,7 @@
 #include "share/command_line.hpp"
 #include "share/error.hpp"
 #include "share/output_file.hpp"
+#include "share/shared_file.hpp"
 #include "share/units.hpp"
 #include "solver/contact_options.hpp"
 #include "solver/loading/program_file.hpp"
@@ -25,8 +26,8 @@ const char* const examples =
 
 const char* const program_examples =
     "Examples:\n"
-    "  graincrack-solve program specimen.h5 --material augig-granite --program share/programs/unload-reload.toml -o cycles.h5\n"
-    "  graincrack-solve program bar.h5 --material augig-granite --plane stress --program share/programs/pulse.toml -o pulse.h5";
+    "  graincrack-solve program specimen.h5 --material augig-granite --program unload-reload -o cycles.h5\n"
+    "  graincrack-solve program bar.h5 --material augig-granite --plane stress --program pulse -o pulse.h5";
 
 /// Values of options that end in a request only together with the material.
 struct RawOptions {
@@ -171,7 +172,12 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
     CLI::App* command = app.add_subcommand("program", "what a program file says: stages, boundaries, gravity, probes");
     command->footer(program_examples);
     command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
-    command->add_option("--program", raw.program, "the program, TOML; see share/doc/programs.md")->required()->type_name("FILE");
+    command
+        ->add_option(
+            "--program", raw.program,
+            "the program: a file of TOML, or the name of one of share/programs such as joint-shear; see share/doc/programs.md")
+        ->required()
+        ->type_name("FILE|NAME");
     add_contact_options(*command, raw.contact);
     add_quantity(*command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  "friction angle between rock and platens instead of the material's");
@@ -192,10 +198,10 @@ CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, Com
 /// A program, its damping, and whether it can do with the masses it is asked to have.
 void complete_program(SimulationRequest& request, const RawOptions& raw) {
     request.loading.test = TestKind::program;
-    request.program = read_program(raw.program);
+    request.program = read_program(loading_programs().find(raw.program));
     const auto damping = std::isnan(raw.damping) ? request.program->damping : std::optional(raw.damping);
     if (!damping) {
-        throw UsageError("--damping: missing, and " + raw.program +
+        throw UsageError("--damping: missing, and " + request.program->file +
                          " has none; give --damping 0.8 for what is slow, --damping none for waves");
     }
     request.damping = *damping;
@@ -203,11 +209,11 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
         request.restart = request.program->start_from;
     }
     if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(request.restart)) {
-        throw UsageError(raw.program +
+        throw UsageError(request.program->file +
                          ": [initial] and a run to start from contradict each other; leave out the one or the other");
     }
     if (request.sensitivity && !request.program->platens) {
-        throw UsageError("--sensitivity: tells what an axial strength depends on, and " + raw.program +
+        throw UsageError("--sensitivity: tells what an axial strength depends on, and " + request.program->file +
                          " has no [platens]; leave it out");
     }
 }

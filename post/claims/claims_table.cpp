@@ -51,7 +51,8 @@ void write_claims(std::ostream& out, const std::string& claims, const std::vecto
     }
     if (options.format == ClaimsFormat::html) return write_html(out, rows, options.study);
     const std::map<ClaimsFormat, TableFormat> formats{{ClaimsFormat::jsonl, TableFormat::jsonl},
-                                                      {ClaimsFormat::markdown, TableFormat::markdown}};
+                                                      {ClaimsFormat::markdown, TableFormat::markdown},
+                                                      {ClaimsFormat::aligned, TableFormat::aligned}};
     const auto format = formats.find(options.format);
     TableWriter table(out, columns, format == formats.end() ? TableFormat::tsv : format->second);
     for (const auto& row : rows) table.row(row);

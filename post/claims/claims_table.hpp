@@ -10,7 +10,7 @@
 
 namespace graincrack::claims {
 
-enum class ClaimsFormat { tsv, jsonl, markdown, html };
+enum class ClaimsFormat { tsv, jsonl, markdown, html, aligned };
 
 struct ClaimsOptions {
     std::string study;                            ///< first column of every row

@@ -40,10 +40,13 @@ Command claims_command() {
         [](CLI::App& app, Options& options) {
             app.add_option("--study", options.study, "name of the study, in the first column");
             add_names(app, "--set", options.settings, "NAME=VALUE", "what {NAME} in the claims stands for; may be given again");
-            add_choice<Format>(
-                app, "--format", options.format,
-                {{"tsv", Format::tsv}, {"jsonl", Format::jsonl}, {"markdown", Format::markdown}, {"html", Format::html}},
-                "form of the table");
+            add_choice<Format>(app, "--format", options.format,
+                               {{"table", Format::aligned},
+                                {"tsv", Format::tsv},
+                                {"jsonl", Format::jsonl},
+                                {"markdown", Format::markdown},
+                                {"html", Format::html}},
+                               "form of the table");
         },
         &write);
 }

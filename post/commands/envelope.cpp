@@ -102,7 +102,9 @@ void write_for_people(std::ostream& out, const NamedRow& row) {
     const auto add = [&](const std::string& label, const std::string& name, const std::string& unit) {
         const std::string suffix = unit.empty() ? "" : "_" + unit;
         const std::string low = row.shown(name + "_low" + suffix);
-        table.row({label, row.shown(name + suffix), low.empty() ? "" : low + " to " + row.shown(name + "_high" + suffix),
+        const std::string value = row.shown(name + suffix);
+        const std::string none = value.empty() ? "" : "not determined by " + row.text("runs") + " tests";
+        table.row({label, value, low.empty() ? none : low + " to " + row.shown(name + "_high" + suffix),
                    unit == "deg"  ? "°"
                    : unit.empty() ? " "
                                   : unit});

@@ -68,6 +68,9 @@ void run(const HistoryOptions& options, const Call& call) {
     if (options.follow && (options.stages || !options.probe.empty())) {
         throw UsageError("history --follow: follows the history alone; leave out --probe and --stages");
     }
+    if (options.follow && options.format == TableFormat::aligned) {
+        throw UsageError("history --follow: aligned columns are as wide as all rows need; --format tsv or jsonl fits");
+    }
     const std::string& file = call.file();
     if (options.stages) return write_stages(call.out, RunReader(file), options.format);
     if (!options.probe.empty()) return write_probe(call.out, RunReader(file), options.probe, options.format);

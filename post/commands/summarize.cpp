@@ -31,8 +31,11 @@ Command summarize_command() {
                       "columns of this table are added to each row with the same entry in its first column; may be given again");
             add_choice<TableFormat>(
                 app, "--format", options.format,
-                {{"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}, {"markdown", TableFormat::markdown}},
-                "form of the table: tab-separated with one header line, JSON lines, or Markdown");
+                {{"table", TableFormat::aligned},
+                 {"tsv", TableFormat::tsv},
+                 {"jsonl", TableFormat::jsonl},
+                 {"markdown", TableFormat::markdown}},
+                "form of the table: aligned columns, tab-separated with one header line, JSON lines, or Markdown");
         },
         [](const SummaryOptions& options, const Call& call) { summary::write_summary(call.out, call.files, options); });
 }

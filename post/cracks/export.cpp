@@ -189,7 +189,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const std::vector<EmissionEvent> events = emission_of(run, specimen, options.events);
     const std::vector<Crack> log = read_cracks(run, specimen);
     const TableFormat format = options.format;
-    const std::string ending = format == TableFormat::tsv ? ".tsv" : ".jsonl";
+    const std::string ending = format == TableFormat::tsv ? ".tsv" : format == TableFormat::jsonl ? ".jsonl" : ".txt";
     const auto table = [&](const char* name, const auto& write) { write_table(folder + "/" + name + ending, write); };
     table("cracks", [&](std::ostream& out) { write_crack_table(out, log, specimen, format); });
     table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(shown, specimen), format); });

@@ -56,6 +56,13 @@ std::string reason_left_out(const RunData& run, const Strength& strength) {
         return fmt::format("{}: no first peak, the stress never falls by {:.0f} % below a maximum before it exceeds it", run.name,
                            100 * (1 - first_peak_fall_to));
     }
+    if (strength.first_peak->residual) {
+        return fmt::format(
+            "{}: no residual strength, its stress {:.1f} to {:.1f} % strain beyond the first peak is above it ({:.4g} MPa "
+            "against {:.4g})",
+            run.name, 100 * residual_strains[0], 100 * residual_strains[1], 1e-6 * *strength.first_peak->residual,
+            1e-6 * strength.first_peak->stress);
+    }
     return fmt::format(
         "{}: no residual strength, it ends before {:.1f} % strain beyond its first peak (run it further: --peak-drop "
         "none)",
@@ -130,6 +137,7 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
     const std::optional<Line> line = fit_line(confining, strength);
     if (!line || line->freedom < 1 || !(line->slope > 0)) return envelope;
     const double half_slope = student_t_95(line->freedom) * std::sqrt(line->slope_variance);
+    if (!(line->slope > half_slope)) return envelope;  // a falling line among those possible: φ and C are not determined
     envelope.friction_angle.low = friction_angle_of(line->slope - half_slope);
     envelope.friction_angle.high = friction_angle_of(line->slope + half_slope);
     envelope.cohesion = estimate(envelope.cohesion.value, cohesion_variance(*line, envelope.cohesion.value), line->freedom);

@@ -29,7 +29,8 @@ struct Envelope {
 };
 
 /// Fits both envelopes. The interval of φ is that of the slope b, through which it is monotone; the interval of C is
-/// linearised (C and φ come from the same line, so their errors are not independent).
+/// linearised (C and φ come from the same line, so their errors are not independent). Both are empty where the interval of b
+/// reaches zero: so few tests do not determine them.
 ///
 /// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
 /// \throws InputError unless there are strengths at two or more confining pressures

@@ -31,6 +31,10 @@ struct FirstPeak {
     /// least squares in which each strain counts equally; negative where the stress falls further; empty if it reached less than
     /// `least_rehardening_strain` of them.
     std::optional<double> rehardening;
+    /// `residual` where it is a strength left behind a fall: empty where the stress is above the first peak again.
+    [[nodiscard]] std::optional<double> residual_strength() const {
+        return residual && *residual < stress ? residual : std::nullopt;
+    }
 };
 
 /// The first maximum of the smoothed curve, since contacts have failed, that the stress falls behind. Falls before any contact

@@ -162,7 +162,7 @@ std::string name_of(StrengthKind kind) {
 std::optional<double> Strength::value(StrengthKind kind) const {
     if (kind == StrengthKind::largest) return value();
     if (!first_peak) return std::nullopt;
-    return kind == StrengthKind::first_peak ? std::optional(first_peak->stress) : first_peak->residual;
+    return kind == StrengthKind::first_peak ? std::optional(first_peak->stress) : first_peak->residual_strength();
 }
 
 Strength measure_strength(const RunData& run) {

@@ -72,6 +72,9 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
                          ": toughness needs a tension test of a rectangle with a notch through its middle "
                          "(graincrack-mesh rectangle --notch)");
     }
+    if (!((*ends)[1] - (*ends)[0] < (1 - 1e-9) * specimen.width)) {
+        throw InputError(run.name + ": a joint through the whole width has no toughness; a shorter --notch has one");
+    }
     const Strength strength = measure_strength(run);
     stopped_at_strain_limit(run, strength, StrainLimitRuns::refuse, "a toughness");
     Toughness toughness;

@@ -30,10 +30,7 @@ struct Run {
     [[nodiscard]] bool has_earlier_peak() const {
         return first_peak && first_peak->strain < curve.axial_strain[curve.peak] - smoothing_strain;
     }
-    /// Whether a stress is left behind a fall; where the curve rises on there is none.
-    [[nodiscard]] bool has_residual() const {
-        return first_peak && first_peak->residual && *first_peak->residual < first_peak->stress;
-    }
+    [[nodiscard]] bool has_residual() const { return first_peak && first_peak->residual_strength(); }
 };
 
 std::string kind_of(const RunData& run) { return is_compression(run.header) ? "compression" : run.header.test; }

@@ -4,23 +4,13 @@
 #include <cassert>
 #include <charconv>
 
+#include "post/table/aligned.hpp"
 #include "share/printable.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
 
 namespace {
-
-/// Characters of a text in UTF-8.
-std::size_t width_of(const std::string& text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
-}
-
-std::string padded(const std::string& text, std::size_t width, bool left) {
-    const std::string room(width - std::min(width, width_of(text)), ' ');
-    return left ? text + room : room + text;
-}
 
 std::string entry(const std::string& cell) { return cell.empty() ? "-" : printable(cell); }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "share/error.hpp"
+#include "post/table/aligned.hpp"
 #include "share/printable.hpp"
 #include "share/units.hpp"
 
@@ -14,6 +14,7 @@ namespace graincrack {
 namespace {
 
 constexpr int digits = 7;
+constexpr int people_digits = 5;
 
 std::string tsv_text(const Cell& cell) {
     std::string clean = cell.text();
@@ -44,13 +45,13 @@ std::string json_text(const Cell& cell) {
     return cell.is_number() ? cell.text() : json_string(cell.text());
 }
 
-}  // namespace
-
-TableFormat table_format(std::string_view name) {
-    if (name == "tsv") return TableFormat::tsv;
-    if (name == "jsonl") return TableFormat::jsonl;
-    throw UsageError("--format " + std::string(name) + ": unknown; tsv or jsonl");
+/// As people read it: five digits of a real number.
+std::string aligned_text(const Cell& cell) {
+    const bool real = cell.is_number() && cell.text().find_first_of(".e") != std::string::npos;
+    return real ? format_number(std::stod(cell.text()), people_digits) : cell.text();
 }
+
+}  // namespace
 
 Cell::Cell(double value) : is_number_(true) {
     if (std::isfinite(value)) text_ = format_number(value == 0 ? 0.0 : value, digits);
@@ -73,13 +74,21 @@ TableWriter::TableWriter(std::ostream& out, std::vector<std::string> columns, Ta
         for (std::size_t i = 0; i < columns_.size(); ++i) out_ << "---|";
         out_ << '\n';
     }
+    if (format_ == TableFormat::aligned) aligned_.push_back(columns_);
     if (format_ != TableFormat::tsv) return;
     for (std::size_t i = 0; i < columns_.size(); ++i) out_ << (i == 0 ? "" : "\t") << printable(columns_[i]);
     out_ << '\n';
 }
 
+TableWriter::~TableWriter() { write_aligned(out_, std::move(aligned_)); }
+
 void TableWriter::row(const std::vector<Cell>& cells) {
     assert(cells.size() == columns_.size());
+    if (format_ == TableFormat::aligned) {
+        std::vector<std::string>& row = aligned_.emplace_back();
+        for (const Cell& each : cells) row.push_back(aligned_text(each));
+        return;
+    }
     if (format_ == TableFormat::markdown) return write_markdown_row(out_, cells);
     const bool json = format_ == TableFormat::jsonl;
     if (json) out_ << '{';

@@ -1,4 +1,5 @@
-// Tables on stdout: TSV with one header line, or the same as JSON lines or Markdown; numbers alike in every locale.
+// Tables on stdout: TSV with one header line, or the same as JSON lines, Markdown or aligned columns; numbers alike in every
+// locale.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +12,7 @@
 
 namespace graincrack {
 
-enum class TableFormat { tsv, jsonl, markdown };
-/// \throws UsageError for anything but "tsv" and "jsonl"
-TableFormat table_format(std::string_view name);
+enum class TableFormat { tsv, jsonl, markdown, aligned };
 
 /// One entry: empty, a number or a text. Empty, NaN and infinity are written empty (TSV) or null (JSON): the value
 /// does not apply. Reals carry 7 significant digits.
@@ -36,10 +35,13 @@ Cell cell(const std::optional<double>& value);
 /// A count as an integer cell, or as a number if it is a half.
 Cell count_cell(double count);
 
-/// Writes rows as they come.
+/// Writes rows as they come; aligned columns at its end, since their widths are those of all rows.
 class TableWriter {
 public:
     TableWriter(std::ostream& out, std::vector<std::string> columns, TableFormat format);
+    TableWriter(const TableWriter&) = delete;
+    TableWriter& operator=(const TableWriter&) = delete;
+    ~TableWriter();
     /// \pre one cell a column
     void row(const std::vector<Cell>& cells);
 
@@ -47,6 +49,7 @@ private:
     std::ostream& out_;
     std::vector<std::string> columns_;
     TableFormat format_;
+    std::vector<std::vector<std::string>> aligned_;  ///< names and rows so far
 };
 
 /// A table of one row a file; all rows are made before the first is written.

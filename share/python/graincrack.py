@@ -23,15 +23,28 @@ from functools import cached_property
 from pathlib import Path
 from typing import Iterator, Mapping
 
-import h5py
-import numpy as np
+try:
+    import h5py
+    import numpy as np
+except ImportError as error:
+    raise ImportError(f"graincrack needs numpy and h5py, and {error.name} is not there; on Debian apt install python3-h5py") from None
 
-__all__ = ["FormatError", "Group", "Run", "Specimen", "Table"]
+__all__ = ["FormatError", "GraincrackError", "Group", "MissingError", "Run", "Specimen", "Table"]
 
 SCHEMA_VERSION = 4  # as share/h5_file.hpp has it
 
 
-class FormatError(ValueError):
+class GraincrackError(Exception):
+    """What this module raises, with a line that says what is wrong and what would be right."""
+
+
+class MissingError(GraincrackError, KeyError):
+    """A name, a frame or an attribute that a file does not have."""
+
+    __str__ = Exception.__str__  # KeyError would quote the line
+
+
+class FormatError(GraincrackError, ValueError):
     """A file that is none of Graincrack's, or of another kind than was asked for."""
 
 
@@ -90,7 +103,7 @@ class Group(Mapping):
     def _dataset(self, name: str) -> h5py.Dataset:
         found = self._group.get(name)
         if not isinstance(found, h5py.Dataset):
-            raise KeyError(f"{self._group.file.filename}: no {self._group.name}/{name}; there are {', '.join(self)}")
+            raise MissingError(f"{self._group.file.filename}: no {self._group.name}/{name}; there are {', '.join(self)}")
         return found
 
 
@@ -184,7 +197,7 @@ class Run:
         elif which == "last":
             which = len(frames) - 1
         if not isinstance(which, int) or not -len(frames) <= which < len(frames):
-            raise KeyError(f"{self._file.filename}: no frame {which!r}; \"peak\", \"last\" or a number below {len(frames)} fits")
+            raise MissingError(f"{self._file.filename}: no frame {which!r}; \"peak\", \"last\" or a number below {len(frames)} fits")
         return Frame(frames[which])
 
     def _frame_of_peak(self) -> Frame:
@@ -192,14 +205,14 @@ class Run:
         times = self.history["time"]
         frame = self.frame(time=times[np.argmax(stress)])
         if stress[np.argmin(np.abs(times - frame.time))] < 0.95 * stress.max():
-            raise KeyError(f"{self._file.filename}: no frame of the peak was kept; make the run with --frames 20")
+            raise MissingError(f"{self._file.filename}: no frame of the peak was kept; make the run with --frames 20")
         return frame
 
     def probe(self, name: str) -> Group:
         """The rows of a program's probe."""
         if f"probes/{name}" not in self._file:
             there = ", ".join(self._file.get("probes", {})) or "none"
-            raise KeyError(f"{self._file.filename}: no probe {name!r}; there are {there}")
+            raise MissingError(f"{self._file.filename}: no probe {name!r}; there are {there}")
         return Group(self._file[f"probes/{name}"])
 
 
@@ -216,8 +229,11 @@ class Table(Mapping):
     """A table of graincrack-post (TSV): columns by name, with or without the unit that ends it."""
 
     def __init__(self, path: str | Path):
-        with open(path, newline="") as file:
-            rows = list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
+        try:
+            with open(path, newline="", encoding="utf-8") as file:
+                rows = list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
+        except (UnicodeDecodeError, csv.Error):
+            rows = []
         if not rows or any(len(row) != len(rows[0]) for row in rows):
             raise FormatError(f"{path}: no table; a line of names and rows of as many fields, divided by tabulators, fit")
         self._path = path
@@ -240,7 +256,7 @@ class Table(Mapping):
         """The full name of a column, which ends in its unit: "peak_compressive_stress" is "peak_compressive_stress_MPa"."""
         fits = [c for c in self._columns if c == name] or [c for c in self._columns if c.rpartition("_")[0] == name]
         if len(fits) != 1:
-            raise KeyError(f"{self._path}: {'several columns' if fits else 'no column'} {name!r}; there are {', '.join(self)}")
+            raise MissingError(f"{self._path}: {'several columns' if fits else 'no column'} {name!r}; there are {', '.join(self)}")
         return fits[0]
 
     def unit(self, name: str) -> str:
@@ -280,5 +296,5 @@ def _attribute(file: h5py.File, group: str, name: str):
     attributes = file[group].attrs
     if name not in attributes:
         there = ", ".join(sorted(a for a in attributes if not a.endswith("_unit")))
-        raise KeyError(f"{file.filename}: {group} has no {name!r}; there are {there}")
+        raise MissingError(f"{file.filename}: {group} has no {name!r}; there are {there}")
     return _text(attributes[name])

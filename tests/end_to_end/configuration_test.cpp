@@ -55,5 +55,15 @@ TEST(DryRun, TellsCountsAndLeavesNothing) {
     EXPECT_EQ(shell.names(), "disc.h5\n");
 }
 
+TEST(DryRun, StepsOfATestAreForeseenWithinAFactorOfThree) {
+    const Shell shell;
+    shell.must("graincrack-mesh disc --diameter 80mm --grains 300 --quiet -o specimen.h5");
+    const std::string command = "graincrack-solve brazilian specimen.h5 --material augig-granite ";
+    const double foreseen = std::stod(shell.must(command + "--dry-run | sed -n 's/^usual_steps\t//p'"));
+    shell.must(command + "--quiet -o run.h5");
+    const double steps = std::stod(cell(shell.must("graincrack-post strength run.h5"), "steps"));
+    EXPECT_LT(std::abs(std::log(foreseen / steps)), std::log(3.0)) << foreseen << " foreseen, " << steps << " made";
+}
+
 }  // namespace
 }  // namespace graincrack::test

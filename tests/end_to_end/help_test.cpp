@@ -10,6 +10,19 @@
 namespace graincrack::test {
 namespace {
 
+// Pages of a program and of each of its commands, nested ones too.
+TEST(ManPages, HaveTheSectionsThatReadersLookFor) {
+    const Shell shell;
+    shell.must(GRAINCRACK_SOURCE "/share/packaging/man-pages $(command -v graincrack-post) pages");
+    const std::string plot = shell.must("gzip -dc pages/graincrack-post-plot-cracks.1.gz");
+    for (const char* section : {"NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "FILES", "EXAMPLES", "SEE ALSO"}) {
+        EXPECT_NE(plot.find(std::string("\n.SH ") + section + "\n"), std::string::npos) << section;
+    }
+    EXPECT_NE(plot.find("\n.SH EXAMPLES\n.nf\ngraincrack\\-post plot cracks "), std::string::npos) << plot;
+    const std::string tool = shell.must("gzip -dc pages/graincrack-post.1.gz");
+    EXPECT_NE(tool.find("graincrack\\-post\\-strength\\fR(1)"), std::string::npos) << tool;
+}
+
 /// The command lines under "Examples:".
 std::vector<std::string> examples_of(const std::string& help) {
     std::vector<std::string> examples;

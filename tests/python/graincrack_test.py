@@ -14,7 +14,7 @@ sys.path.insert(0, str(PYTHON))
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
-from graincrack import SCHEMA_VERSION, FormatError, Run, Specimen, Table  # noqa: E402
+from graincrack import SCHEMA_VERSION, FormatError, GraincrackError, MissingError, Run, Specimen, Table  # noqa: E402
 
 
 def tool(line: str) -> str:
@@ -99,6 +99,7 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
             ("text.h5", Run, "text.h5: no HDF5 file"),
             ("specimen.h5", Run, "specimen.h5: a specimen, no run"),
             ("ragged.tsv", Table, "ragged.tsv: no table"),
+            ("end.h5", Table, "end.h5: no table"),
         ):
             with self.assertRaisesRegex(FormatError, message):
                 kind(path)
@@ -111,8 +112,10 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
             (lambda: run.probe("end"), "no probe 'end'"),
             (lambda: Table("strength.tsv")["stress"], "no column 'stress'"),
         ):
-            with self.assertRaisesRegex(KeyError, message):
+            with self.assertRaisesRegex(MissingError, message) as caught:
                 read()
+            self.assertIsInstance(caught.exception, GraincrackError)
+            self.assertNotIn('"', str(caught.exception)[:1])  # the line itself, where a KeyError would quote it
 
     def test_examples_draw(self):
         environment = {**os.environ, "PYTHONPATH": str(PYTHON)}

@@ -117,6 +117,17 @@ TEST(Envelope, TwoTestsGiveValuesWithoutIntervals) {
     EXPECT_NEAR(envelope.hoek_brown->mi.value, 28, 1e-3);
 }
 
+TEST(Envelope, TestsThatDoNotDetermineTheLineGiveNoIntervals) {
+    // A slope of 4 ± t(1) s with t(1) = 12.7: lines that fall are among those possible.
+    const std::vector<double> confining{0, 4e6, 8e6};
+    const std::vector<double> strength{100e6, 126e6, 132e6};
+    const Envelope envelope = fit_envelope(confining, strength);
+    EXPECT_NEAR(envelope.friction_angle.value * degrees, 36.87, 0.01);  // sin φ = 3/5
+    EXPECT_FALSE(envelope.friction_angle.low.has_value());
+    EXPECT_FALSE(envelope.friction_angle.high.has_value());
+    EXPECT_FALSE(envelope.cohesion.low.has_value());
+}
+
 TEST(Envelope, CurvedUpwardsStillGivesARow) {  // run 5 of the paper's Table 7, far from any Hoek–Brown curve
     const std::vector<double> confining{0, 4e6, 8e6};
     const std::vector<double> strength{35.87e6, 183.62e6, 287.03e6};
@@ -192,6 +203,12 @@ TEST_F(EnvelopeTable, ForPeopleHasItsIntervalsAndUnits) {
     EXPECT_NE(line.find("21 to 21"), std::string::npos) << line;
     EXPECT_TRUE(line.ends_with("MPa")) << line;
     EXPECT_EQ(table.find('\t'), std::string::npos);
+}
+
+TEST_F(EnvelopeTable, ForPeopleSaysThatTooFewTestsGiveNoInterval) {
+    std::ostringstream out;
+    write_envelope_table(out, {run("0", 0), run("4", 4e6)}, std::nullopt, {}, notes_);
+    EXPECT_NE(out.str().find("not determined by 2 tests"), std::string::npos) << out.str();
 }
 
 TEST_F(EnvelopeTable, OtherStressesThanThePeakHaveTheirEnvelopes) {

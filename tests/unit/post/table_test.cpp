@@ -65,9 +65,28 @@ TEST(Table, CountsAreWholeUnlessTheyAreHalves) {
     EXPECT_TRUE(cell(std::nullopt).empty());
 }
 
-TEST(Table, UnknownFormatIsRefused) {
-    EXPECT_EQ(table_format("jsonl"), TableFormat::jsonl);
-    EXPECT_THROW((void)table_format("csv"), UsageError);
+TEST(Table, AlignedColumnsAreAsWideAsTheirWidestText) {
+    std::ostringstream out;
+    {
+        TableWriter table(out, {"test", "strength_MPa"}, TableFormat::aligned);
+        table.row({std::string("uniaxial"), 121.4321987});
+        table.row({std::string("tension"), Cell()});
+        EXPECT_EQ(out.str(), "");
+    }
+    EXPECT_EQ(out.str(), "test      strength_MPa\nuniaxial        121.43\ntension              -\n");
+}
+
+TEST(Table, AlignedRowsWiderThanATerminalBecomeColumns) {
+    std::ostringstream out;
+    std::vector<std::string> names;
+    std::vector<Cell> cells;
+    for (std::int64_t i = 0; i < 30; ++i) {
+        names.push_back("column_" + std::to_string(i));
+        cells.emplace_back(i);
+    }
+    TableWriter(out, names, TableFormat::aligned).row(cells);
+    EXPECT_TRUE(out.str().starts_with("column_0    0\ncolumn_1    1\n")) << out.str();
+    EXPECT_EQ(std::ranges::count(out.str(), '\n'), 30);
 }
 
 }  // namespace
