@@ -98,7 +98,7 @@ void add(CLI::App& parent, const Command& command, const std::string& prefix, Re
         app->add_option(command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
             ->type_name("FILE")
             ->configurable(false);
-        app->add_option("--files-from", own.files_from, "list of files, one a line (- is stdin)")
+        app->add_option("--files-from", own.files_from, "file with a list of files, one per line (- is stdin)")
             ->type_name("FILE")
             ->configurable(false);
     }
@@ -117,7 +117,7 @@ std::vector<std::string> read_list(const std::string& path) {
     for (std::string line; std::getline(stream, line);) {
         if (!line.empty()) names.push_back(line);
     }
-    if (names.empty()) throw InputError(fmt::format("--files-from {}: no names; one file a line is needed", path));
+    if (names.empty()) throw InputError(fmt::format("--files-from {}: no names; one file per line is needed", path));
     return names;
 }
 
@@ -145,7 +145,7 @@ std::vector<std::string> files_of(const Registered& command) {
 void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     gsl_set_error_handler_off();  // what fails says so by its value or status; the handler would end the process
     CommonOptions common;
-    CLI::App app("Turns runs into tables, VTK files and pictures");
+    CLI::App app("Evaluates runs: tables, VTK files, pictures and reports");
     add_common_options(
         app, "graincrack-post", common, examples,
         {vtk_library_version(), cairo_library_version(), pango_library_version(), std::string("GSL ") + GSL_VERSION});

@@ -18,7 +18,7 @@ constexpr Quantity significance{"alpha", Dimension::one, 0, 1, "level of signifi
 void add_format(CLI::App& app, TableFormat& format) {
     add_choice<TableFormat>(app, "--format", format,
                             {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
-                            "form of the table: aligned columns, tab-separated with one header line, or JSON lines");
+                            "form of the table: aligned columns, tab-separated values with one header line, or JSON lines");
 }
 
 void add_output(CLI::App& app, std::string& output, const std::string& help) {
@@ -28,7 +28,7 @@ void add_output(CLI::App& app, std::string& output, const std::string& help) {
 void add_strain_limit_runs(CLI::App& app, StrainLimitRuns& strain_limit_runs) {
     add_choice<StrainLimitRuns>(
         app, "--capped", strain_limit_runs, {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
-        "runs stopped at the strain limit: refuse them, or take their largest stress for a peak and report it");
+        "runs stopped at the strain limit: refuse them, or accept their largest stress as a strength and say so");
 }
 
 void add_envelope_options(CLI::App& app, EnvelopeOptions& options) {
@@ -37,8 +37,8 @@ void add_envelope_options(CLI::App& app, EnvelopeOptions& options) {
                              {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},
                               {name_of(StrengthKind::largest), StrengthKind::largest},
                               {name_of(StrengthKind::residual), StrengthKind::residual}},
-                             "stress of a compression test that is its strength; runs without a first peak or residual strength "
-                             "are left out");
+                             "which stress of a compression test is taken as its strength; runs without a first peak or residual "
+                             "strength are left out");
 }
 
 void add_names(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
@@ -51,7 +51,7 @@ void add_names(CLI::App& app, const std::string& option, std::vector<std::string
 }
 
 void add_laboratory_material(CLI::App& app, std::string& material) {
-    app.add_option("--material", material, "material whose laboratory values stand beside the results");
+    app.add_option("--material", material, "material with the laboratory values to compare with");
 }
 
 Material read_material_of(const Call& call, const std::string& name_or_file) {
@@ -69,13 +69,13 @@ IncompleteMaterial read_incomplete_material_of(const Call& call, const std::stri
 void add_model(CLI::App& app, ccd::ModelOptions& options) {
     add_names(app, "--factor", options.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, if the table has no x1");
     add_choice<bool>(app, "--model", options.choice.reduce, {{"full", false}, {"backward", true}},
-                     "full quadratic, or reduced by backward elimination that keeps the hierarchy");
-    add_quantity(app, "--alpha", options.choice.alpha, significance, "p above which elimination leaves a term out", "0.1");
+                     "full: all quadratic terms; backward: reduced by backward elimination that keeps the hierarchy");
+    add_quantity(app, "--alpha", options.choice.alpha, significance, "p value above which elimination removes a term", "0.1");
 }
 
 void add_goals(CLI::App& app, ccd::GoalOptions& options) {
     add_names(app, "--target", options.targets, "NAME=[LOW:]TARGET[:HIGH]",
-              "wanted value of a response; limits are the measured extremes unless given");
+              "wanted value of a response; limits default to the measured extremes");
     add_names(app, "--maximise", options.maxima, "NAME=LOW:GOOD",
               "response to be as large as possible: desirability 0 at LOW, 1 at GOOD");
     add_names(app, "--minimise", options.minima, "NAME=GOOD:HIGH",
@@ -83,35 +83,37 @@ void add_goals(CLI::App& app, ccd::GoalOptions& options) {
 }
 
 void add_trend(CLI::App& app, TrendOptions& options) {
-    app.add_option("--x", options.x, "column along x: a number a row")->required();
-    app.add_option("--y", options.y, "column along y: a number a row")->required();
-    app.add_flag("--power", options.power, "y = a x^b through logarithms in place of y = a + b x");
-    add_names(app, "--group", options.groups, "COLUMN", "a fit for each different entry of this column; may be given again");
+    app.add_option("--x", options.x, "column of the abscissa, one number per row")->required();
+    app.add_option("--y", options.y, "column of the ordinate, one number per row")->required();
+    app.add_flag("--power", options.power, "fit y = a x^b in logarithms instead of y = a + b x");
+    add_names(app, "--group", options.groups, "COLUMN", "one fit for each value of this column; may be given again");
 }
 
 void add_crack_label(CLI::App& app, CrackLabelChoice& label) {
     std::vector<std::pair<std::string, std::optional<CrackEvent>>> events;
     for (const CrackEvent event : all_crack_events) events.emplace_back(name_of(event), event);
     add_choice<std::optional<CrackEvent>>(app, "--crack-event", label.event, events,
-                                          "a contact point is a micro-crack once it failed (passed its peak), or once less than "
-                                          "50 or 10 % of its cohesion was left; "
-                                          "unless given half-damaged for laws with friction beside cohesion, failed for others");
+                                          "when a contact point counts as a micro-crack: it passed its peak (failed), less than "
+                                          "50 % (half-damaged) or less than 10 % (broken) of its cohesion is left; default: "
+                                          "half-damaged for laws with friction in addition to cohesion, failed for others");
     add_choice<CrackModeRule>(app, "--crack-mode", label.mode,
                               {{"traction", CrackModeRule::traction}, {"sign", CrackModeRule::sign}},
-                              "it is tensile if it passed its peak open and under more tension than shear traction, or if it was "
-                              "open at the event");
+                              "when a micro-crack is tensile: it passed its peak open and with more tensile than shear traction "
+                              "(traction), or it was open at the event (sign)");
 }
 
 void add_classes(CLI::App& app, std::vector<std::string>& classes) {
-    add_names(app, "--class", classes, "PAIR",
-              "contacts of two phases alone, as quartz-mica, in either order; may be given again; all contacts unless given");
+    add_names(
+        app, "--class", classes, "PAIR",
+        "only contacts between two phases, such as quartz-mica, in either order; may be given again; default: all contacts");
 }
 
 void add_events(CLI::App& app, EventOptions& options) {
     add_quantity(app, "--event-distance", options.distance, event_distance,
-                 "crack points within this distance are one acoustic event; two mean edges unless given");
-    add_quantity(app, "--event-time", options.time, event_time,
-                 "and within this time; that distance at half the speed of shear waves unless given");
+                 "crack points within this distance belong to one acoustic event; default: two mean edges");
+    add_quantity(
+        app, "--event-time", options.time, event_time,
+        "crack points within this time belong to one acoustic event; default: that distance at half the speed of shear waves");
 }
 
 }  // namespace graincrack

@@ -38,7 +38,7 @@ void add_model(CLI::App& app, ccd::ModelOptions& options);
 /// --target, --maximise, --minimise: the goals for the responses.
 void add_goals(CLI::App& app, ccd::GoalOptions& options);
 inline constexpr FileArguments trend_tables{"tables",
-                                            "tables: tab-separated with one header line; their rows are taken together"};
+                                            "tables: tab-separated values with one header line; their rows are combined"};
 /// --x, --y, --power, --group: a line or power law through columns of tables.
 void add_trend(CLI::App& app, TrendOptions& options);
 /// --crack-event failed|half-damaged|broken, --crack-mode traction|sign: what counts as a micro-crack, and which are tensile.

@@ -1,4 +1,4 @@
-// Whether a test was near equilibrium, as its strength supposes: judged from its header and history alone.
+// Whether a test was near equilibrium, as its strength supposes: evaluated from its header and history alone.
 #pragma once
 
 #include <string>

@@ -45,13 +45,13 @@ void add_parameters(CLI::App& command, ContactOptions& o) {
 template <class Condition>
 void require_use(const std::string& option, LawVariant law, const Condition& uses) {
     if (uses(description_of(law))) return;
-    throw UsageError(fmt::format("{}: the contact law {} does not use it; leave it out, or choose one that does: {}", option,
+    throw UsageError(fmt::format("{}: the contact law {} does not use it; leave it out, or choose a law that uses it: {}", option,
                                  name_of(law), laws_that(uses)));
 }
 
 void require_energy(const char* option, double value, double least, LawVariant law) {
     if (!(value >= least)) {
-        throw UsageError(fmt::format("{}: {} is less than a contact of the law {} takes to its peak; at least {} J/m2 fits",
+        throw UsageError(fmt::format("{}: {} is less than a contact of the law {} absorbs up to its peak; give at least {} J/m2",
                                      option, format_quantity(value, Dimension::fracture_energy), name_of(law),
                                      format_number(least, 4)));
     }
@@ -105,9 +105,9 @@ void add_contact_options(CLI::App& command, ContactOptions& o) {
         command, "--contact-law", o.law, laws,
         fmt::format("contact law; see share/doc/laws.md; default: the material's, else {}", name_of(SimulationRequest{}.law)));
     add_choice<Coupling>(command, "--coupling", o.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
-                         "full: failure in one mode takes the cohesion in both; none: each mode for itself");
+                         "full: failure in one mode removes the cohesion in both; none: each mode fails by itself");
     add_parameters(command, o);
-    add_choice(command, "--plane", o.plane, {"strain", "stress"}, "plane condition; default: strain, in tests of discs stress");
+    add_choice(command, "--plane", o.plane, {"strain", "stress"}, "plane condition; default: strain, in Brazilian tests stress");
 }
 
 void apply_contact_options(const ContactOptions& o, SimulationRequest& request) {

@@ -66,20 +66,18 @@ void print_summary(const SimulationSummary& s) {
     const std::string strength =
         h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa (plane {}); ", strength_of(h) * 1e-6, name_of(h.plane)) : "";
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
-    fmt::print(stderr, "{}: {} after {} steps of {:.3g} s{}; {}contacts past their peak {} open, {} closed then\n", h.test,
+    fmt::print(stderr, "{}: ended by {} after {} steps of {:.3g} s{}; {}contacts that failed: {} open, {} closed\n", h.test,
                h.stop_reason, h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
     fmt::print(stderr,
-               "{}: energy balance closes to {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping took {:.1f} "
-               "% of the "
-               "work, and "
-               "carried {:.2f} % of the load before the peak\n",
+               "{}: energy balance error {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping absorbed {:.1f} "
+               "% of the work and carried {:.2f} % of the load before the peak\n",
                h.test, h.energy_balance_error, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
-    fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns a grain-step\n", h.test, s.wall_time, s.ns_per_grain_step);
+    fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns per grain and step\n", h.test, s.wall_time, s.ns_per_grain_step);
     if (h.damping_load > trusted_damping_load) {
         fmt::print(
             stderr,
-            "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %, and the strength is too "
-            "high by that or, where grains slide, by several times as much: use a smaller --rate-tolerance, a slower --rate "
+            "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %; the strength is too high by "
+            "that share, where grains slide by several times as much: use a smaller --rate-tolerance, a slower --rate "
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
@@ -87,12 +85,12 @@ void print_summary(const SimulationSummary& s) {
         fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
     }
     if (h.energy_balance_error > trusted_residual) {
-        fmt::print(
-            stderr,
-            "{}: warning: the energy balance is off by {:.1f} % of the stored energy, more than {:.1f} %: take results after "
-            "that with care (`history`, energy_balance_error), or use another --contact-law, --mass-scaling none or a slower "
-            "--rate\n",
-            h.test, 100 * h.energy_balance_error, 100 * trusted_residual);
+        fmt::print(stderr,
+                   "{}: warning: the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
+                   "rely on results after that time (`history`, energy_balance_error), or use another --contact-law, "
+                   "--mass-scaling none or a slower "
+                   "--rate\n",
+                   h.test, 100 * h.energy_balance_error, 100 * trusted_residual);
     }
 }
 
@@ -101,8 +99,8 @@ void note_sudden_loss(const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
     if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
         fmt::print(stderr,
-                   "{}: note: G_II, {:.4g} J/m2, is no more than the {:.4g} J/m2 that a closed contact takes to its peak: its "
-                   "cohesion is lost at once\n",
+                   "{}: note: G_II, {:.4g} J/m2, does not exceed the {:.4g} J/m2 that a closed contact absorbs up to its peak: "
+                   "its cohesion is lost at once\n",
                    name_of(request.loading.test), law.g2, contact_law::energy_to_sliding_peak(law));
     }
 }

@@ -49,7 +49,7 @@ void read_rate(const std::string& text, LoadingRequest& loading) {
         }
     }
     if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0) {
-        throw UsageError("--rate: \"" + text + "\" is neither a speed nor one of the words auto, blocks; 5mm/s fits");
+        throw UsageError("--rate: \"" + text + "\" is neither a speed such as 5mm/s nor one of the words auto, blocks");
     }
     loading.rate = RateKind::fixed;
     loading.platen_speed = parse_quantity(text, quantity::platen_speed, "--rate");
@@ -58,16 +58,18 @@ void read_rate(const std::string& text, LoadingRequest& loading) {
 void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& raw) {
     detail::add_value(
         command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); },
-        "speed of each platen; auto: as fast as the run stays near equilibrium; blocks: loading and rest by turns",
+        "speed of each platen; auto: as fast as quasi-static equilibrium allows; blocks: loading and equilibration alternate",
         "auto|blocks|SPEED", "auto");
-    add_quantity(command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
-                 fmt::format("how near: rise of the load over itself in a wave transit (auto, default {}, of discs and "
-                             "in direct tension {}), unbalanced ratio that counts as rest (blocks, default {})",
-                             default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
-    add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed, "of each platen in a block; default 5mm/s");
+    add_quantity(
+        command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
+        fmt::format("tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}, in Brazilian "
+                    "tests and direct tension {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
+                    default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
+    add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed,
+                 "speed of each platen in a block; default 5mm/s");
     add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share,
-                 "all speeds of the automatic rate, its limits and floors included, times this; default 1");
-    add_integer(command, "--block-steps", raw.block_steps, "steps of a block; default 5000", std::int64_t{5});
+                 "factor on all platen speeds and limits of the automatic rate; default 1");
+    add_integer(command, "--block-steps", raw.block_steps, "number of steps of a block; default 5000", std::int64_t{5});
 }
 
 /// \throws UsageError where an option does not belong to the chosen --rate
@@ -95,62 +97,68 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
 }
 
 void add_method_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
-    add_choice<DampingForm>(
-        command, "--damping-form", request.damping_form, {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
-        "combined: half against the motion, half with the rate of the force, so that steady sliding is hardly "
-        "held back; local: all of it against the motion");
+    add_choice<DampingForm>(command, "--damping-form", request.damping_form,
+                            {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
+                            "combined: half opposes the motion, half follows the rate of the force, so that steady sliding is "
+                            "hardly resisted; local: all of it opposes the motion");
     add_choice<std::optional<bool>>(
         command, "--mass-scaling", raw.mass_scaling, {{"none", false}, {"selective", true}},
-        "selective: nodes that contacts hold together move against each other with a multiple of their mass, which allows a step "
-        "some ten times as long; selective unless given, none for what has no damping or makes waves");
+        "selective: mass is added to the relative motion of nodes across contacts, which allows a time step about ten times as "
+        "long; default: selective, but none for tests without damping and for programs that make waves");
     add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
-                 "that multiple less one; as much as lets the grains alone limit the step unless given");
+                 "ratio of added to real mass in relative motion across contacts; default: large enough that the grains, not the "
+                 "contacts, limit the time step");
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
-                 "time step over the stable step of undamped motion; damping needs less than 1/sqrt(1 + damping)", "0.7");
-    command.add_flag("--save-state", request.save_state, "keep the state of the end in the run, for a program to go on from");
+                 "time step over the stable time step of undamped motion; with damping it must be below 1/sqrt(1 + damping)",
+                 "0.7");
+    command.add_flag("--save-state", request.save_state,
+                     "store the final state in the run file, so that a program can start from it");
     add_integer(command, "--frames", request.frames,
-                "frames to keep, evenly spaced (up to twice as many), besides those of peak and end; 0 for the end only", 0);
+                "number of frames to store, evenly spaced (at most twice as many), besides those at the peak and the end; 0: the "
+                "end only",
+                0);
     add_threads(command, request.threads);
     add_choice<std::optional<VectorTarget>>(
         command, "--vector", request.vector_target,
         {{"auto", std::nullopt}, {"plain", VectorTarget::plain}, {"avx2", VectorTarget::avx2}, {"avx512", VectorTarget::avx512}},
-        "vector unit to run on; auto: the widest there is");
+        "vector instructions to use; auto: the widest that the processor has");
 }
 
 void add_checkpoint_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
     static constexpr Quantity walltime{"walltime", Dimension::time, 0, 1e7, "wall time of a run", true};
     add_quantity(command, "--walltime", raw.walltime, walltime,
-                 "stop after this time as on SIGTERM: RUN.checkpoint has the test so far, and the exit code is 143");
+                 "stop after this wall-clock time as on SIGTERM: write RUN.checkpoint and end with exit code 143");
     add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
-                 "wall time from one writing of RUN.checkpoint to the next; it is gone when the run is there");
+                 "wall-clock interval between checkpoints (RUN.checkpoint, removed when the run is complete)");
     command.add_flag("--discard-checkpoint", request.discard_checkpoint,
-                     "begin anew where RUN.checkpoint is there, which is refused otherwise: it is removed");
+                     "start again although RUN.checkpoint exists, and remove it; without this option such a start is refused");
 }
 
 void add_sensitivity_flag(CLI::App& command, SimulationRequest& request) {
-    command.add_flag("--sensitivity", request.sensitivity,
-                     "run again with half the rate, half the step, half the damping, a quarter of the mass scaling and twice the "
-                     "elements along an edge; print what moves, and keep it in the run");
+    command.add_flag(
+        "--sensitivity", request.sensitivity,
+        "repeat the test with half the loading rate, half the time step, half the damping, a quarter of the mass scaling and "
+        "twice the elements along an edge; print the changes of the results and store them in the run file");
 }
 
 void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
     LoadingRequest& loading = request.loading;
     if (confined) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
-                     "pressure of the membrane on the lateral edges")
+                     "confining pressure on the lateral edges")
             ->required();
     }
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
-                 "friction angle between rock and platens instead of the material's");
+                 "friction angle between rock and platens; default: the material's");
     add_rate_options(command, loading, raw);
     add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
-                    "fall below the peak that ends the test, share of it; none: go on to --max-strain", "0.3");
+                    "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3");
     add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
-                 "platen travel over specimen height that ends the test", "0.015");
+                 "strain limit: platen travel over specimen height at which the test ends", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,
-                    "share of the unbalanced force that damps", "0.8");
+                    "damping force as a fraction of the unbalanced force", "0.8");
     add_checkpoint_options(command, request, raw);
-    command.add_option("--restart", request.restart, "checkpoint of this test, to go on from")->type_name("FILE");
+    command.add_option("--restart", request.restart, "checkpoint of this test, to resume it")->type_name("FILE");
     add_sensitivity_flag(command, request);
     add_method_options(command, request, raw);
 }
@@ -163,32 +171,35 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
     add_run_options(*command, options.request, raw, test == TestKind::triaxial);
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     command->add_flag("--print-program", options.print_program,
-                      "print the test as a program for `graincrack-solve program`, and run nothing");
+                      "print the test as a loading program for `graincrack-solve program`, and run nothing");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
 }
 
 CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common) {
-    CLI::App* command = app.add_subcommand("program", "what a program file says: stages, boundaries, gravity, probes");
+    CLI::App* command =
+        app.add_subcommand("program", "a loading program from a file: stages, boundary conditions, gravity, probes");
     command->footer(program_examples);
     command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
     command
         ->add_option(
             "--program", raw.program,
-            "the program: a file of TOML, or the name of one of share/programs such as joint-shear; see share/doc/programs.md")
+            "loading program: a TOML file, or the name of one of share/programs such as joint-shear; see share/doc/programs.md")
         ->required()
         ->type_name("FILE|NAME");
     add_contact_options(*command, raw.contact);
     add_quantity(*command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
-                 "friction angle between rock and platens instead of the material's");
-    add_quantity_or(*command, "--damping", raw.damping, quantity::damping, "none", 0,
-                    "share of the unbalanced force that damps, instead of the program's own; it must have one of the two");
+                 "friction angle between rock and platens; default: the material's");
+    add_quantity_or(
+        *command, "--damping", raw.damping, quantity::damping, "none", 0,
+        "damping force as a fraction of the unbalanced force, instead of the value in the program; one of the two is required");
     add_method_options(*command, options.request, raw);
     add_checkpoint_options(*command, options.request, raw);
     add_sensitivity_flag(*command, options.request);
     command
         ->add_option("--restart", options.request.restart,
-                     "run made with --save-state to go on from, before the program's start_from; or checkpoint of this program")
+                     "run made with --save-state from which to start, instead of the program's start_from; or a checkpoint of "
+                     "this program, to resume it")
         ->type_name("FILE");
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
@@ -218,7 +229,7 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
     }
 }
 
-/// Scaled masses for what is quasi-static, unless they were chosen; a run that goes on from another keeps what that has.
+/// Scaled masses for what is quasi-static, unless they were chosen; a run that starts from another keeps what that has.
 void complete_mass_scaling(SimulationRequest& request, const RawOptions& raw) {
     const std::string why = request.why_dynamic();
     request.mass_scaling = raw.mass_scaling.value_or(why.empty());
@@ -231,7 +242,7 @@ void complete_mass_scaling(SimulationRequest& request, const RawOptions& raw) {
         throw UsageError(
             raw.mass_scaling
                 ? fmt::format(
-                      "--mass-scaling: {} is dynamic ({}), and scaled masses would move otherwise; --mass-scaling none fits",
+                      "--mass-scaling: {} is dynamic ({}), and scaled masses would change its motion; give --mass-scaling none",
                       request.program->file, why)
                 : fmt::format("{}: has scaled masses, and {} is dynamic ({}); start from a run made with --mass-scaling none",
                               request.restart, request.program->file, why));
@@ -252,11 +263,11 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     }
 }
 
-/// \throws UsageError if the run would replace the one it goes on from
+/// \throws UsageError if the run would replace the one it starts from
 void require_other_output(const SolveOptions& options) {
     std::error_code missing;
     if (std::filesystem::equivalent(options.output, options.request.restart, missing)) {
-        throw UsageError(fmt::format("--output {}: is the run to go on from; give another name", options.output));
+        throw UsageError(fmt::format("--output {}: is the run to start from; give another name", options.output));
     }
 }
 
@@ -266,13 +277,13 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     SolveOptions options;
     RawOptions raw;
     CommonOptions common;
-    CLI::App app("Runs laboratory tests on an assemblage of grains by the cohesive discrete element method");
+    CLI::App app("Runs laboratory tests on assemblages of grains by the discrete element method with cohesive contacts");
     add_common_options(app, "graincrack-solve", common, examples);
     app.require_subcommand(1);
     const auto add = [&](TestKind test, const std::string& help) { return add_test(app, options, raw, common, test, help); };
     const std::vector<std::pair<CLI::App*, TestKind>> tests{
         {add(TestKind::uniaxial, "compression between platens"), TestKind::uniaxial},
-        {add(TestKind::triaxial, "compression between platens under lateral pressure"), TestKind::triaxial},
+        {add(TestKind::triaxial, "compression between platens under confining pressure"), TestKind::triaxial},
         {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
         {add(TestKind::tension, "direct tension between bonded platens"), TestKind::tension},
     };
@@ -295,17 +306,19 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     const bool goes_to_stream = !options.output.empty() && is_stream(options.output);
     if (options.request.checkpoint_interval && goes_to_stream) {
         throw UsageError(
-            "--checkpoint-every: a run that goes to stdout or a device has no name for its checkpoints; -o run.h5 fits");
+            "--checkpoint-every: a run written to stdout or a device has no name for its checkpoints; give a file such as -o "
+            "run.h5");
     }
     if (raw.walltime) {
         if (goes_to_stream) {
-            throw UsageError("--walltime: a run that goes to stdout or a device has no name for its checkpoint; -o run.h5 fits");
+            throw UsageError(
+                "--walltime: a run written to stdout or a device has no name for its checkpoint; give a file such as -o run.h5");
         }
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*raw.walltime);
         options.request.stops_after = [end](std::size_t /*rows*/) { return std::chrono::steady_clock::now() >= end; };
     }
     if (options.request.sensitivity && !options.request.restart.empty()) {
-        throw UsageError("--sensitivity: runs again from the start, --restart does not; leave out the one or the other");
+        throw UsageError("--sensitivity: repeats the test from its start, --restart does not begin there; leave out one of them");
     }
     if (program->parsed()) {
         complete_program(options.request, raw);

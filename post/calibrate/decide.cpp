@@ -354,13 +354,13 @@ void Calibration::confirm() {
 /// "UCS +12 % off (± 3 %)": SI values as parts of the target
 std::string off_text(const Outcome& o) {
     const Target& t = o.target;
-    if (!o.ours) return fmt::format("{}: none of {} tests has it", t.symbol(), o.tests);
+    if (!o.ours) return fmt::format("{}: none of {} tests has a value", t.symbol(), o.tests);
     const double scale = t.kind.absolute ? 1 : 100 / t.value;
     const char* unit = t.kind.absolute ? "" : " %";
     const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : nan;
-    std::string text = fmt::format("{} {:+.3g}{} off (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
+    std::string text = fmt::format("{} differs by {:+.3g}{} (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
                                    (o.ours->mean.value - t.value) * scale, unit, half * scale, unit, t.deviation * scale, unit);
-    if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have it", o.ours->n, o.tests);
+    if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have a value", o.ours->n, o.tests);
     return text;
 }
 
@@ -373,7 +373,7 @@ Miss Calibration::miss_of(const Outcome& outcome) const {
     if (response == fit_.responses.end() || t.is_elastic()) return {};
     if (!response->surface)
         return {true, true,
-                fmt::format("{} of {} tests of the designs have {}", response->measured, response->tests, t.symbol())};
+                fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
     const Place& place = fit_.optimum.place;
     const double wanted = std::log(t.value);
     const double here = response->surface->value(place);
@@ -396,7 +396,7 @@ Miss Calibration::miss_of(const Outcome& outcome) const {
     const Parameter& p = problem_.parameters[static_cast<std::size_t>(k)];
     const double to = place(k) + (wanted - here) / gradient(k);
     return {true, wanted < lowest || wanted > highest,
-            fmt::format("{} alone would want {} to go from {} to {} (first box {} to {})", t.symbol(), p.key,
+            fmt::format("{} alone would need {} to change from {} to {} (first box {} to {})", t.symbol(), p.key,
                         value_text(p.key, p.value(place(k)), " "),
                         std::abs(to) < 10 ? value_text(p.key, p.value(to), " ") : "far outside", value_text(p.key, p.low, " "),
                         value_text(p.key, p.high, " "))};
@@ -425,17 +425,18 @@ void Calibration::end() {
     }
     if (missed.empty()) {
         throw Ended{Ending::calibrated, "new specimens are within the bounds of every target",
-                    "calibrated.toml is a material like any other; what was predicted was not fitted"};
+                    "use calibrated.toml like any other material; predicted values were not fitted"};
     }
     remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
     if (expected && out_of_reach) throw Ended{Ending::not_reached, missed, remedies};
-    if (expected) throw Ended{Ending::contradictory, missed, "each is in reach, but not all together: " + remedies};
+    if (expected)
+        throw Ended{Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
     const std::string another = fmt::format("ask for one more design (--set zooms={})", study().zooms + 1);
-    if (outside) throw Ended{Ending::undecided, missed, "the surfaces expected every target to be met here: " + another};
-    throw Ended{
-        Ending::undecided, missed,
-        fmt::format("confirm on more specimens, by estimate {} (--set confirmation_discs=N, confirmation_rectangles=N), or {}",
-                    specimens, another)};
+    if (outside)
+        throw Ended{Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
+    throw Ended{Ending::undecided, missed,
+                fmt::format("confirm on more specimens, about {} (--set confirmation_discs=N, confirmation_rectangles=N), or {}",
+                            specimens, another)};
 }
 
 void Calibration::run() {

@@ -12,7 +12,7 @@ namespace graincrack::calibrate {
 
 namespace {
 
-/// Standard deviation along a direction, in half widths of the first box, beyond which data do not tell it.
+/// Standard deviation along a direction, in half widths of the first box, beyond which the data do not determine it.
 constexpr double untold = 0.5;
 /// What keeping such a direction at the first guess may add to the sum of squares, half a standard deviation of one target,
 /// beside a fifth of it: a slope that is little more than scatter can reduce a large misfit a little.

@@ -25,7 +25,7 @@ struct Basis {
     double edge;
     double ucs;             ///< NaN if the laboratory has none; its boxes then have no defaults
     double friction_angle;  ///< of the rock
-    bool frictional;        ///< law `cohesive-frictional`, whose friction bears beside its cohesion
+    bool frictional;        ///< law `cohesive-frictional`, whose friction adds to its cohesion
 };
 
 /// A box about a first guess, as parts of a reference value. The limits of boxes that move are wider.
@@ -47,7 +47,7 @@ Parameter tensile_strength(const Basis& b) {
     return parts_of(guess, 1, 0.5, 2, 0.1, 4, true, "2 K_IC/√(π dp), Eq 40");
 }
 Parameter cohesion(const Basis& b) {
-    if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, as friction bears beside it");
+    if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, because friction adds to it");
     return parts_of(b.ucs, 0.5, 0.25, 1, 0.05, 3, true, "UCS/2, the centre of Kazerani & Zhao's design");
 }
 Parameter friction_angle(const Basis& b) {
@@ -162,7 +162,7 @@ void set(Parameter& p, const TomlEntry& entry, const std::string& where) {
 
 void require_sound(Parameter& p, const std::string& where) {
     if (std::isnan(p.low) || std::isnan(p.high)) {
-        throw InputError(fmt::format("{}: {} has no usual bounds for this rock; low and high are needed", where, p.key));
+        throw InputError(fmt::format("{}: {} has no default bounds for this rock; give low and high", where, p.key));
     }
     if (!(p.low < p.high) || (p.logarithmic && !(p.low > 0)))
         throw InputError(

@@ -48,8 +48,8 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
         const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
         const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
         text += fmt::format(
-            "- K_IC was not tested: a notch long enough for it takes a large plate. The fracture energy of contacts, {:.4g} "
-            "J/m², stands for √(Ẽ G_I) = {:.3g} MPa √m; the rock has {:.3g} MPa √m\n",
+            "- K_IC was not tested: a notch long enough for it needs a large plate. The fracture energy of contacts, {:.4g} "
+            "J/m², corresponds to √(Ẽ G_I) = {:.3g} MPa √m; the rock has {:.3g} MPa √m\n",
             contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
         Cells fixed;
         for (const ContactParameter& row : all_contact_parameters()) {
@@ -78,8 +78,9 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
                         problem.study.rate_tolerance, 100 * problem.study.max_strain);
     const double off = disagreement(rock);
     if (std::abs(off) > remarkable)
-        text +=
-            fmt::format("- C and φ of the laboratory imply a UCS {:+.1f} % off the measured one; C is not fitted\n", 100 * off);
+        text += fmt::format(
+            "- C and φ of the laboratory imply a UCS that differs by {:+.1f} % from the measured one; C is not fitted\n",
+            100 * off);
     return text;
 }
 
@@ -120,7 +121,7 @@ std::string values_text(const Problem& problem, const Decision& decision) {
                                     [&, k = key](const Parameter& each) { return each.key == k; });
         const auto in = [&, k = key](double v) { return value_text(k, v, " "); };
         if (p == problem.parameters.end()) {
-            text += markdown_row({key, in(value), "", "", "", "", "scaled until the assemblage has the rock's"});
+            text += markdown_row({key, in(value), "", "", "", "", "scaled until the assemblage has the value of the rock"});
             continue;
         }
         const auto k = static_cast<Eigen::Index>(p - problem.parameters.begin());
@@ -128,16 +129,18 @@ std::string values_text(const Problem& problem, const Decision& decision) {
         const double place = optimum.place(k);
         text += markdown_row({key, in(value),
                               optimum.kept_share(k) > 0.5
-                                  ? "not told by the data"
+                                  ? "not determined by the data"
                                   : fmt::format("{} to {}", in(p->value(place - half)), in(p->value(place + half))),
                               in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
                               fmt::format("{} to {}", in(p->least), in(p->most)), p->source});
     }
-    text += "\nIntervals have the scatter of the surfaces and of the measured values (the deviations of the targets).\n";
+    text +=
+        "\nIntervals include the scatter about the response surfaces and the uncertainty of the measured values (the deviations "
+        "of the targets).\n";
     for (const Place& direction : optimum.kept)
         text += fmt::format(
-            "\nThe data do not tell the direction {} (widths of the first box): kept at the first guess, or where the last box "
-            "is nearest to it.\n",
+            "\nThe data do not determine the combination {} (in widths of the first box): it was kept at the first guess, or as "
+            "near to it as the last box allows.\n",
             direction_text(problem.parameters, direction));
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
@@ -155,16 +158,15 @@ std::string values_text(const Problem& problem, const Decision& decision) {
 
 std::string surfaces_text(const Fit& fit) {
     std::string text =
-        "\nln(response) by least squares in the last box. Scatter is the standard deviation about the surface, √(PRESS/n) that "
-        "of "
-        "values predicted without their own test; equal points scatter by repeated tests at the end, and lack of fit is the "
-        "probability that the scatter about the surface is no more than that.\n";
+        "\nLeast-squares fits of ln(response) in the last box. Scatter is the standard deviation about the surface; √(PRESS/n) "
+        "is the same for values predicted without their own test. Scatter at equal points is that of the repeated tests at the "
+        "end; lack of fit is the probability that the scatter about the surface is no larger than that.\n";
     text += markdown_head(
         {"response", "points", "quadratic terms", "scatter", "√(PRESS/n)", "equal points", "lack of fit p", "at the optimum"});
     for (const Response& r : fit.responses) {
         if (!r.surface) {
-            text += markdown_row({r.target.symbol(), fmt::format("no surface; {} of {} tests have it", r.measured, r.tests), "",
-                                  "", "", "", "", ""});
+            text += markdown_row({r.target.symbol(), fmt::format("no surface; {} of {} tests have a value", r.measured, r.tests),
+                                  "", "", "", "", "", ""});
             continue;
         }
         const ResponseSurface& s = *r.surface;
@@ -182,8 +184,8 @@ std::string identify_text(const Problem& problem, const Fit& fit) {
     Cells head{"response"};
     for (const Parameter& p : problem.parameters) head.push_back(p.key);
     std::string text =
-        "\nd ln(response)/d ln(parameter) at the optimum with 95 % intervals; bold: the interval does not hold 0. identify.tsv "
-        "has the same.\n\n![Sensitivities](identify.png)\n" +
+        "\nd ln(response)/d ln(parameter) at the optimum with 95 % intervals; bold: the interval does not contain 0. "
+        "identify.tsv has the same numbers.\n\n![Sensitivities](identify.png)\n" +
         markdown_head(head);
     const std::vector<Sensitivity> all = sensitivities(problem.parameters, fit);
     for (std::size_t i = 0; i < all.size(); i += problem.parameters.size()) {

@@ -16,7 +16,7 @@ namespace graincrack::calibrate {
 struct Test {
     std::string name;  ///< brazilian, tension, uniaxial, triaxial
     double confining_pressure = 0;
-    double peak_drop = 1;  ///< fall below the peak that ends it; 1: it goes on to the strain limit
+    double peak_drop = 1;  ///< fall below the peak that ends it; 1: it continues to the strain limit
     [[nodiscard]] std::string label() const { return name + pressure_text(confining_pressure); }
     [[nodiscard]] bool is_compression() const { return name == "uniaxial" || name == "triaxial"; }
     [[nodiscard]] bool has(const Target& target) const {

@@ -1,4 +1,4 @@
-// Claims of a paper as a table: a row a claim. share/doc/studies.md describes its columns.
+// Claims of a paper as a table: one row per claim. share/doc/studies.md describes its columns.
 #pragma once
 
 #include <map>

@@ -18,8 +18,8 @@ struct ClaimsOptions {
     ClaimsFormat format = ClaimsFormat::tsv;
 };
 
-/// A row a claim: study, claim, paper, ours, difference, verdict, explanation, low, high. All claims are judged before the first
-/// row is written. \param claims the file of claims \param tables of results \throws InputError
+/// one row per claim: study, claim, paper, ours, difference, verdict, explanation, low, high. All claims are evaluated before the
+/// first row is written. \param claims the file of claims \param tables of results \throws InputError
 void write_claims(std::ostream& out, const std::string& claims, const std::vector<std::string>& tables,
                   const ClaimsOptions& options);
 

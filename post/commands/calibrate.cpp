@@ -38,7 +38,7 @@ void write_heat_map(const std::string& file, const std::vector<calibrate::Sensit
         }
         cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_told()});
     }
-    write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval holds 0", rows, columns, cells, 1),
+    write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval contains 0", rows, columns, cells, 1),
                   file);
 }
 
@@ -62,23 +62,22 @@ void write(const Options& options, const Call& call) {
     }
     throw NumericalError(fmt::format("calibrate: {}: {}: {}; next: {}; {}/report.md has every step{}", folder,
                                      calibrate::label_of(decision.ending), decision.reason, decision.next, folder,
-                                     decision.point.empty() ? "" : ", nearest.toml the nearest point"));
+                                     decision.point.empty() ? "" : ", nearest.toml has the nearest point"));
 }
 
 }  // namespace
 
 Command calibrate_command() {
     return make_command<Options>(
-        "calibrate", "the next runs of a calibration, or the calibrated material; runs nothing itself",
+        "calibrate", "the next runs of a calibration, or the calibrated material; starts no runs itself",
         {"results/my-rock", "results/my-rock --material augig-granite --set zooms=2"},
         FileArguments{"folder", "folder with strength.tsv and moduli.tsv of the finished runs"},
         [](CLI::App& app, Options& options) {
-            app.add_option(
-                   "--material", options.material,
-                   "material with [targets], [parameters], [study], or just [laboratory]: a name of share/materials or a TOML "
-                   "file (default: FOLDER/material.toml)")
+            app.add_option("--material", options.material,
+                           "material with [targets], [parameters] and [study], or with [laboratory] alone: a name of "
+                           "share/materials or a TOML file; default: FOLDER/material.toml")
                 ->type_name("FILE");
-            add_names(app, "--set", options.settings, "KEY=VALUE", "a key of [study] with another value; may be given again");
+            add_names(app, "--set", options.settings, "KEY=VALUE", "new value of a key of [study]; may be given again");
         },
         &write);
 }

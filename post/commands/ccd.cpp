@@ -19,10 +19,11 @@ using FitTableOptions = WithFormat<ccd::FitOptions>;
 using SolutionTableOptions = WithFormat<ccd::SolveOptions>;
 
 void add_design_options(CLI::App& app, DesignTableOptions& options) {
-    add_names(app, "--factor", options.ccd.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, unit in its name");
+    add_names(app, "--factor", options.ccd.factors, "NAME=LOW:HIGH",
+              "factor with its values at the levels -1 and +1; its unit is part of its name");
     add_choice<ccd::Star>(app, "--star", options.ccd.star,
                           {{"rotatable", ccd::Star::rotatable}, {"face-centred", ccd::Star::face_centred}},
-                          "star points at (2^k)^(1/4), or on the faces");
+                          "position of the star points: at (2^k)^(1/4), or on the faces");
     add_integer<std::size_t>(app, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
     add_format(app, options.format);
 }

@@ -34,12 +34,13 @@ void write(const Options& options, const Call& call) {
 Command claims_command() {
     using Format = claims::ClaimsFormat;
     return make_command<Options>(
-        "claims", "verdicts on claims of a paper, with intervals, from tables of results",
+        "claims", "compare the claims of a paper with tables of results: verdicts with intervals",
         {"claims.tsv properties.tsv modes.tsv --study verification", "claims.tsv properties.tsv --set BTS=8.8 --format markdown"},
         FileArguments{"files", "the file of claims, then the tables of results that it names"},
         [](CLI::App& app, Options& options) {
             app.add_option("--study", options.study, "name of the study, in the first column");
-            add_names(app, "--set", options.settings, "NAME=VALUE", "what {NAME} in the claims stands for; may be given again");
+            add_names(app, "--set", options.settings, "NAME=VALUE",
+                      "text that replaces {NAME} in the claims; may be given again");
             add_choice<Format>(app, "--format", options.format,
                                {{"table", Format::aligned},
                                 {"tsv", Format::tsv},

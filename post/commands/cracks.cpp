@@ -13,7 +13,7 @@ Command cracks_command() {
         CrackExportOptions crack_export;
     };
     return make_command<Options>(
-        "cracks", "grains and cracks as VTK series, crack log and rosette",
+        "cracks", "grains and cracks as VTK series; tables of cracks, events, fragments and directions",
         {"uniaxial.h5 -o cracks", "brazilian.h5 --event-distance 10mm -o cracks --paraview"}, one_run,
         [](CLI::App& app, Options& options) {
             add_output(app, options.folder, "folder for grains.pvd, cracks.pvd and the tables");
@@ -21,7 +21,7 @@ Command cracks_command() {
             add_crack_label(app, options.crack_export.label);
             add_format(app, options.crack_export.format);
             app.add_flag("--paraview", options.crack_export.paraview,
-                         "also write open_in_paraview.py, which opens grains, cracks, colours and time at once: paraview "
+                         "also write open_in_paraview.py, which shows grains and cracks with colours and times: paraview "
                          "--script=FILE, or pvbatch FILE PICTURE.png");
         },
         [](const Options& options, const Call& call) {
@@ -35,7 +35,7 @@ Command classes_command() {
         CrackLabelChoice label;
     };
     return make_command<Options>(
-        "classes", "contacts and their micro-cracks by class, the pair of phases (minerals) of their grains, a row a class",
+        "classes", "contacts and micro-cracks for each class (pair of minerals), one row per class",
         {"uniaxial.h5", "uniaxial.h5 brazilian.h5 --crack-event broken --format jsonl"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_crack_label(app, options.label);

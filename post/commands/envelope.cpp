@@ -152,9 +152,8 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     print_left_out(diagnostics, tests);
     if (tests.at_strain_limit > 0) {
         fmt::print(diagnostics,
-                   "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress stands for a "
-                   "peak, so C "
-                   "and phi depend on that limit\n",
+                   "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress is taken as "
+                   "a strength, so that C and phi depend on that limit\n",
                    tests.at_strain_limit, runs.size());
     }
     if (format) {
@@ -170,7 +169,7 @@ Command envelope_command() {
         EnvelopeOptions envelope;
     };
     return make_command<Options>(
-        "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, 95 % intervals",
+        "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, with 95 % intervals",
         {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_form(app, options.form);

@@ -170,9 +170,10 @@ KnownRock known_rock(const IncompleteMaterial& read, const FpzOptions& options, 
     const GivenContact& contact = read.material.contact;
     KnownRock rock{rock_of_laboratory(read, notes), contact.tensile_strength, contact.cohesion, edges_of(options, read.material)};
     if (!rock.contact_tensile_strength) {
-        notes.emplace_back("contact.tensile_strength is not there: quantities that follow from it are left out");
+        notes.emplace_back("contact.tensile_strength is missing: quantities that follow from it are left out");
     }
-    if (rock.edges.empty()) notes.emplace_back("no grain size: give --edge or laboratory.grain_size for what depends on it");
+    if (rock.edges.empty())
+        notes.emplace_back("no grain size: give --edge or laboratory.grain_size for the quantities that depend on it");
     return rock;
 }
 
@@ -180,13 +181,12 @@ KnownRock known_rock(const IncompleteMaterial& read, const FpzOptions& options, 
 
 Command fpz_command() {
     return make_command<FpzOptions>(
-        "fpz", "the fracture process zone of a rock, every number with its equation; laboratory values alone suffice",
+        "fpz", "fracture process zone of a rock, each quantity with its equation; laboratory values are sufficient",
         {"--material augig-granite", "--material augig-granite --edge 2mm --edge 4mm --format jsonl"}, std::nullopt,
         [](CLI::App& app, FpzOptions& options) {
             app.add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
             add_names(app, "--edge", options.edges, "LENGTH",
-                      "mean edge of the grains, for what depends on it; may be given again; the laboratory's grain size unless "
-                      "given");
+                      "mean edge of the grains; may be given again; default: the grain size of the laboratory");
             add_format(app, options.format);
         },
         [](const FpzOptions& options, const Call& call) {

@@ -56,10 +56,11 @@ struct HistoryOptions {
 };
 
 void add_options(CLI::App& app, HistoryOptions& options) {
-    app.add_flag("--follow", options.follow, "write the rows of a run in progress as they appear, until it ends");
-    auto* probe = app.add_option("--probe", options.probe, "of a loading program: this probe instead, or what this boundary did")
-                      ->type_name("NAME");
-    auto* stages = app.add_flag("--stages", options.stages, "of a loading program: its stages instead, and what ended them");
+    app.add_flag("--follow", options.follow, "print the rows of a running test as they appear, until it ends");
+    auto* probe =
+        app.add_option("--probe", options.probe, "print the history of this probe or boundary of a loading program instead")
+            ->type_name("NAME");
+    auto* stages = app.add_flag("--stages", options.stages, "print the stages of a loading program instead, and how each ended");
     stages->excludes(probe);
     add_format(app, options.format);
 }
@@ -82,7 +83,7 @@ void run(const HistoryOptions& options, const Call& call) {
 }  // namespace
 
 Command history_command() {
-    return make_command<HistoryOptions>("history", "the history of a run as a table, tension positive",
+    return make_command<HistoryOptions>("history", "history of a run as a table, tension positive",
                                         {"uniaxial.h5", "uniaxial.h5 --follow --format jsonl"}, one_run, add_options, run);
 }
 

@@ -148,7 +148,7 @@ struct InfoOptions {
 
 void add_options(CLI::App& app, InfoOptions& options) {
     app.add_flag("--check", options.check, "read every dataset and validate the specimen");
-    app.add_flag("--digest", options.digest, "print `digest  file` only: SHA-256 over the content except /provenance");
+    app.add_flag("--digest", options.digest, "print the digest of the file alone: SHA-256 over the content except /provenance");
 }
 
 void run(const InfoOptions& options, const Call& call) {
@@ -158,7 +158,7 @@ void run(const InfoOptions& options, const Call& call) {
 }  // namespace
 
 Command info_command() {
-    return make_command<InfoOptions>("info", "what is in a specimen or run", {"uniaxial.h5", "disc.h5 --check"},
+    return make_command<InfoOptions>("info", "contents of a specimen or run", {"uniaxial.h5", "disc.h5 --check"},
                                      FileArguments{"files", "specimens or runs"}, add_options, run);
 }
 

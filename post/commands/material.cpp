@@ -30,7 +30,7 @@ std::vector<MaterialSetting> settings_of(const std::vector<std::string>& texts) 
 
 void write_template(const std::string& name, const std::vector<MaterialSetting>& settings) {
     if (name.find_first_of("/\"\\\n") != std::string::npos || name == "-") {
-        throw UsageError("name: " + name + ": a plain name is wanted, without slashes or quotes");
+        throw UsageError("name: " + name + ": a plain name is needed, without slashes or quotes");
     }
     const std::string file = name + ".toml";
     if (std::filesystem::exists(file)) throw OutputError(file + ": exists; remove it first, or give another name");
@@ -43,12 +43,12 @@ Command init_command() {
         std::vector<std::string> settings;
     };
     return make_command<Options>(
-        "init", "a commented template of a material file: every key with its unit and default",
+        "init", "write a commented template of a material file: every key with its unit and default",
         {"my-rock", "carrara-marble --set 'laboratory.young_modulus=49 GPa' --set laboratory.poisson_ratio=0.19"}, std::nullopt,
         [](CLI::App& app, Options& options) {
             app.add_option("name", options.name, "name of the material; NAME.toml is written, in this folder")->required();
             add_names(app, "--set", options.settings, "KEY=VALUE",
-                      "a value to enter, its key with its table, as laboratory.cohesion; may be given again");
+                      "value to enter, with the key and its table, such as laboratory.cohesion; may be given again");
         },
         [](const Options& options, const Call& call) {
             write_template(options.name, settings_of(options.settings));
@@ -95,13 +95,13 @@ Command value_command() {
         std::string unit;
     };
     return make_command<Options>(
-        "value", "one value of a material as a bare number, for scripts",
+        "value", "print one value of a material as a bare number, for scripts",
         {"contact.cohesion augig-granite", "rock.young_modulus augig-granite --unit GPa"}, std::nullopt,
         [](CLI::App& app, Options& options) {
-            app.add_option("key", options.key, "table and key, as contact.cohesion")->required();
+            app.add_option("key", options.key, "table and key, such as contact.cohesion")->required();
             app.add_option("material", options.material, "material: a name of share/materials or a TOML file")->required();
             app.add_option("--unit", options.unit,
-                           "unit of the number; unless given MPa, deg, mm or MPa.m^0.5, and SI for what has none of these");
+                           "unit of the number; default: MPa, deg, mm or MPa.m^0.5, and SI for other quantities");
         },
         [](const Options& options, const Call& call) { write_value(call, options.key, options.material, options.unit); });
 }
@@ -112,14 +112,14 @@ Command with_command() {
         std::vector<std::string> settings;
     };
     return make_command<Options>(
-        "with", "a material file with other values, its comments kept, on stdout",
+        "with", "print a material file with other values; comments are kept",
         {"augig-granite --set 'contact.cohesion=70 MPa'",
          "augig-granite --set name='Augig granite, stiff' --set 'rock.young_modulus=30 GPa' --set rock.poisson_ratio=0.2"},
         std::nullopt,
         [](CLI::App& app, Options& options) {
             app.add_option("material", options.material, "material: a name of share/materials or a TOML file")->required();
             add_names(app, "--set", options.settings, "KEY=VALUE",
-                      "new value of a key with its table, as contact.cohesion, or of name; may be given again");
+                      "new value of a key with its table, such as contact.cohesion, or of name; may be given again");
             app.get_option("--set")->required();
         },
         [](const Options& options, const Call& call) {
@@ -130,7 +130,7 @@ Command with_command() {
 }  // namespace
 
 Command material_command() {
-    return make_group("material", "materials: a template to fill in, a value, a material with other values",
+    return make_group("material", "material files: write a template, print a value, change values",
                       {init_command(), value_command(), with_command()});
 }
 

@@ -21,18 +21,17 @@ struct StrengthOptions {
 
 void add_strength_options(CLI::App& app, StrengthOptions& options) {
     add_form(app, options.form);
-    app.add_flag("--summary", options.summary, "means over seeds by test and confining pressure, UCS/BTS, DTS/BTS")
-        ->excludes(app.add_flag(
-            "--extrapolate", options.extrapolate,
-            "the limit of slow loading from the same tests at two rates (--rate-tolerance or --rate-share), with its "
-            "error; changes above 5 % are refused"));
+    app.add_flag("--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
+        ->excludes(app.add_flag("--extrapolate", options.extrapolate,
+                                "extrapolate to slow loading from the same tests at two rates (--rate-tolerance or "
+                                "--rate-share), with the error; changes above 5 % are refused"));
 }
 
 }  // namespace
 
 Command strength_command() {
     return make_command<StrengthOptions>(
-        "strength", "strength, strain, cracks at the peak and checks of the run, a row a run",
+        "strength", "strength, strain and cracks at the peak and quality checks, one row per run",
         {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary",
          "default.h5 half-as-fast.h5 --extrapolate"},
         several_runs, add_strength_options, [](const StrengthOptions& options, const Call& call) {
@@ -45,15 +44,15 @@ Command strength_command() {
 Command moduli_command() {
     return make_command<TableForm>(
         "moduli",
-        "E and nu: chord from the start to half the peak, gauges over the central half; raw, converted from plane strain "
-        "and predicted from contact compliance; Voigt and Reuss bounds of the grains",
+        "Young's modulus and Poisson's ratio (chord up to half the peak), predicted values, Voigt and Reuss bounds, crack "
+        "thresholds; one row per run",
         {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_form,
         [](const TableForm& form, const Call& call) { write_moduli_table(call.out, call.files, format_of(form, call.out)); });
 }
 
 Command toughness_command() {
     return make_command<TableFormat>(
-        "toughness", "fracture toughness K_IC from tension of rectangles with a notch through the middle, a row a run",
+        "toughness", "fracture toughness K_IC from direct tension of rectangles with a central notch, one row per run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs, add_format,
         [](const TableFormat& format, const Call& call) {
             write_toughness_table(call.out, call.files, format, call.diagnostics());

@@ -1,4 +1,4 @@
-// The commands `strength`, `moduli` and `toughness`: what each run gives by itself, a row a run.
+// The commands `strength`, `moduli` and `toughness`: what each run gives by itself, one row per run.
 #pragma once
 
 #include "post/command.hpp"

@@ -8,7 +8,7 @@ namespace graincrack {
 Command page_command() {
     enum class Form { markdown, html };
     return make_command<Form>(
-        "page", "one page of texts, tables and pictures, in the order of the files",
+        "page", "one page from texts, tables and pictures, in the order of the files",
         {"properties.tsv modes.tsv", "properties.tsv cracks.png --format html"},
         FileArguments{"files", "texts (.md), tables (.tsv) and pictures (.png, .svg)"},
         [](CLI::App& app, Form& form) {

@@ -21,7 +21,7 @@ namespace graincrack {
 
 /// The pictures in the order of --help.
 Command plot_command() {
-    return make_group("plot", "pictures, without a display",
+    return make_group("plot", "pictures as PNG, SVG or PDF; no display needed",
                       {
                           specimen_plot(),
                           curve_plot(),

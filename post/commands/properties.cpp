@@ -13,7 +13,7 @@ Command properties_command() {
         TableFormat format = TableFormat::tsv;
     };
     return make_command<Options>(
-        "properties", "elasticity, strengths, cohesion and friction angle of a set of tests beside the laboratory's",
+        "properties", "elastic constants, strengths, cohesion and friction angle of a set of tests, compared with the laboratory",
         {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
         several_runs,
         [](CLI::App& app, Options& options) {

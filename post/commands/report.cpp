@@ -13,7 +13,7 @@ Command report_command() {
         std::string page;
     };
     return make_command<Options>(
-        "report", "a test or a set as one self-contained HTML page",
+        "report", "report of one test or of a set of tests as a self-contained HTML page",
         {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_laboratory_material(app, options.material);

@@ -11,7 +11,7 @@ Command size_effect_command() {
         StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
     };
     return make_command<Options>(
-        "size-effect", "power law of strength against mean edge, a fit for each test and confining pressure",
+        "size-effect", "power law of strength against mean edge, one fit for each test and confining pressure",
         {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --capped accept --format jsonl"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_format(app, options.format);

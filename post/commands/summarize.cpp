@@ -9,33 +9,32 @@ namespace graincrack {
 Command summarize_command() {
     using summary::SummaryOptions;
     return make_command<SummaryOptions>(
-        "summarize", "statistics of the rows of tables by groups: means, deviations, intervals, fits",
+        "summarize", "statistics of tables by groups of rows: means, deviations, intervals, fits",
         {"strength.tsv --by test --column 'runs=n(file)' --column 'mean_MPa=mean(tensile_strength_MPa)'",
          "strength.tsv --where test!=brazilian --by confining_pressure_MPa --sort --column 'cracks=mean(tensile_cracks + "
          "shear_cracks)'"},
         trend_tables,
         [](CLI::App& app, SummaryOptions& options) {
             add_names(app, "--by", options.by, "COLUMN|NAME=EXPRESSION",
-                      "a row for each different entry of this column; may be given again");
-            app.add_option("--join", options.join, "rows of the tables with one entry in this column are one row")
-                ->type_name("COLUMN");
+                      "one row for each value of this column; may be given again");
+            app.add_option("--join", options.join, "merge the rows that have the same value in this column")->type_name("COLUMN");
             add_names(app, "--where", options.where, "CONDITION",
-                      "only rows that meet COLUMN=VALUE, or !=, <, <=, >, >=; may be given again");
+                      "use only rows that meet COLUMN=VALUE, or !=, <, <=, >, >=; may be given again");
             add_names(app, "--column", options.columns, "NAME=EXPRESSION",
-                      "a column: statistics such as mean(A), n(A where B=x), slope(X, Y), with + - * / | and numbers; or a text "
-                      "that has them as {mean(A):.1f}; may be given again");
-            app.add_flag("--sort", options.sort, "rows by rising entries of the columns of --by");
-            app.add_option("--label", options.label, "tables are given as LABEL=FILE, and this new column has the label")
+                      "a column of the result: statistics such as mean(A), n(A where B=x), slope(X, Y) with + - * / | and "
+                      "numbers, or a text with them in braces: {mean(A):.1f}; may be given again");
+            app.add_flag("--sort", options.sort, "sort the rows by the columns of --by");
+            app.add_option("--label", options.label, "give tables as LABEL=FILE; this new column holds the label")
                 ->type_name("COLUMN");
             add_names(app, "--look-up", options.look_up, "TABLE",
-                      "columns of this table are added to each row with the same entry in its first column; may be given again");
+                      "add the columns of this table to each row with the same value in its first column; may be given again");
             add_choice<TableFormat>(
                 app, "--format", options.format,
                 {{"table", TableFormat::aligned},
                  {"tsv", TableFormat::tsv},
                  {"jsonl", TableFormat::jsonl},
                  {"markdown", TableFormat::markdown}},
-                "form of the table: aligned columns, tab-separated with one header line, JSON lines, or Markdown");
+                "form of the table: aligned columns, tab-separated values with one header line, JSON lines, or Markdown");
         },
         [](const SummaryOptions& options, const Call& call) { summary::write_summary(call.out, call.files, options); });
 }

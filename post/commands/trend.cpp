@@ -10,7 +10,7 @@ Command trend_command() {
         TableFormat format = TableFormat::tsv;
     };
     return make_command<Options>(
-        "trend", "line or power law of a column against another, intervals, elasticity",
+        "trend", "straight line or power law between two columns, with intervals and elasticity",
         {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --power",
          "strength.tsv --x contact_cohesion_MPa --y peak_compressive_stress_MPa --group confining_pressure_MPa"},
         trend_tables,

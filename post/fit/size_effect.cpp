@@ -115,11 +115,10 @@ void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs
     std::size_t at_strain_limit = 0;
     for (const SizeSeries& s : all) at_strain_limit += s.at_strain_limit;
     if (at_strain_limit > 0) {
-        fmt::print(
-            diagnostics,
-            "graincrack-post: size-effect: {} of {} runs were stopped at the strain limit; their largest stress stands for a "
-            "peak, so the exponent depends on that limit\n",
-            at_strain_limit, runs.size());
+        fmt::print(diagnostics,
+                   "graincrack-post: size-effect: {} of {} runs were stopped at the strain limit; their largest stress is taken "
+                   "as a strength, so that the exponent depends on that limit\n",
+                   at_strain_limit, runs.size());
     }
     TableWriter table(out, columns, format);
     for (const SizeSeries& s : all) {

@@ -168,7 +168,7 @@ std::vector<TrendRows> collect_trends(const std::vector<std::string>& tables, co
     }
     if (without_peak > 0) {
         fmt::print(diagnostics,
-                   "graincrack-post: trend: {} rows are of runs without a peak; their largest stress is no strength\n",
+                   "graincrack-post: trend: {} rows are of runs without a peak; their largest stress is not a strength\n",
                    without_peak);
     }
     return groups;

@@ -46,17 +46,16 @@ std::vector<Objection> find_objections(const BrazilianSplit& split, double peak)
             {fmt::format("open cracks never span {:.2g} D", spanning_share),
              fmt::format("the disc did not split: its open cracks never span {:.2g} of the diameter", spanning_share)});
     } else if (const double off = 1 - *split.spanning_stress / peak; std::abs(off) > 0.05) {
-        found.push_back(
-            {"the largest load is not that of the split",
-             fmt::format(
-                 "when open cracks spanned the disc, the load was {:.0f} % below the largest, which may be that of its halves",
-                 100 * off)});
+        found.push_back({"the largest load is not the load at splitting",
+                         fmt::format("when open cracks spanned the disc, the load was {:.0f} % below the largest load, which may "
+                                     "be the load of the halves",
+                                     100 * off)});
     }
     if (split.first_crack_radius && *split.first_crack_radius > 0.5) {
         found.push_back(
             {"first cracks outside 0.5 R",
              fmt::format(
-                 "the first cracks are {:.2f} radii from the centre on average; those of a split begin within half a radius",
+                 "the first cracks are on average {:.2f} radii from the centre; a disc that splits cracks first within 0.5 radii",
                  *split.first_crack_radius)});
     }
     return found;

@@ -75,14 +75,16 @@ void append_thresholds(std::vector<Cell>& row, const RunData& run, const LoadCur
                      ": thresholds by 2D strains do not compare with laboratory ones directly");
 }
 
-/// Objections to the moduli of a run; empty if there are none.
+/// Caveats of the moduli of a run; empty if there are none.
 std::string warning(const Moduli& moduli, const std::string& kind) {
     std::string label;
     const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
-    if (kind != "drop") add("no peak: shares are of the largest stress");
+    if (kind != "drop") add("no peak: fractions are of the largest stress");
     const double difference = moduli.chord.young_modulus / moduli.platen_young_modulus - 1;
     if (std::abs(difference) > gauge_tolerance) {
-        add(fmt::format("by the gauges E is {:.0f} % {} than by the platens: not at rest, or not uniform",
+        add(
+            fmt::format("E from the gauges is {:.0f} % {} than E from the platens: the specimen is not in equilibrium, or its "
+                        "strain is not uniform",
                         100 * std::abs(difference), difference > 0 ? "larger" : "smaller"));
     }
     return label;

@@ -1,4 +1,4 @@
-// A reason to doubt the strength of a test.
+// A caveat: a reason to doubt the strength of a test.
 #pragma once
 
 #include <string>

@@ -16,17 +16,18 @@ namespace {
 void object_to_end(std::vector<Objection>& found, const RunData& run, const LoadCurve& curve) {
     const std::string kind = peak_kind(run, curve);
     if (kind == "drop" || run.header.test == "program") return;  // the stages of a program need no peak
-    const std::string text =
-        kind == "cap" ? "no peak: stopped at the strain limit" : "no peak: stopped before one (" + run.header.stop_reason + ")";
+    const std::string text = kind == "cap" ? "no peak: the test was stopped at the strain limit"
+                                           : "no peak: the test was stopped before it (" + run.header.stop_reason + ")";
     found.push_back({"no peak", text});
 }
 
 void object_to_damping(std::vector<Objection>& found, const RunHeader& header) {
     if (!(header.damping_load > trusted_damping_load)) return;
-    found.push_back({"damping carries load",
-                     fmt::format("damping carries {:.2g} % of the load; where grains slide the strength is too high by several "
-                                 "times that",
-                                 100 * header.damping_load)});
+    found.push_back(
+        {"damping carries load",
+         fmt::format(
+             "damping carries {:.2g} % of the load; where grains slide, the strength is too high by several times this share",
+             100 * header.damping_load)});
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ std::vector<Objection> objections_to(const RunReader& reader, const RunData& run
 
 std::string subtitle_line(const Objection& objection) {
     constexpr std::size_t room = 43;  // characters that fit beside the words before, at the size of subtitles
-    return "against this strength: " + (objection.text.size() <= room ? objection.text : objection.kind);
+    return "caveat: " + (objection.text.size() <= room ? objection.text : objection.kind);
 }
 
 ObjectionCount::Group& ObjectionCount::group(const RunHeader& header) {
@@ -101,7 +102,7 @@ std::string ObjectionCount::tension_line() const {
     const std::optional<double> direct = mean_of("tension");
     if (!brazilian || !direct || !(*direct > *brazilian) || headers_.size() > 1) return "";
     return fmt::format(
-        "direct tension is {:.2f} times the Brazilian strength; of rock 0.7 to 0.9 times (Perras & Diederichs 2014)",
+        "direct tension is {:.2f} times the Brazilian strength; in rock it is 0.7 to 0.9 times (Perras & Diederichs 2014)",
         *direct / *brazilian);
 }
 

@@ -1,4 +1,4 @@
-// What speaks against the strength of a test: said wherever the strength is shown.
+// Caveats of a measured strength, printed wherever it is shown.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@ std::vector<Objection> objections_to(const RunData& run, const std::optional<Bra
 /// The same, read from the run. \param run the data of `reader`
 std::vector<Objection> objections_to(const RunReader& reader, const RunData& run);
 
-/// As a line below a title: "against this strength: first cracks at 0.81 R, not inside 0.5 R".
+/// As a line below a title: "caveat: first cracks at 0.81 R, not inside 0.5 R".
 std::string subtitle_line(const Objection& objection);
 
-/// The runs of a set with what speaks against their strengths.
+/// The runs of a set with the caveats of their strengths.
 class ObjectionCount {
 public:
     void add(const RunData& run, const std::vector<Objection>& objections);
@@ -44,7 +44,7 @@ private:
     std::vector<RunHeader> headers_;  ///< the first of each material
 };
 
-/// Reads runs, and counts what speaks against their strengths. \throws InputError
+/// Reads runs, and counts the caveats of their strengths. \throws InputError
 std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, ObjectionCount& count);
 
 }  // namespace graincrack

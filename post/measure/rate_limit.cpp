@@ -53,7 +53,7 @@ void require_same_test(const RatePair& pair) {
     }
     if (!(pair.ratio() >= least_ratio)) {
         throw InputError(
-            fmt::format("{}: its rate is that of {}, or too near it; the limit of slow loading needs the same test at "
+            fmt::format("{}: its rate equals that of {} or is too near to it; the limit of slow loading needs the same test at "
                         "two rates, one of them at least {} times the other (--rate-tolerance, --rate-share)",
                         pair.slow->name, pair.fast->name, least_ratio));
     }
@@ -153,8 +153,8 @@ void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths,
             const RateLimit limit = extrapolate_rate(fast, slow, pairs.front().ratio());
             if (std::abs(limit.change.value) > largest_change) {
                 throw InputError(
-                    fmt::format("{}: the {} stress changes by {:+.1f} % between the two rates of {}; beyond {:.0f} % there is no "
-                                "straight line to extrapolate: give slower tests",
+                    fmt::format("{}: the {} stress changes by {:+.1f} % between the two rates of {}; above {:.0f} % the change "
+                                "is not linear in the rate: give slower tests",
                                 pairs.front().fast->name, name_of(kind), 100 * limit.change.value,
                                 series_label(test.second, test.first), 100 * largest_change));
             }

@@ -91,7 +91,7 @@ void append_first_peak(std::vector<Cell>& row, const std::optional<FirstPeak>& p
     row.push_back(peak && peak->rehardening ? Cell(*peak->rehardening * 1e-9) : Cell());
 }
 
-/// What speaks against the strengths of some runs: a line for each run and reason, and the runs counted.
+/// Caveats of the strengths of some runs: a line for each run and reason, and the runs counted.
 struct Doubts {
     std::vector<std::string> lines;
     ObjectionCount count;
@@ -190,8 +190,8 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
     }
     if (strain_limit_runs == StrainLimitRuns::refuse) {
         throw InputError(
-            fmt::format("{}: stopped at the strain limit ({:.3g} %) without a peak, its largest stress is no strength; "
-                        "run it further (--max-strain), or take it as it is with --capped accept",
+            fmt::format("{}: stopped at the strain limit ({:.3g} %) without a peak, so that its largest stress is not a "
+                        "strength; run it further (--max-strain), or accept the largest stress with --capped accept",
                         run.name, 100 * run.header.max_strain));
     }
     return true;

@@ -1,4 +1,4 @@
-// The tables `strength`, `strength --summary` and `moduli` for people, from the rows of those for scripts.
+// The tables `strength`, `strength --summary` and `moduli` as terminal tables, from the rows of those for scripts.
 #pragma once
 
 #include <ostream>

@@ -97,13 +97,13 @@ std::string Toughness::warning() const {
     std::string label;
     const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
     if (!(notch_ratio() >= min_notch_ratio)) {
-        add(fmt::format(
-            "a/l_ch is {:.2g}, below {:g}: the process zone is no small part of the notch, and the measured toughness "
-            "is not K_IC; a longer notch or smaller fracture energy fits",
-            notch_ratio(), min_notch_ratio));
+        add(
+            fmt::format("a/l_ch is {:.2g}, below {:g}: the process zone is not small against the notch, so that the measured "
+                        "toughness is not K_IC; use a longer notch or a smaller fracture energy",
+                        notch_ratio(), min_notch_ratio));
     }
     if (requested_notch_length && std::abs(notch_length / *requested_notch_length - 1) > notch_tolerance) {
-        add(fmt::format("the notch came out as {:.1f} mm where {:.1f} mm was requested; K_IC is computed with {:.1f} mm",
+        add(fmt::format("the notch is {:.1f} mm long, where {:.1f} mm was requested; K_IC is computed with {:.1f} mm",
                         notch_length * 1e3, *requested_notch_length * 1e3, notch_length * 1e3));
     }
     return label;

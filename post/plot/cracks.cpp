@@ -89,7 +89,7 @@ struct Scene {
     RunData data;
     const CrackMapOptions& options;
     const PictureStyle& style;
-    std::vector<std::string> objections = {};  ///< what speaks against the strength, a line each
+    std::vector<std::string> objections = {};  ///< caveats of the strength, a line each
     /// What the cracks are.
     [[nodiscard]] std::string definition() const {
         return limited_to(definition_of(options.label.of(data.header)), options.classes);

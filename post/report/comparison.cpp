@@ -166,13 +166,13 @@ std::string comparison_columns(const std::vector<TestReport>& tests, const std::
     if (known.empty()) {
         return "<div class=\"columns\">\n" +
                others.str("Results",
-                          "What was fitted and what is a prediction, this material does not say: it has no [fitted].") +
+                          "This material has no [fitted], so it is not known what was fitted and what is a prediction.") +
                "</div>\n";
     }
     std::string note = "The calibration:";
     for (const auto& [property, text] : known) note += fmt::format(" {}: {}.", property, text);
-    return "<div class=\"columns\">\n" + fitted.str("Fitted by the calibration", note) +
-           others.str("Predicted: not fitted to anything") + "</div>\n";
+    return "<div class=\"columns\">\n" + fitted.str("Fitted by the calibration", note) + others.str("Predicted, not fitted") +
+           "</div>\n";
 }
 
 }  // namespace graincrack

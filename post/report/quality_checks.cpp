@@ -62,7 +62,7 @@ std::string sensitivity_label(const TestReport& t) {
         label += (label.empty() ? "" : "; ") + row.changed + " " +
                  (std::isfinite(change) ? fmt::format("{:+.1f} %", 100 * change) : std::string("failed"));
     }
-    return label.empty() ? "not asked for (--sensitivity)" : label;
+    return label.empty() ? "not tested (--sensitivity)" : label;
 }
 
 using Runs = std::vector<const TestReport*>;
@@ -115,7 +115,7 @@ std::string contact_zone_label(const Runs& runs) {
     return range_label(of(*least), of(*most), of(*least) < 1 ? " (not resolved: below one edge)" : "");
 }
 
-/// What speaks against the strengths of runs of one kind, and of how many.
+/// Caveats of the strengths of runs of one kind, and the number of runs that have each.
 std::string objections_label(const Runs& runs) {
     std::vector<std::pair<std::string, std::size_t>> kinds;
     for (const TestReport* run : runs) {
@@ -161,9 +161,10 @@ const std::vector<Check>& checks() {
         {"the curve ended by", ending_label},
         {"contact law", [](const TestReport& t) { return law_label(t.data.header); }},
         {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
-        {"energy balance residual, of peak stored energy", nullptr, percent_of(&RunHeader::energy_balance_error), "\u00a0%"},
-        {"non-conservative work of the law, of peak stored energy", nullptr, non_conservative_percent, "\u00a0%"},
-        {"share of the work that damping took", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
+        {"error of the energy balance, of the largest stored energy", nullptr, percent_of(&RunHeader::energy_balance_error),
+         "\u00a0%"},
+        {"non-conservative work of the law, of the largest stored energy", nullptr, non_conservative_percent, "\u00a0%"},
+        {"share of the work that damping absorbed", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
         {"load that damping carries before the peak", nullptr, percent_of(&RunHeader::damping_load), "\u00a0%"},
         {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
         {"confinement achieved, mean ± s.d.", confinement_label},
@@ -193,7 +194,7 @@ const std::vector<Check>& checks() {
          }},
         {"mass added", nullptr, percent_of(&RunHeader::added_mass), "\u00a0%"},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
-        {.name = "speaks against the strength", .of_all = objections_label}};
+        {.name = "caveats of the strength", .of_all = objections_label}};
     return all;
 }
 
@@ -229,7 +230,7 @@ std::string common_paragraphs(const std::vector<TestReport>& tests) {
                     "crush; platens are rigid.",
                     number(rock.density)));
     if (without_peak > 0) {
-        paragraphs += html::paragraph(fmt::format("{} of {} reached no peak: a largest stress without one is no strength.",
+        paragraphs += html::paragraph(fmt::format("{} of {} reached no peak: their largest stress is not a strength.",
                                                   without_peak, counted(tests.size(), "run")));
     }
     return paragraphs;

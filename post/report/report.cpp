@@ -188,7 +188,7 @@ std::string run_table(const Content& content) {
     return table.str();
 }
 
-/// What speaks against the strengths of runs, a line each. \param wanted which runs
+/// Caveats of the strengths of runs, a line each. \param wanted which runs
 std::vector<std::string> objection_lines(const Content& content, const std::function<bool(const RunHeader&)>& wanted) {
     ObjectionCount doubts;
     for (const TestReport& t : content.tests) {
@@ -201,11 +201,11 @@ std::vector<std::string> objection_lines(const Content& content) {
     return objection_lines(content, [](const RunHeader&) { return true; });
 }
 
-/// Beside the key figures, what speaks against them.
+/// Beside the key figures, their caveats.
 std::string objection_paragraphs(const Content& content) {
     std::string paragraphs;
     for (const std::string& line : objection_lines(content)) {
-        paragraphs += html::paragraph("Against these strengths: " + line + ".");
+        paragraphs += html::paragraph("Caveats of these strengths: " + line + ".");
     }
     return paragraphs;
 }
@@ -314,10 +314,9 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     const RunHeader& header = content.tests.front().data.header;
     const std::string title =
         runs.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
-    std::string body = "<h1>" + html::escaped(title) +
-                       "</h1>\n<p class=\"lead\">Numerical tests by Graincrack, grain by grain; "
-                       "contact law " +
-                       html::escaped(header.contact_law) + ". Strengths positive; counts of micro-cracks are contacts.</p>\n";
+    std::string body = "<h1>" + html::escaped(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
+                       html::escaped(header.contact_law) +
+                       ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
     body += html::section(
         "figures", "Key figures and curves",
         key_figures(content) + objection_paragraphs(content) + run_table(content) +

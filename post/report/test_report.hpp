@@ -41,7 +41,7 @@ struct TestReport {
     std::optional<Thresholds> thresholds;  ///< 2D, compression tests
     std::optional<double> initiation;      ///< by crack count, Pa
     InitiationByDamage initiation_by_damage;
-    std::vector<Objection> objections;  ///< what speaks against the strength
+    std::vector<Objection> objections;  ///< caveats of the strength
     CrackBalance at_peak;               ///< by the event of the run
     CrackBalance at_end;
     FailureBranches branches;

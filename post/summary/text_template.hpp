@@ -1,4 +1,4 @@
-// Texts with numbers of a group in them, as a table for people shows them: "{mean(A):.1f} ± {half_interval(A):.1f}".
+// Texts with numbers of a group in them, as a table of results shows them: "{mean(A):.1f} ± {half_interval(A):.1f}".
 //
 //     {EXPRESSION:FORMAT}              a number, in the format of fmt: .1f, +.2f, .0e
 //     {EXPRESSION}                     with seven digits

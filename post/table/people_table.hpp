@@ -1,4 +1,4 @@
-// Tables for people: few columns with units, aligned, in groups under a line of their own.
+// Terminal tables: few columns with units, aligned, in groups under a line of their own.
 #pragma once
 
 #include <optional>

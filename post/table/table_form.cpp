@@ -11,8 +11,8 @@ namespace graincrack {
 void add_form(CLI::App& app, TableForm& form) {
     add_choice<TableForm>(app, "--format", form,
                           {{"table", TableForm::table}, {"tsv", TableForm::tsv}, {"jsonl", TableForm::jsonl}},
-                          "form of the table: for people, tab-separated with one header line, or JSON lines; unless given, for "
-                          "people on a terminal and tab-separated elsewhere");
+                          "form of the table: terminal table (few columns, with units), tab-separated values with one header "
+                          "line, or JSON lines; default: table on a terminal, tsv elsewhere");
 }
 
 std::optional<TableFormat> format_of(TableForm form, const std::ostream& out) {

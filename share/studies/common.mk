@@ -8,7 +8,7 @@
 #     material  --set phases.contrast=0.75                                               of graincrack-post material with; empty: the rock
 #     solve     uniaxial --contact-tensile-strength 18MPa --contact-cohesion 122MPa …    of graincrack-solve
 #
-# and, behind them, what the study calls it by (`label_columns`): tables of results are joined with it by `--look-up`. Names are for people and say
+# and, behind them, what the study calls it by (`label_columns`): tables of results are joined with it by `--look-up`. Names are for readers and say
 # what is special in a run, so that studies that need the same run share it and it is made once; nothing reads them. A run whose options
 # have changed is made again: FILE.options has those that it was made with.
 #
@@ -196,7 +196,7 @@ $(SPECIMENS)/%.h5: $$(call changed,$$@,$$(mesh_$$*))
 	@flock $(@D)/.lock bash -c 'mesh="$(mesh_$*)"; test -e $@ && test "$$(cat $@.options 2>/dev/null || echo "$$mesh")" = "$$mesh" || \
 	    { $(MESH) $(mesh_$*) --quiet -o $@ && echo "$$mesh" >$@.options; }'
 
-# What was stopped goes on from its checkpoint.
+# A stopped run resumes from its checkpoint.
 $(RUNS)/%.h5: $$(call changed_run,$$@) | $(SPECIMENS)/$$(specimen_$$@).h5
 	@echo "[$(call position,$@)/$(words $(runs))] $*$$($(time_left))"
 	@mkdir -p $(@D)$(if $(call changed_run,$@), && rm -f $@ $@.checkpoint $@.options)

@@ -1,5 +1,5 @@
 // `cohesive-frictional`: the law `consistent` whose closed contacts lose their cohesion over a fracture energy G_II, with
-// friction mobilised beside it, so that the strength feels pressure before a contact has failed.
+// friction mobilised beside it, so that the strength depends on pressure before a contact has failed.
 //
 //   open     (σn, τ) = β (kt δn, ks δs)
 //   closed   σn = kt δn, τ = β ks δs + a ks (δs − slip), the second term within ±|σn| tan φ
@@ -7,8 +7,8 @@
 // β is the integrity of `cohesive_damage.hpp`. Its softening has the area Gf while open and G_II while closed: sliding under
 // compression follows Eq 10's curve to cc at δcs and then falls linearly to zero at δcs (1 + s), s = 2 [G_II/(cc δcs) − (e − 2)].
 // a is 0 until the point fails and 1 from then on: friction starts from zero and is mobilised over a sliding of |σn| tan φ/ks, so
-// that the strength under a compression is cc + |σn| tan φc less what cohesion loses on that way, cc |σn| tan φc/(ks s δcs).
-// Pressure acts through friction alone: a cohesion in the energy that depended on σn would make a normal force.
+// that the strength under a compression is cc + |σn| tan φc less what cohesion loses over that distance, cc |σn| tan φc/(ks s
+// δcs). Pressure acts through friction alone: a cohesion in the energy that depended on σn would make a normal force.
 //
 // Friction itself may weaken (cohesion weakening, Hajiabdolmajid, Kaiser & Martin 2002, Int J Rock Mech Min Sci 39): tan φ falls
 // from tan φc, while all cohesion is there, to tan φr, when it is gone, in proportion to 1 − D of the closed branch.

@@ -33,8 +33,8 @@ struct LawDescription {
     std::string_view meaning;  ///< in a few words
     bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
     bool coupling = false;     ///< --coupling; a law without couples the modes by nature
-    bool friction_beside_cohesion = false;  ///< friction bears beside what is left of the cohesion: under pressure a point that
-                                            ///< passes the peak of its cohesion has not lost its strength
+    bool friction_beside_cohesion = false;     ///< friction adds to the cohesion that is left: under pressure a point that
+                                               ///< passes the peak of its cohesion has not lost its strength
     std::array<ContactValue, 6> parameters{};  ///< contact parameters it reads beside those that every law reads
 
     /// By which micro-cracks are counted.

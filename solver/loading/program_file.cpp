@@ -145,7 +145,7 @@ LoadingBlocks read_blocks(TomlTable table) {
 std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
     const bool has_pressure = table.has("platen_pressure");
     if (has_pressure && table.has("platen_speed")) {
-        table.refuse("platen_pressure", "the platens have a speed already; give the one or the other");
+        table.refuse("platen_pressure", "the platens have a speed already; give one of the two");
     }
     if (has_pressure) {
         return PressureServo{*read_function(table, "platen_pressure", any("platen_pressure", Dimension::stress), false)};
@@ -259,10 +259,9 @@ void read_probe_conditions(const Program& program, TomlTable table, Stage& stage
 void read_until(const Program& program, TomlTable table, Stage& stage) {
     stage.longest_time = infinite;
     if (table.has("time") || !moves_on(stage.platens)) {
-        stage.longest_time =
-            table.needed_quantity("time", duration,
-                                  "a stage that does not move the platens to the end of their way needs the longest time it may "
-                                  "take, such as \"1 ms\"");
+        stage.longest_time = table.needed_quantity(
+            "time", duration,
+            "a stage in which the platens do not move on up to max_strain needs a longest time, such as \"1 ms\"");
     }
     stage.rest = table.quantity("rest", {"rest", Dimension::one, 0, 1, "rest", true});
     stage.peak_drop = table.quantity("peak_drop", quantity::peak_drop);

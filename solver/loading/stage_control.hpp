@@ -55,13 +55,13 @@ public:
     /// Takes over what another program left, before `begin`: its boundary conditions, those of the same name, start from its
     /// values.
     void resume(const StageControllerState& state);
-    /// Goes on where the same program was. \throws InputError if the state is not of the same program
+    /// Resumes where the same program was. \throws InputError if the state is not of the same program
     void go_on(const StageControllerState& state);
     [[nodiscard]] StageControllerState state(double time) const;
 
     /// Starts the first stage.
     void begin(const StageFeedback& feedback);
-    /// Takes note of a new row: ends the stage if it has reached an end, and starts the next one.
+    /// Records a new row: ends the stage if it has reached an end, and starts the next one.
     /// \throws NumericalError if it is not the end that the stage must have
     void check_stage_end(const StageFeedback& feedback);
     /// Ends the stage that is on, if there is one, for a reason of the run.

@@ -45,10 +45,9 @@ void make_way_for_checkpoint(const std::string& checkpoint, const std::string& r
         return;
     }
     if (!discard) {
-        throw UsageError(
-            fmt::format("{}: is the checkpoint of a run that has not ended; --restart {} goes on from it, "
-                        "--discard-checkpoint begins anew",
-                        checkpoint, checkpoint));
+        throw UsageError(fmt::format(
+            "{}: is the checkpoint of a run that has not ended; --restart {} resumes it, --discard-checkpoint starts again",
+            checkpoint, checkpoint));
     }
     remove_checkpoint(checkpoint);
 }
@@ -72,14 +71,14 @@ bool is_checkpoint(const std::string& path) { return RunReader(path).header().st
 
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now) {
     if (before.stop_reason != "checkpoint") {
-        throw InputError(name + ": is a run that has ended, no checkpoint; a test goes on from RUN.checkpoint");
+        throw InputError(name + ": is a complete run, not a checkpoint; a test resumes from RUN.checkpoint");
     }
     const auto old_options = options_of(before);
     const auto options = options_of(now);
     for (std::size_t i = 0; i < options.size(); ++i) {
         if (options[i].second != old_options[i].second) {
-            throw InputError(fmt::format("{}: {} was {}, not {} (SI units); a test goes on as it began", name, options[i].first,
-                                         old_options[i].second, options[i].second));
+            throw InputError(fmt::format("{}: {} was {}, not {} (SI units); a test resumes only with the options it began with",
+                                         name, options[i].first, old_options[i].second, options[i].second));
         }
     }
 }

@@ -1,4 +1,4 @@
-// Checkpoints: what a long test writes beside its run file now and then, for another run to go on to the same end.
+// Checkpoints: what a long test writes beside its run file now and then, from which another run resumes to the same end.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ private:
 };
 
 /// Makes way for the checkpoints of a new run: another one of that name is refused unless it is to be discarded.
-/// \param restart file that the run goes on from, "" without \throws UsageError
+/// \param restart file that the run resumes from, "" without \throws UsageError
 void make_way_for_checkpoint(const std::string& checkpoint, const std::string& restart, bool discard);
 /// Removes a checkpoint, whole or not.
 void remove_checkpoint(const std::string& checkpoint);
@@ -39,7 +39,7 @@ bool take_checkpoint_request() noexcept;
 /// Whether a run file is a checkpoint, of a run that has not ended. \throws InputError if it is no run file
 bool is_checkpoint(const std::string& path);
 
-/// Whether a test as in `now` goes on from a checkpoint of one as in `before`: all that decides its course must be the same but
+/// Whether a test as in `now` resumes from a checkpoint of one as in `before`: all that decides its course must be the same but
 /// for where it ends. \param name of the checkpoint \throws InputError naming the option that differs, or for a run that has
 /// ended
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now);

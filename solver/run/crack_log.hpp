@@ -14,7 +14,7 @@ public:
     explicit CrackLog(std::size_t n_points) : crack_of_point_(n_points, -1) {}
     /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them.
     void collect(const Assemblage& assemblage, double time_step, State& state);
-    /// Goes on from the rows of an earlier run.
+    /// Continues the rows of an earlier run.
     void restore(const std::vector<Crack>& rows);
     /// The rows, with the energy each point has released so far.
     [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const State& state) const;

@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-/// Where the choice of frames is, for a run that goes on from a checkpoint.
+/// Where the choice of frames is, for a run that resumes from a checkpoint.
 struct FrameProgress {
     double next = 0;               ///< progress at which the next regular frame is due
     double interval = 0;           ///< from one regular frame to the next
@@ -25,7 +25,7 @@ public:
     /// \param wanted at least so many evenly spaced frames, 0 for none; in the end there are up to twice as many
     /// \param first_interval of strain, doubled whenever there are too many
     FrameOutput(int wanted, double first_interval, RunWriter& writer);
-    /// Goes on where the run of a checkpoint was, with the frames it has.
+    /// Resumes where the run of a checkpoint was, with the frames it has.
     void go_on(const FrameProgress& progress, const RunReader& checkpoint);
     /// Writes the frames so far, the state of now last, into a checkpoint. \return what `go_on` needs
     FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const;

@@ -73,7 +73,7 @@ void ProgramDriver::go_on(const StageControllerState& state, const RunReader& ch
     const H5Input& file = checkpoint.file();
     if (!is_standard() && file.attribute_or<std::string>(schema::program_group, "text", "") != program_.text) {
         throw InputError(checkpoint.name() + ": is the checkpoint of another program than " + program_.file +
-                         "; it goes on with its own");
+                         "; resume it with its own program");
     }
     if (!is_standard()) {
         started_from_ = read_start(file);

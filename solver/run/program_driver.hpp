@@ -35,7 +35,7 @@ public:
     [[nodiscard]] LoadingLength longest(double time_step) const { return stages_.longest(time_step); }
     /// Loading of the next `duration` seconds.
     IntervalLoading next(double duration) { return stages_.next(duration); }
-    /// Takes note of a new row. The first is that of the start.
+    /// Records a new row. The first is that of the start.
     void note(const RunView& view);
     /// Why the run ends here, "" if it goes on.
     [[nodiscard]] std::string stop_reason(double axial_strain) const;
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] double progress(const RunView& view) const { return stages_.progress(view.state.time, view.axial_strain); }
     /// Fills in what it knows of a run that ended for `header.stop_reason`.
     void complete(RunHeader& header, double time);
-    /// Where it is, going on from where another program was, before the first row, and from a checkpoint of this very one.
+    /// Where it is: continued from the place of another program, before the first row, and from a checkpoint of this very one.
     /// \throws InputError for a checkpoint of another program
     [[nodiscard]] StageControllerState saved(double time) const { return stages_.state(time); }
     void resume(const StageControllerState& state);

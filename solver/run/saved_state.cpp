@@ -167,7 +167,7 @@ void take(double number, const std::string& where, Member& member) {
                number <= static_cast<double>(std::numeric_limits<Value>::max());
     }
     if (!fits) {
-        throw InputError(fmt::format("{} has the value {}, which no state has: the file is damaged", where, number));
+        throw InputError(fmt::format("{} has the value {}, which is outside its range: the file is damaged", where, number));
     }
     member = static_cast<Value>(number);
 }
@@ -213,20 +213,20 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     const RunHeader& old = run.header();
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
     if (!run.file().has(schema::state_group)) {
-        refuse("keeps no state to start from; make it with --save-state or --checkpoint-every");
+        refuse("has no saved state to start from; make it with --save-state or --checkpoint-every");
     }
     if (!same_mesh(run.specimen(), specimen)) {
         refuse("is a run of another specimen; give the one it was made from, or itself");
     }
     if (old.plane != request.plane || old.fabric.phases != setup.fabric.phases) {
-        refuse("has other phases, another rock or plane condition; they must stay what they are");
+        refuse("has other phases, another rock or another plane condition; they must be the same");
     }
     if (old.contact_law != name_of(request.law)) {
-        refuse(fmt::format("has the contact law {}, not {}, whose histories are others; --contact-law {} fits", old.contact_law,
-                           name_of(request.law), old.contact_law));
+        refuse(fmt::format("has the contact law {}, not {}, whose history variables differ; give --contact-law {}",
+                           old.contact_law, name_of(request.law), old.contact_law));
     }
     if (old.mass_scaling_factor != setup.mass_scaling_factor) {
-        refuse(fmt::format("has the mass-scaling factor {0}, not {1}; {2} fits", old.mass_scaling_factor,
+        refuse(fmt::format("has the mass-scaling factor {0}, not {1}; give {2}", old.mass_scaling_factor,
                            setup.mass_scaling_factor,
                            old.mass_scaling_factor > 0
                                ? fmt::format("--mass-scaling selective --mass-scaling-factor {}", old.mass_scaling_factor)

@@ -1,4 +1,4 @@
-// The state of a run at its end, kept in its file (/state), so that another run goes on from there: to the byte with the same
+// The state of a run at its end, kept in its file (/state), so that another run starts from it: to the byte with the same
 // values, or with other contact values or another program.
 #pragma once
 
@@ -25,7 +25,7 @@ void write_frame_progress(H5Output& file, const FrameProgress& progress);
 /// Bytes of the arrays that /state has for a state.
 std::size_t size_of_saved_state(const State& state);
 
-/// What a run starts with that goes on from another.
+/// What a run starts with that starts from another.
 struct SavedState {
     State state;
     StageControllerState loading;

@@ -185,8 +185,8 @@ private:
         if (writer_ && !checkpoint_.empty()) {
             write_checkpoint();
             if (verbosity_ != Verbosity::quiet) {
-                fmt::print(stderr, "{}: {} has the test so far; the same command with --restart {} goes on from there\n",
-                           header_.test, checkpoint_, checkpoint_);
+                fmt::print(stderr, "{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
+                           checkpoint_, checkpoint_);
             }
         }
         throw Interrupted(stop_signal() != 0 ? stop_signal() : SIGTERM);
@@ -213,7 +213,7 @@ private:
         writer.finish(header, crack_log_.rows(assemblage_, state_), provenance);
     }
 
-    /// Goes on where this very run was, after its last row.
+    /// Resumes where this very run was, after its last row.
     void go_on(const std::string& checkpoint, const StageControllerState& loading) {
         const RunReader run(checkpoint);
         require_same_test(run.name(), run.header(), header_);
@@ -310,7 +310,7 @@ private:
 
     [[noreturn]] void throw_unstable(double residual) const {
         throw NumericalError(
-            fmt::format("the run became unstable before step {} (energy balance off by {:.0f} %); use a smaller "
+            fmt::format("the run became unstable before step {} (error of the energy balance {:.0f} %); use a smaller "
                         "--time-step-fraction than {} (with this damping below {:.2f}) or a slower --rate",
                         state_.step, 100 * std::abs(residual), request_.time_step_fraction, 1 / std::sqrt(1 + request_.damping)));
     }
@@ -350,7 +350,7 @@ private:
 
     void show_progress() {
         progress_.update(driver_.progress(view()),
-                         fmt::format("stress {:.1f} MPa, {} contacts past their peak open, {} closed", absolute_stress() * 1e-6,
+                         fmt::format("stress {:.1f} MPa, contacts that failed: {} open, {} closed", absolute_stress() * 1e-6,
                                      whole_contacts(crack_log_.tensile_points()), whole_contacts(crack_log_.shear_points())));
     }
 
@@ -391,7 +391,7 @@ private:
     double peak_ = 0;                   ///< of it since contacts have failed, absolute, Pa
     std::optional<RunWriter> writer_;
     std::optional<FrameOutput> frames_;
-    std::optional<FrameProgress> frames_so_far_;  ///< of the checkpoint that the run goes on from
+    std::optional<FrameProgress> frames_so_far_;  ///< of the checkpoint that the run resumes from
     std::string checkpoint_;                      ///< its file
     WallClock since_checkpoint_{request_.wall_clock};
     WallClock since_flush_{request_.wall_clock};

@@ -53,7 +53,7 @@ struct ProgramPlatens {
     double max_strain = 0.05;  ///< approach over height that they may reach
 };
 
-/// Rise of the load over itself in a wave transit up to which it is quasi-static while there is damage.
+/// Relative load increase per wave transit up to which it is quasi-static while there is damage.
 /// \see share/doc/equilibrium.md
 inline constexpr double default_rate_tolerance = 3e-3;
 /// The same for tests that end by one open crack (direct tension, discs): it runs on at a speed of its own while the load rises.

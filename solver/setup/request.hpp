@@ -83,13 +83,13 @@ struct SimulationRequest {
     PlaneCondition plane = PlaneCondition::strain;
     LawVariant law = LawVariant::consistent;
     Coupling coupling = Coupling::full;
-    double peak_drop = 0.3;  ///< of a standard test; 0: it goes on to the strain limit
+    double peak_drop = 0.3;  ///< of a standard test; 0: it continues to the strain limit
     double damping = 0.8;
     DampingForm damping_form = DampingForm::combined;
     bool mass_scaling = false;                  ///< selective; the command line asks for it unless the test is dynamic
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
-    bool save_state = false;                    ///< at the end, for another run to go on from
+    bool save_state = false;                    ///< at the end, for another run to start from
     std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
     std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
     std::function<double()> wall_clock = steady_seconds;  ///< that `checkpoint_interval` counts, s

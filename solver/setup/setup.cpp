@@ -23,8 +23,8 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
         if (!(fabric.contacts[k].fracture_energy >= least.opening &&
               fabric.contacts[k].mode_ii_fracture_energy >= least.sliding)) {
             throw InputError(
-                fmt::format("{}: the fracture energies of contacts {} are less than such a contact of the law {} takes "
-                            "to its peak; at least {:.4g} J/m2 in opening and {:.4g} J/m2 in sliding fit",
+                fmt::format("{}: the fracture energies of contacts {} are less than such a contact of the law {} absorbs up to "
+                            "its peak; give at least {:.4g} J/m2 in opening and {:.4g} J/m2 in sliding",
                             r.material.file.string(), names[k], name_of(r.law), least.opening, least.sliding));
         }
     }

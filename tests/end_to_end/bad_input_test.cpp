@@ -135,7 +135,7 @@ const std::vector<BadInput> solver{
      "mode-i or a value fits"},
     {"FractureEnergyTooSmallForThePeak",
      "graincrack-solve uniaxial disc.h5 --material augig-granite --fracture-energy 1J/m2 -o out.h5", 2,
-     "--fracture-energy: 1 J/m2 is less than a contact of the law consistent takes to its peak; at least 1.657 J/m2 fits"},
+     "--fracture-energy: 1 J/m2 is less than a contact of the law consistent absorbs up to its peak; give at least 1.657 J/m2"},
     {"ModeTwoEnergyTooSmallForThePeak",
      "graincrack-solve uniaxial disc.h5 --material augig-granite --contact-law combined --contact-shear-stiffness 1e12 -o out.h5",
      2, "--mode-ii-fracture-energy: 330.4 J/m2 is less"},

@@ -37,6 +37,8 @@ QUICK = {
 }
 # Made in place of the results of a study, for the commands behind it.
 STAND_INS = {
+    "make -C share/studies calibrate ROCK=my-rock.toml":
+        "mkdir -p results/calibrate/my-rock; cp my-rock.toml results/calibrate/my-rock/calibrated.toml",
     "make -C share/studies calibrate ROCK=marble.toml":
         "mkdir -p results/calibrate/marble; graincrack-post material with marble.toml --set 'contact.tensile_strength=8.9 MPa' "
         "--set 'contact.cohesion=30.4 MPa' --set 'contact.friction_angle=29.2 deg' >results/calibrate/marble/calibrated.toml",

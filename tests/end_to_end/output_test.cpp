@@ -96,7 +96,7 @@ TEST(Output, AFileIsReplacedOnlyByItsOwnKind) {
     refused("graincrack-post plot curve run.h5 -o map.png", "map.png: is a run");
     refused(
         "graincrack-solve program disc.h5 --material augig-granite --program again.toml --damping 0.8 --restart run.h5 -o run.h5",
-        "--output run.h5: is the run to go on from");
+        "--output run.h5: is the run to start from");
     for (const char* ending : {"part", "lock", "checkpoint"}) {
         refused(solve + "-o run.h5." + ending, std::string("names in .") + ending);
         refused(make_disc + "run.h5." + ending, std::string("names in .") + ending);

@@ -97,7 +97,7 @@ TEST(Programs, MassesAreScaledForWhatIsQuasiStatic) {
     EXPECT_GT(factor("program bar.h5 --program press.toml"), 10);
     EXPECT_EQ(factor("program bar.h5 --program press.toml --damping none"), 0);
     EXPECT_EQ(factor("program bar.h5 --program pulse.toml --damping 0.1"), 0);
-    // What goes on from a run keeps its masses; waves cannot go on from scaled ones.
+    // A run that starts from another keeps its masses; waves cannot start from scaled ones.
     const std::string first =
         "graincrack-solve program bar.h5 --program press.toml --material augig-granite "
         "--frames 0 --save-state --quiet ";

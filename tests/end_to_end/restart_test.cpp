@@ -134,7 +134,7 @@ TEST(Restart, ARunStopsInItsWallTimeAndGoesOn) {
     shell.must(test + "--quiet -o whole.h5");
     const Outcome stopped = shell.run(test + "--walltime 50ms -o run.h5");
     EXPECT_EQ(stopped.exit_code, 143);
-    EXPECT_NE(stopped.err.find("--restart run.h5.checkpoint goes on"), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("--restart run.h5.checkpoint resumes it"), std::string::npos) << stopped.err;
     const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run); };
     EXPECT_GT(n_lines(rows("run.h5.checkpoint")), 1);
     EXPECT_LT(n_lines(rows("run.h5.checkpoint")), n_lines(rows("whole.h5")));

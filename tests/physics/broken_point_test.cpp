@@ -41,7 +41,7 @@ double opening_where(const ContactLaw& law, double remaining) {
         default: return law.dct + (1 - remaining) * (law.dut - law.dct);
     }
 }
-/// Sliding of a point that is closed by nothing at which `remaining` is left, m: in most laws it is lost at once.
+/// Sliding of a point that is closed at zero opening at which `remaining` is left, m: in most laws it is lost at once.
 double sliding_where(const ContactLaw& law, double remaining) {
     switch (law.variant) {
         case LawVariant::coulomb_slip: return law.cc / law.ks;

@@ -21,7 +21,7 @@ using test::integral;
 using test::MPa;
 using test::verify;
 
-/// Contacts as weak as a strength that feels pressure lets them be: cc 14 MPa.
+/// Contacts as weak as a strength that depends on pressure lets them be: cc 14 MPa.
 ContactParameters weak(double mode_ii_fracture_energy = 330) {
     Material material = test::augig_granite();
     material.contact.cohesion = 14 * MPa;

@@ -80,7 +80,7 @@ TEST(CombinedLaw, AreasAreTheFractureEnergies) {
     verify("law: combined, area under opening (J/m2)",
            integral(normal, 0, law.op, 4) + integral(normal, law.op, last_opening(law), 40), c.fracture_energy, 1e-9, "G_I");
     expect_close(c.fracture_energy, 82.6, 1e-3, 82.6);  // three digits of MODEL: K_IC²/Ẽ
-    for (const double opening : {0.0, -1e-30}) {        // in shear: open by nothing, closed by nothing
+    for (const double opening : {0.0, -1e-30}) {        // in shear: at zero opening: open, closed
         ContactHistory start;
         start.motion.opening = opening;
         ContactWalk slid(law, start);

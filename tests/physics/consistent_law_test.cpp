@@ -53,7 +53,7 @@ TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
                 const ContactTraction traction = walk.to({reach * n, reach * t});
                 return n * traction.normal + t * traction.shear;
             };
-            // λ = 1, and where nothing is left: Gf = tears · [(1 − 2/e) + (λu − 1)/(2 e)], tears = q/λ²
+            // λ = 1, and at λu, where no strength is left: Gf = tears · [(1 − 2/e) + (λu − 1)/(2 e)], tears = q/λ²
             const double peak = 1 / std::hypot(n * law.inv_dct, t * law.inv_dso);
             const double tears = (law.kt * n * n + law.ks * t * t) * peak * peak;
             const double last = peak * (1 + 2 * e * (c.fracture_energy / tears - (1 - 2 / e)));

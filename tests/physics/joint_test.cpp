@@ -42,7 +42,7 @@ TestOutcome outcome_of(const test::JointedTest& plane, LawVariant law) {
 }
 
 // The class of two phases is weak and that of each with itself strong: the plane where they meet slides with the values of its
-// class. Friction bears beside cohesion; coulomb-slip then loses all cohesion at once.
+// class. Friction adds to cohesion; coulomb-slip then loses all cohesion at once.
 TEST(Joint, APlaneOfAClassSlidesAtJaegersStrengthWithCohesionAndFriction) {
     for (const LawVariant law : {LawVariant::cohesive_frictional, LawVariant::coulomb_slip}) {
         for (const auto& [angle, pressure] : {std::pair{50.0, 5.0}, std::pair{60.0, 20.0}}) {

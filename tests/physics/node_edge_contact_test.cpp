@@ -290,7 +290,7 @@ TEST(NodeEdgeContact, NoContactOfANodeWithManyIsLost) {
     EXPECT_EQ(contacts(), many);
 }
 
-// A contact that ends and begins anew between two detections, at the same pair, is a new one: it needs an area.
+// A contact that ends and begins again between two detections, at the same pair, is a new one: it needs an area.
 TEST(NodeEdgeContact, AContactThatBeginsAnewIsNotTakenForTheOldOne) {
     const double a = 4e-3;
     Led led(test::specimen_of_triangles({{-a, 0}, {0, -a}, {a, 0}, {0, 1e-5}, {a / 2, a}, {-a / 2, a}}, {{0, 1, 2}, {3, 4, 5}}));

@@ -1,4 +1,4 @@
-// A run that is stopped after every so many rows of its history, and goes on from its checkpoint each time, is the run that was
+// A run that is stopped after every so many rows of its history, and resumes from its checkpoint each time, is the run that was
 // never stopped: history, cracks, frames and the state at its end, to the digest.
 #include <gtest/gtest.h>
 

@@ -97,7 +97,7 @@ TEST(Brazilian, LoadAtTheSpanIsThatOfItsTime) {
     // The curve rises evenly to 10 MPa at 1 s. Eight facets hang together at 0.4 s.
     EXPECT_NEAR(std::stod(warning_of(split(recipe.specimen, 8), "spanning_strength_MPa")), 4, 1e-3);
     EXPECT_EQ(warning_of(split(recipe.specimen, 8), "warning"),
-              "when open cracks spanned the disc, the load was 60 % below the largest, which may be that of its halves");
+              "when open cracks spanned the disc, the load was 60 % below the largest load, which may be the load of the halves");
     EXPECT_EQ(warning_of(split(recipe.specimen, 6), "spanning_strength_MPa"), "");
     EXPECT_EQ(warning_of(split(recipe.specimen, 6), "warning"),
               "the disc did not split: its open cracks never span 0.8 of the diameter");

@@ -93,7 +93,7 @@ TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {
     const Decision decision = decide(problem, laboratory.find());
     EXPECT_EQ(decision.ending, Ending::not_reached) << decision.reason;
     EXPECT_NE(decision.reason.find("Brazilian strength"), std::string::npos);
-    EXPECT_NE(decision.next.find("Brazilian strength alone would want contact."), std::string::npos) << decision.next;
+    EXPECT_NE(decision.next.find("Brazilian strength alone would need contact."), std::string::npos) << decision.next;
 }
 
 // Two strengths that follow one parameter in the same way and that are wanted in another proportion.

@@ -162,7 +162,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     // Asked again it answers the same.
     EXPECT_EQ(ask().decision.ending, Ending::calibrated);
     EXPECT_EQ(text("report.md"), report);
-    // Interrupted again and again, with no run made twice, it comes to the same end.
+    // Interrupted many times, with no run made twice, it comes to the same end.
     for (const char* name : {"strength.tsv", "moduli.tsv"}) std::filesystem::remove(folder_.file(name));
     strength_.resize(strength_.find('\n') + 1);
     moduli_.resize(moduli_.find('\n') + 1);
@@ -226,7 +226,7 @@ direct_tension = {use = "predict"}
     refused("[targets]\nbrazilian = {value = \"8 MPa\", use = \"maybe\"}\n", {"neither fit nor predict"});
     refused("[targets]\nbrazilian = \"8 MPa\"\n", {"targets.brazilian: a row is wanted"});
     refused("[parameters]\n\"contact.cohesions\" = {}\n", {"parameters.\"contact.cohesions\"", "unknown key"});
-    refused("[parameters]\n\"contact.shear_stiffness\" = {low = \"1e13\"}\n", {"no usual bounds", "low and high are needed"});
+    refused("[parameters]\n\"contact.shear_stiffness\" = {low = \"1e13\"}\n", {"no default bounds", "give low and high"});
     refused("[parameters]\n\"contact.cohesion\" = {low = \"80 MPa\", high = \"20 MPa\"}\n", {"low must be below high"});
     refused("[parameters]\n\"contact.cohesion\" = {middle = \"80 MPa\"}\n", {"unknown key", "low, high, scale, first"});
 }

@@ -60,10 +60,9 @@ TEST(Moduli, WhatSpeaksAgainstThemStandsInTheRow) {
     recipe.platen_compliance = 1.1;
     recipe.drop = 0;
     recipe.stop_reason = "strain limit";
-    EXPECT_EQ(
-        field(table_of(recipe), "warning"),
-        "no peak: shares are of the largest stress; by the gauges E is 10 % larger than by the platens: not at rest, or not "
-        "uniform");
+    EXPECT_EQ(field(table_of(recipe), "warning"),
+              "no peak: fractions are of the largest stress; E from the gauges is 10 % larger than E from the platens: the "
+              "specimen is not in equilibrium, or its strain is not uniform");
     recipe.test = "brazilian";
     EXPECT_EQ(field(table_of(recipe), "warning"), "");  // no moduli
 }

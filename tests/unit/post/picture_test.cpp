@@ -175,12 +175,12 @@ TEST_F(Picture, SubtitlesSayWhatSpeaksAgainstAStrength) {
     test::Recipe disc;
     disc.test = "brazilian";  // the synthetic cracks span half of the height
     test::write_run(path("disc.h5"), disc);
-    const std::string line = "against this strength: open cracks never span 0.8 D";
+    const std::string line = "caveat: open cracks never span 0.8 D";
     for (const char* frame : {"last", "first,last"}) {
         const std::string map = to_svg(draw_cracks(RunReader(path("disc.h5")), {frame, std::nullopt, 1}));
         EXPECT_NE(map.find(line), std::string::npos) << frame;
     }
-    EXPECT_EQ(to_svg(cracks("last")).find("against this strength"), std::string::npos);
+    EXPECT_EQ(to_svg(cracks("last")).find("caveat"), std::string::npos);
     const auto svg_of = [&](std::vector<const char*> arguments) {
         arguments.insert(arguments.begin(), "graincrack-post");
         const std::string picture = path("doubted.svg");

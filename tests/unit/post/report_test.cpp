@@ -72,7 +72,7 @@ TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     const std::string html = page(runs, {read_material(calibrated), StrainLimitRuns::refuse});
     expect_texts(html, {"190 on 30 new specimens"});
     const std::size_t fitted = html.find("<h3>Fitted by the calibration</h3>");
-    const std::size_t predicted = html.find("<h3>Predicted: not fitted to anything</h3>");
+    const std::size_t predicted = html.find("<h3>Predicted, not fitted</h3>");
     ASSERT_LT(fitted, predicted);
     const std::string first = html.substr(fitted, predicted - fitted);
     const std::string second = html.substr(predicted, html.find("</section>", predicted) - predicted);
@@ -105,7 +105,7 @@ TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
     // The energy balance residual is the same in all, separated contacts are half of the cracks; a warning names its run.
     expect_texts(html, {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ",
                         "open cracks never span 0.8 D (5 of 5 runs)",
-                        "Against these strengths: Brazilian: open cracks never span 0.8 D (5 of 5 runs)."});
+                        "Caveats of these strengths: Brazilian: open cracks never span 0.8 D (5 of 5 runs)."});
     EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
     runs.resize(2);
     expect_texts(page(runs), {"<th>Brazilian (2 runs)</th>"});

@@ -217,7 +217,8 @@ TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
     at_strain_limit.drop = 0;
     at_strain_limit.stop_reason = "strain limit";
     table_of(at_strain_limit);
-    EXPECT_NE(notes_.str().find("run.h5: warning: no peak: stopped at the strain limit\n"), std::string::npos) << notes_.str();
+    EXPECT_NE(notes_.str().find("run.h5: warning: no peak: the test was stopped at the strain limit\n"), std::string::npos)
+        << notes_.str();
 }
 
 TEST_F(StrengthTable, DirectTensionAboveTheBrazilianStrengthIsSaid) {
@@ -234,7 +235,7 @@ TEST_F(StrengthTable, DirectTensionAboveTheBrazilianStrengthIsSaid) {
         write_strength_table(out, {folder_.file("t.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes);
         return notes.str();
     };
-    EXPECT_NE(said(12e6, 8e6).find("direct tension is 1.50 times the Brazilian strength; of rock 0.7 to 0.9 times (Perras"),
+    EXPECT_NE(said(12e6, 8e6).find("direct tension is 1.50 times the Brazilian strength; in rock it is 0.7 to 0.9 times (Perras"),
               std::string::npos);
     EXPECT_EQ(said(7e6, 8e6).find("direct tension"), std::string::npos);
 }

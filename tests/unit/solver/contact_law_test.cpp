@@ -131,7 +131,7 @@ TEST(ContactLawPoint, ClosedPushesWithInitialStiffness) {
     }
 }
 
-// The shear strength of a contact that is open by nothing is what tells the laws apart: tc, tc √κ, a parameter, cc.
+// The shear strength of a contact that is open at zero opening is what tells the laws apart: tc, tc √κ, a parameter, cc.
 TEST(ContactLawPoint, ShearStrengthWhileOpen) {
     ContactParameters p = augig_contact();
     const double kappa = p.shear_stiffness / p.normal_stiffness;
