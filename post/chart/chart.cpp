@@ -84,6 +84,7 @@ Chart::Chart(const PictureStyle& style, const ChartText& text, const Axis& x, co
       drawing_(static_cast<int>(style.page_width), 100),
       x_{limited(x, style.x_limits), 0, 0},
       y_{limited(y, style.y_limits), 0, 0} {
+    notes_ = text.notes;
     if (form.right) right_ = Scale{*form.right, 0, 0};
     ChartText heading = text;
     if (!style.title.empty()) heading.title = style.title;
@@ -161,26 +162,6 @@ void Chart::points(std::span<const double> x, std::span<const double> y, const M
     }
 }
 
-void Chart::point_apart(double x, double y, const Marker& marker) {
-    const Pixel own = place(x, y);
-    if (!inside(own)) return;
-    shows_something_ = true;
-    const double distance = 1.3 * marker.size;
-    const auto taken = [&](Pixel at) {
-        return std::any_of(apart_.begin(), apart_.end(),
-                           [&](Pixel other) { return std::hypot(at.x - other.x, at.y - other.y) < distance; });
-    };
-    Pixel at = own;
-    for (int step = 1; taken(at) && step < 40; ++step) {
-        const int places = (step + 1) / 2;
-        at.x = own.x + (step % 2 == 1 ? -1 : 1) * distance * places;
-        if (!inside(at)) at = own;  // not this side
-    }
-    if (at.x != own.x) drawing_.line(own, at, 1.6, marker.colour);
-    apart_.push_back(at);
-    draw_marker(drawing_, at, marker);
-}
-
 void Chart::band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour) {
     const auto within = [&](double value) { return std::clamp(y_(value), y_.to, y_.from); };
     const auto across = [&](double value) { return std::clamp(x_(value), x_.from, x_.to); };
@@ -201,20 +182,29 @@ void Chart::box(double x_low, double x_high, double y_low, double y_high, Colour
 
 void Chart::keep_clear(double x, double y, double reach) {
     const Pixel at = place(x, y);
-    notes_.push_back({at.x - reach, at.y - reach, at.x + reach, at.y + reach});
+    taken_.push_back({at.x - reach, at.y - reach, at.x + reach, at.y + reach});
 }
 
-bool Chart::note(double x, double y, const std::string& label, Colour colour, Anchor anchor) {
-    const Pixel at = place(x, y);
-    const double shift = anchor == Anchor::start ? 10 : anchor == Anchor::end ? -10 : 0;
-    const Text text{{at.x + shift, at.y - 8}, label, letters::text, colour, anchor};
-    const TextBox box = box_of(text);
-    const bool fits = box.left >= x_.from && box.right <= x_.to && box.top >= y_.to && box.bottom <= y_.from;
-    if (!fits || std::any_of(notes_.begin(), notes_.end(), [&](const TextBox& other) { return box.overlaps(other); }))
-        return false;
-    notes_.push_back(box);
-    drawing_.text(text);
-    return true;
+bool Chart::label_line(std::span<const std::array<double, 2>> places, const std::string& label, Colour colour,
+                       std::span<const std::array<double, 2>> others) {
+    constexpr double gap = 5;
+    for (const auto& [x, y] : places) {
+        const Text text{{x_(x), y_(y) + digit_rise * letters::text}, label, letters::text, colour, Anchor::middle};
+        TextBox box = box_of(text);
+        box = {box.left - gap, box.top - gap, box.right + gap, box.bottom + gap};
+        const auto is_hit = [&](const std::array<double, 2>& other) {
+            const Pixel at = place(other[0], other[1]);
+            return at.x > box.left && at.x < box.right && at.y > box.top && at.y < box.bottom;
+        };
+        const bool fits = box.left >= x_.from && box.right <= x_.to && box.top >= y_.to && box.bottom <= y_.from;
+        if (!fits || std::any_of(taken_.begin(), taken_.end(), [&](const TextBox& each) { return box.overlaps(each); })) continue;
+        if (std::any_of(others.begin(), others.end(), is_hit)) continue;
+        taken_.push_back(box);
+        drawing_.rectangle({box.left, box.top}, {box.right, box.bottom}, palette::white);
+        drawing_.text(text);
+        return true;
+    }
+    return false;
 }
 
 double Chart::draw_x_ticks() {
@@ -287,8 +277,10 @@ void Chart::draw_labels(double below_ticks) {
             drawing_.text({{(x_.from + x_.to) / 2, y}, line, letters::label, palette::ink, Anchor::middle});
         }
     }
-    const LegendEnd end = draw_legend(drawing_, legend_, {page_margin, drawing_.width() - 0.5 * page_margin}, y + 22);
-    drawing_.set_height(legend_.empty() ? y + 24 : end.bottom + 14);
+    const Column column{page_margin, drawing_.width() - 0.5 * page_margin};
+    if (!legend_.empty()) y = draw_legend(drawing_, legend_, column, y + 22).bottom - 10;
+    if (!notes_.empty()) y = draw_heading(drawing_, {"", notes_}, column, y + (legend_.empty() ? 22 : 10)) - 10;
+    drawing_.set_height(y + 24);
 }
 
 void Chart::require_contents() const {

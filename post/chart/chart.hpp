@@ -1,6 +1,7 @@
 // A chart on a page: frame, scales, ticks, curves, markers, bands, legend. Sized to be read at the width of a column.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,19 +33,21 @@ public:
     /// A line through points; what lies outside the frame is cut off, a NaN interrupts it.
     void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side = Side::left);
     void points(std::span<const double> x, std::span<const double> y, const Marker& marker);
-    /// A point at its height, moved to the left, or right, of others that it would cover; a thin line leads to its place.
-    void point_apart(double x, double y, const Marker& marker);
     /// The area between two curves over x, in the frame; drawn under what follows.
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
     /// No note comes within `reach` of a point, in pixels of the drawing: that of a marker that is drawn later.
     void keep_clear(double x, double y, double reach);
-    /// Text beside a point. \return false, without drawing it, where it would cover another or leave the frame
-    bool note(double x, double y, const std::string& label, Colour colour = palette::ink, Anchor anchor = Anchor::start);
+    /// Text in a gap of a line, at the first of its places where it covers no other text, no point of `others`, and stays in the
+    /// frame. \return whether there is such a place
+    bool label_line(std::span<const std::array<double, 2>> places, const std::string& label, Colour colour,
+                    std::span<const std::array<double, 2>> others);
     /// Ticks along x replaced by texts at points, a line each.
     void name_ticks(const std::vector<std::pair<double, std::string>>& ticks) { named_ticks_ = ticks; }
 
+    /// A line of text below the legend.
+    void add_note(const std::string& note) { notes_.push_back(note); }
     template <class Mark>
     void legend(const Mark& mark, const std::string& label) {
         legend_.push_back({mark, label});
@@ -80,8 +83,8 @@ private:
     std::optional<Scale> right_;
     bool shows_something_ = false;
     std::vector<LegendEntry> legend_;
-    std::vector<TextBox> notes_;
-    std::vector<Pixel> apart_;  ///< places taken by `point_apart`
+    std::vector<std::string> notes_;  ///< below the legend
+    std::vector<TextBox> taken_;      ///< by texts and markers in the frame
     std::vector<std::pair<double, std::string>> named_ticks_;
 };
 

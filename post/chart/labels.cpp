@@ -2,9 +2,35 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <sstream>
 #include <string_view>
+#include <vector>
 
 namespace graincrack {
+
+namespace {
+
+std::vector<std::string> words_of(const std::string& text, char between) {
+    std::vector<std::string> words;
+    std::istringstream in(text);
+    for (std::string word; std::getline(in, word, between);) words.push_back(word);
+    return words;
+}
+
+/// The words of a column's name, with the signs and names that they stand for.
+std::string in_print(const std::string& name) {
+    static constexpr std::array<std::array<std::string_view, 2>, 6> signs{
+        {{"phi", "φ"}, {"phic", "φc"}, {"sigma", "σ"}, {"nu", "ν"}, {"young", "Young's"}, {"poisson", "Poisson's"}}};
+    std::string label;
+    for (const std::string& word : words_of(name, '_')) {
+        const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& s) { return s[0] == word; });
+        label += (label.empty() ? "" : " ") + std::string(sign == signs.end() ? std::string_view(word) : (*sign)[1]);
+    }
+    return label;
+}
+
+}  // namespace
 
 std::string column_label(const std::string& column) {
     static constexpr std::array<std::array<std::string_view, 2>, 13> units{{{"MPa", "MPa"},
@@ -31,8 +57,21 @@ std::string column_label(const std::string& column) {
             unit = ", " + std::string((*found)[1]);
         }
     }
-    std::replace(label.begin(), label.end(), '_', ' ');
-    return label + unit;
+    return in_print(label) + unit;
+}
+
+std::string mineral_label(const std::string& name) {
+    std::string label;
+    for (const std::string& mineral : words_of(name, '-')) {
+        std::string own = mineral;
+        if (own.size() > 2 && own[1] == '_') {  // "k_feldspar", by its element
+            own[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(own[0])));
+            own[1] = '-';
+        }
+        std::replace(own.begin(), own.end(), '_', ' ');
+        label += (label.empty() ? "" : "–") + own;
+    }
+    return label;
 }
 
 }  // namespace graincrack

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/chart/font.hpp"
+#include "post/chart/labels.hpp"
 #include "post/chart/pixel_fill.hpp"
 #include "share/units.hpp"
 
@@ -17,34 +18,6 @@ constexpr double platen_height = 16;
 /// Grains of shorter edges, in pixels, have no outlines: they would cover the map in grey.
 constexpr double min_edge = 4;
 
-struct Box {
-    std::array<double, 2> low;
-    std::array<double, 2> high;
-};
-
-Box bounds(const Positions& places) {
-    Box box{{1e300, 1e300}, {-1e300, -1e300}};
-    for (const auto& place : places) {
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            box.low[axis] = std::min(box.low[axis], place[axis]);
-            box.high[axis] = std::max(box.high[axis], place[axis]);
-        }
-    }
-    return box;
-}
-
-/// The bounds of what moved, but no more than a tenth beyond the specimen at rest: fragments that were ejected are left out.
-Box view_box(const Specimen& specimen, const Positions& positions) {
-    const Box rest = bounds(specimen.node_position);
-    Box box = bounds(positions);
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double reach = 0.1 * (rest.high[axis] - rest.low[axis]);
-        box.low[axis] = std::clamp(box.low[axis], rest.low[axis] - reach, rest.low[axis] + reach);
-        box.high[axis] = std::clamp(box.high[axis], rest.high[axis] - reach, rest.high[axis] + reach);
-    }
-    return box;
-}
-
 /// 1, 2 or 5 × 10^k below a length.
 double round_length(double length) {
     const double decade = std::pow(10.0, std::floor(std::log10(length)));
@@ -54,7 +27,31 @@ double round_length(double length) {
     return decade;
 }
 
+MapBox bounds(const Positions& places) {
+    MapBox box;
+    for (const auto& place : places) box.include({place, place});
+    return box;
+}
+
 }  // namespace
+
+void MapBox::include(const MapBox& other) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        low[axis] = std::min(low[axis], other.low[axis]);
+        high[axis] = std::max(high[axis], other.high[axis]);
+    }
+}
+
+MapBox view_box(const Specimen& specimen, const Positions& positions) {
+    const MapBox rest = bounds(specimen.node_position);
+    MapBox box = bounds(positions);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double reach = 0.1 * (rest.high[axis] - rest.low[axis]);
+        box.low[axis] = std::clamp(box.low[axis], rest.low[axis] - reach, rest.low[axis] + reach);
+        box.high[axis] = std::clamp(box.high[axis], rest.high[axis] - reach, rest.high[axis] + reach);
+    }
+    return box;
+}
 
 Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification) {
     Positions places = specimen.node_position;
@@ -67,7 +64,7 @@ Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magni
 
 MapView::MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page)
     : specimen_(specimen), positions_(std::move(positions)), page_(page), drawing_(static_cast<int>(page.style.page_width), 0) {
-    const Box box = view_box(specimen_, positions_);
+    const MapBox box = page.view ? *page.view : view_box(specimen_, positions_);
     low_ = box.low;
     high_ = box.high;
     ChartText heading = text;
@@ -166,25 +163,28 @@ void MapView::draw_boundaries(const std::function<bool(std::size_t contact)>& is
 std::vector<LegendEntry> phase_legend(const Specimen& specimen) {
     std::vector<LegendEntry> entries;
     const std::size_t n = specimen.phase_names.size();
-    for (std::size_t i = 0; n > 1 && i < n; ++i) entries.push_back({palette::phase(i), specimen.phase_names[i]});
+    for (std::size_t i = 0; n > 1 && i < n; ++i) entries.push_back({palette::phase(i), mineral_label(specimen.phase_names[i])});
     return entries;
 }
 
-void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::string& note) {
-    const Column column{page_margin, drawing_.width() - page_margin};
-    LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);
-    const double length = round_length(0.2 * (high_[0] - low_[0]));
+double draw_scale_bar(Drawing& page, const MapScale& scale, const Column& column, const LegendEnd& end) {
+    const double length = round_length(0.3 * scale.width);
     const std::string label = format_quantity(length, Dimension::length);
-    const double left = column.right - length * scale_;
+    const double left = column.right - length * scale.pixels_per_metre;
     const double room = text_width(label, letters::text) + 14;
-    const bool beside = !entries.empty() && left - room > end.last.x + 30;
+    const bool beside = end.last.x > column.left && left - room > end.last.x + 30;
     const double baseline = beside ? end.last.y : end.bottom + 0.78 * legend_line;
-    if (!beside) end.bottom += legend_line;
-    drawing_.line({left, baseline - 8}, {column.right, baseline - 8}, 3, palette::ink);
-    for (const double x : {left, column.right}) drawing_.line({x, baseline - 16}, {x, baseline}, 3, palette::ink);
-    drawing_.text({{left - 14, baseline}, label, letters::text, palette::ink, Anchor::end});
-    if (!note.empty()) end.bottom = draw_heading(drawing_, {"", {note}}, column, end.bottom);
-    drawing_.set_height(end.bottom + 14);
+    page.line({left, baseline - 8}, {column.right, baseline - 8}, 3, palette::ink);
+    for (const double x : {left, column.right}) page.line({x, baseline - 16}, {x, baseline}, 3, palette::ink);
+    page.text({{left - 14, baseline}, label, letters::text, palette::ink, Anchor::end});
+    return beside ? end.bottom : end.bottom + legend_line;
+}
+
+void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::vector<std::string>& notes) {
+    const Column column{page_margin, drawing_.width() - page_margin};
+    const LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);
+    const double bottom = draw_scale_bar(drawing_, scale(), column, end);
+    drawing_.set_height(draw_heading(drawing_, {"", notes}, column, bottom) + 14);
 }
 
 }  // namespace graincrack

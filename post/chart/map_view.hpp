@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,17 +26,36 @@ using GrainColour = std::function<Colour(std::size_t grain)>;
 /// Entries of a legend for the colours of the phases; none for grains of one kind.
 std::vector<LegendEntry> phase_legend(const Specimen& specimen);
 
+/// A rectangle of the plane, m.
+struct MapBox {
+    std::array<double, 2> low{1e300, 1e300};
+    std::array<double, 2> high{-1e300, -1e300};
+    void include(const MapBox& other);
+};
+/// The bounds of what moved, but no more than a tenth beyond the specimen at rest: fragments that were ejected are left out.
+MapBox view_box(const Specimen& specimen, const Positions& positions);
+
+/// How large a map is on its page.
+struct MapScale {
+    double width = 1;  ///< of the map, m
+    double pixels_per_metre = 1;
+};
+/// A bar of a round length at the right of a page, beside the last line of a legend if there is room, else below it.
+/// \param end of the legend \return where both end
+double draw_scale_bar(Drawing& page, const MapScale& scale, const Column& column, const LegendEnd& end);
+
 /// What a page with a map has beside it.
 struct MapPage {
     PictureStyle style = {};
     double largest_height = 1400;  ///< of the map itself, pixels
     double margin = page_margin;
-    double heading_height = 0;  ///< at least, so that maps side by side stand at one height
+    double heading_height = 0;        ///< at least, so that maps side by side stand at one height
+    std::optional<MapBox> view = {};  ///< what is drawn, so that maps have one scale; else the bounds of the map's own positions
 };
 
 class MapView {
 public:
-    /// Lays the page out so that the specimen, and what moved out of it by up to a tenth of its size, fits tightly.
+    /// Lays the page out so that what is to be seen fits tightly.
     ///
     /// \param positions place of each node, m
     MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page = {});
@@ -50,10 +70,11 @@ public:
     void draw_platen(double y, bool above, double half_width);
     /// The boundaries between grains of different colours, dark, so that they stay apart in grey.
     void draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width);
-    /// Legend and a scale bar below the map, and below them a line of text, unless it is empty.
-    void draw_legend(const std::vector<LegendEntry>& entries, const std::string& note = {});
+    /// Legend and a scale bar below the map, and below them lines of text.
+    void draw_legend(const std::vector<LegendEntry>& entries, const std::vector<std::string>& notes = {});
 
     [[nodiscard]] const Positions& positions() const { return positions_; }
+    [[nodiscard]] MapScale scale() const { return {high_[0] - low_[0], scale_}; }
     [[nodiscard]] double pixels_per_metre() const { return scale_; }
     /// Moves the finished page out of the map.
     [[nodiscard]] Drawing drawing() && { return std::move(drawing_); }

@@ -1,6 +1,8 @@
 #include "post/chart/marks.hpp"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace graincrack {
@@ -21,22 +23,43 @@ void draw_stroke(Drawing& drawing, std::vector<Pixel> points, const Stroke& stro
     if (points.size() > 1) drawing.polyline(std::move(points), stroke.width, stroke.colour, stroke.dash);
 }
 
+namespace {
+
+/// Corners of a shape in halves of its size, closed; a disc has many.
+std::vector<std::array<double, 2>> corners(MarkerShape shape) {
+    switch (shape) {
+        case MarkerShape::square: return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};
+        case MarkerShape::triangle: return {{0, -1.2}, {1.1, 0.8}, {-1.1, 0.8}};
+        case MarkerShape::diamond: return {{0, -1.2}, {1.2, 0}, {0, 1.2}, {-1.2, 0}};
+        case MarkerShape::leaves: return {{-1.2, 0}, {0.8, -1.1}, {0.8, 1.1}};
+        case MarkerShape::disc:
+        case MarkerShape::cross: break;
+    }
+    std::vector<std::array<double, 2>> circle;
+    constexpr int n = 36;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        circle.push_back({std::cos(angle), std::sin(angle)});
+    }
+    return circle;
+}
+
+}  // namespace
+
 void draw_marker(Drawing& drawing, Pixel at, const Marker& marker) {
     const double r = marker.size / 2;
-    const auto moved = [&](double x, double y) { return Pixel{at.x + x * r, at.y + y * r}; };
-    switch (marker.shape) {
-        case MarkerShape::disc: drawing.polyline({at, at}, marker.size, marker.colour); break;
-        case MarkerShape::square: drawing.rectangle(moved(-0.9, -0.9), moved(0.9, 0.9), marker.colour); break;
-        case MarkerShape::triangle: drawing.polygon({moved(0, -1.2), moved(1.1, 0.8), moved(-1.1, 0.8)}, marker.colour); break;
-        case MarkerShape::cross:
-            drawing.line(moved(-1, -1), moved(1, 1), 0.3 * marker.size, marker.colour);
-            drawing.line(moved(-1, 1), moved(1, -1), 0.3 * marker.size, marker.colour);
-            break;
-        case MarkerShape::diamond:
-            drawing.polygon({moved(0, -1.2), moved(1.2, 0), moved(0, 1.2), moved(-1.2, 0)}, marker.colour);
-            break;
-        case MarkerShape::leaves: drawing.polygon({moved(-1.2, 0), moved(0.8, -1.1), moved(0.8, 1.1)}, marker.colour); break;
+    const auto moved = [&](std::array<double, 2> p) { return Pixel{at.x + p[0] * r, at.y + p[1] * r}; };
+    if (marker.shape == MarkerShape::cross) {
+        drawing.line(moved({-1, -1}), moved({1, 1}), 0.3 * marker.size, marker.colour);
+        drawing.line(moved({-1, 1}), moved({1, -1}), 0.3 * marker.size, marker.colour);
+        return;
     }
+    if (marker.shape == MarkerShape::disc && !marker.hollow) return drawing.polyline({at, at}, marker.size, marker.colour);
+    std::vector<Pixel> outline;
+    for (const auto& corner : corners(marker.shape)) outline.push_back(moved(corner));
+    if (!marker.hollow) return drawing.polygon(outline, marker.colour);
+    outline.push_back(outline.front());
+    drawing.polyline(outline, 0.15 * marker.size, marker.colour);
 }
 
 }  // namespace graincrack

@@ -22,6 +22,7 @@ struct Marker {
     Colour colour = palette::ink;
     MarkerShape shape = MarkerShape::disc;
     double size = 15;
+    bool hollow = false;  ///< its outline alone, so that markers at one place can all be seen
 };
 /// Another shape for every i, so that series stay apart without colour.
 MarkerShape marker_shape(std::size_t i);

@@ -33,6 +33,14 @@ std::string shortened(const std::string& word, double size, double room, bool bo
     return shorter;
 }
 
+/// A word with a minus in place of the hyphen before a number.
+std::string with_minus(std::string word) {
+    const std::size_t sign = word.find_first_not_of("([");
+    const auto is_digit = [&](std::size_t at) { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };
+    if (sign != std::string::npos && word[sign] == '-' && is_digit(sign + 1)) word.replace(sign, 1, "−");
+    return word;
+}
+
 /// Calls `draw` with each line of a heading: its text, its size, whether it is the title, and its baseline.
 template <class Draw>
 double each_line(const ChartText& text, const Column& column, double top, const Draw& draw) {
@@ -61,17 +69,22 @@ void draw_mark(Drawing& drawing, const std::variant<Stroke, Marker, Colour>& mar
 }  // namespace
 
 std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold) {
-    std::vector<std::string> lines(1);
-    std::istringstream in(text);
-    for (std::string next; in >> next;) {
-        const std::string word = shortened(next, size, room, bold);
-        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-        if (!lines.back().empty() && text_width(longer, size, bold) > room) {
-            lines.push_back(word);
-        } else {
-            lines.back() = longer;
+    std::vector<std::string> lines;
+    std::istringstream paragraphs(text);
+    for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+        lines.emplace_back();
+        std::istringstream words(paragraph);
+        for (std::string next; words >> next;) {
+            const std::string word = shortened(with_minus(next), size, room, bold);
+            const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+            if (!lines.back().empty() && text_width(longer, size, bold) > room) {
+                lines.push_back(word);
+            } else {
+                lines.back() = longer;
+            }
         }
     }
+    if (lines.empty()) lines.emplace_back();
     return lines;
 }
 

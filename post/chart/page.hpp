@@ -20,8 +20,9 @@ inline constexpr double page_margin = 28;
 
 /// Heading of a page.
 struct ChartText {
-    std::string title;                  ///< bold
-    std::vector<std::string> subtitle;  ///< a line each, or several where it is too long for one
+    std::string title;                    ///< bold
+    std::vector<std::string> subtitle;    ///< a line each, or several where it is too long for one
+    std::vector<std::string> notes = {};  ///< below the picture: what a word means, what speaks against a value
 };
 
 /// Where texts may stand.
@@ -30,7 +31,8 @@ struct Column {
     double right = 0;
 };
 
-/// Text in lines that are no wider than `room`, broken at blanks. A longer word, as names of files may be, loses its middle.
+/// Text in lines that are no wider than `room`, broken at ends of lines and blanks. A longer word, as names of files may be,
+/// loses its middle; a hyphen before a number is a minus.
 std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold = false);
 
 /// Draws title and subtitle from `top` downwards. \return where they end

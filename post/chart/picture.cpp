@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -137,11 +139,42 @@ std::string to_pdf(const Drawing& drawing, const PictureSize& size) {
     return bytes;
 }
 
+/// Most significant byte first, as in all of a PNG.
+void append_big_endian(std::vector<unsigned char>& bytes, std::uint32_t value) {
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes.push_back(static_cast<unsigned char>(value >> shift));
+}
+
+/// The check of a chunk (CRC-32 of ISO 3309).
+std::uint32_t crc32(std::span<const unsigned char> bytes) {
+    std::uint32_t crc = 0xFFFFFFFFU;
+    for (const unsigned char byte : bytes) {
+        crc ^= byte;
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+    return ~crc;
+}
+
+/// Writes the resolution into a PNG, as a chunk pHYs behind the header (W3C PNG specification, 11.3.4.3).
+void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) {
+    constexpr std::ptrdiff_t end_of_header = 8 + 25;  // signature, IHDR
+    constexpr std::uint32_t size = 9;
+    constexpr unsigned char unit_is_metre = 1;
+    const auto per_metre = static_cast<std::uint32_t>(std::lround(pixels_per_inch / metres_per_inch));
+    std::vector<unsigned char> chunk{'p', 'H', 'Y', 's'};
+    for (int axis = 0; axis < 2; ++axis) append_big_endian(chunk, per_metre);
+    chunk.push_back(unit_is_metre);
+    append_big_endian(chunk, crc32(chunk));
+    std::vector<unsigned char> length;
+    append_big_endian(length, size);
+    chunk.insert(chunk.begin(), length.begin(), length.end());
+    png.insert(png.begin() + end_of_header, chunk.begin(), chunk.end());
+}
+
 }  // namespace
 
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size) {
-    const double scale =
-        size.width ? *size.width / metres_per_inch * size.resolution.value_or(default_resolution) / drawing.width() : 1;
+    const double resolution = size.resolution.value_or(default_resolution);
+    const double scale = size.width ? *size.width / metres_per_inch * resolution / drawing.width() : 1;
     const double width = std::round(scale * drawing.width());
     const double height = std::round(scale * drawing.height());
     if (!(std::max(width, height) <= max_pixels)) {
@@ -153,6 +186,7 @@ std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& 
     paint(drawing, surface.get(), scale);
     std::vector<unsigned char> bytes;
     require(cairo_surface_write_to_png_stream(surface.get(), &append<std::vector<unsigned char>>, &bytes));
+    if (size.width) insert_resolution(bytes, resolution);
     return bytes;
 }
 

@@ -27,7 +27,8 @@ void require_picture(const std::string& path, const PictureSize& size);
 /// \throws UsageError for another ending, OutputError if it cannot be drawn or written
 void write_picture(const Drawing& drawing, const std::string& path, const PictureSize& size = {});
 
-/// A drawing as the bytes of a PNG file. \throws OutputError if it cannot be drawn
+/// A drawing as the bytes of a PNG file, which says its resolution if it has a width on paper. \throws OutputError if it cannot
+/// be drawn
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size = {});
 
 /// A drawing as an SVG document. Its letters are outlines; its texts are in the document's description too, for search and for

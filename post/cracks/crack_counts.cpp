@@ -1,6 +1,8 @@
 #include "post/cracks/crack_counts.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "post/cracks/contact_classes.hpp"
 
@@ -66,8 +68,10 @@ void count_in_history(std::vector<Crack> cracks, History& history) {
     }
 }
 
-CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
-                         std::size_t n_moments) {
+namespace {
+
+CrackCounts count_at(const std::vector<std::size_t>& rows, const RunData& run, const LoadCurve& curve, const Specimen& specimen,
+                     std::vector<Crack> cracks) {
     std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
     const ContactClasses classes = classes_of(specimen);
     const auto& times = run.history[HistoryColumn::time];
@@ -75,7 +79,7 @@ CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Speci
     CrackCounts::Moment now;
     now.by_class.resize(classes.names.size());
     auto next = cracks.begin();
-    for (const std::size_t row : moments_of(curve, n_moments)) {
+    for (const std::size_t row : rows) {
         for (; next != cracks.end() && next->time <= times[row]; ++next) {
             now.all.add(*next);
             now.by_class[classes.of_contact[static_cast<std::size_t>(next->contact)]].add(*next);
@@ -87,6 +91,19 @@ CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Speci
         counts.moments.push_back(now);
     }
     return counts;
+}
+
+}  // namespace
+
+CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
+                         std::size_t n_moments) {
+    return count_at(moments_of(curve, n_moments), run, curve, specimen, std::move(cracks));
+}
+
+CrackCounts count_cracks_by_row(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks) {
+    std::vector<std::size_t> rows(curve.stress.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    return count_at(rows, run, curve, specimen, std::move(cracks));
 }
 
 void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableFormat format) {

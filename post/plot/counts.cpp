@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
 #include "post/chart/chart.hpp"
+#include "post/chart/labels.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/cracks/run_state.hpp"
 #include "post/measure/test_label.hpp"
@@ -13,58 +19,106 @@ namespace graincrack {
 
 namespace {
 
+using Moment = CrackCounts::Moment;
+
 template <class Get>
 std::vector<double> column(const CrackCounts& counts, const Get& get) {
     std::vector<double> values;
-    for (const CrackCounts::Moment& m : counts.moments) values.push_back(get(m));
+    for (const Moment& m : counts.moments) values.push_back(get(m));
     return values;
+}
+
+struct Curve {
+    std::string label;
+    std::vector<double> counts;
+    Stroke stroke;
+};
+
+constexpr std::size_t most_pairs = 6;  ///< beside the others: as many as there are colours
+
+/// The pairs in the order of their cracks by the end, the most first.
+std::vector<std::size_t> pairs_by_cracks(const CrackCounts& counts) {
+    std::vector<std::size_t> pairs(counts.classes.size());
+    std::iota(pairs.begin(), pairs.end(), 0);
+    const auto cracks = [&](std::size_t pair) {
+        const ModeCounts& last = counts.moments.back().by_class[pair];
+        return last.tensile + last.shear;
+    };
+    std::stable_sort(pairs.begin(), pairs.end(), [&](std::size_t a, std::size_t b) { return cracks(a) > cracks(b); });
+    return pairs;
+}
+
+/// Both modes of some pairs together.
+void add_pairs(std::vector<Curve>& curves, const CrackCounts& counts, std::span<const std::size_t> pairs, const std::string& name,
+               Colour colour) {
+    const auto sum = [&](double ModeCounts::*mode) {
+        return column(counts, [&](const Moment& m) {
+            double all = 0;
+            for (const std::size_t pair : pairs) all += m.by_class[pair].*mode;
+            return all;
+        });
+    };
+    curves.push_back({name + ", tensile", sum(&ModeCounts::tensile), {colour, 4}});
+    curves.push_back({name + ", shear", sum(&ModeCounts::shear), {colour, 3, Dash::dashed}});
+}
+
+std::vector<Curve> curves_of(const CrackCounts& counts) {
+    if (counts.classes.size() == 1) {
+        return {{"tensile", column(counts, [](const Moment& m) { return m.all.tensile; }), {palette::tensile, 4}},
+                {"shear", column(counts, [](const Moment& m) { return m.all.shear; }), {palette::shear, 3.5, Dash::dashed}}};
+    }
+    std::vector<Curve> curves;
+    const std::vector<std::size_t> pairs = pairs_by_cracks(counts);
+    const std::size_t own = pairs.size() > most_pairs + 1 ? most_pairs : pairs.size();
+    for (std::size_t i = 0; i < own; ++i) {
+        add_pairs(curves, counts, std::span(pairs).subspan(i, 1), mineral_label(counts.classes[pairs[i]]), palette::series(i));
+    }
+    if (own < pairs.size()) add_pairs(curves, counts, std::span(pairs).subspan(own), "other pairs", palette::series(own));
+    std::erase_if(curves, [](const Curve& curve) { return curve.counts.back() == 0; });
+    for (Curve& curve : curves) {  // before their first crack they would lie on one another
+        for (std::size_t i = 0; i + 1 < curve.counts.size() && curve.counts[i + 1] == 0; ++i) curve.counts[i] = std::nan("");
+    }
+    return curves;
 }
 
 }  // namespace
 
-Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition, const PictureStyle& style) {
-    using Moment = CrackCounts::Moment;
-    const std::vector<double> strain = column(counts, [](const Moment& m) { return 100 * m.axial_strain; });
-    const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
+Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition, Abscissa abscissa,
+                    const PictureStyle& style) {
     const ModeCounts& last = counts.moments.back().all;
     if (last.tensile + last.shear == 0)
         throw InputError(run.name + ": no micro-cracks; counts over the loading need a run with some");
-    Chart chart(style,
-                {test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains), definition}},
-                Axis{"axial strain, %", 0, 1.03 * largest(strain)},
-                Axis{"micro-cracks (contacts)", 0, 1.08 * std::max(last.tensile, last.shear)},
-                {Axis{"stress, MPa", 0, 1.08 * largest(stress)}});
+    const std::vector<Curve> curves = curves_of(counts);
+    const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
+    double most = 0;
+    for (const Curve& curve : curves) most = std::max(most, curve.counts.back());
+    const Course course = course_of(run, abscissa);
+    Chart chart(
+        style,
+        {test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains)}, {definition}},
+        course.axis, Axis{"micro-cracks (contacts)", 0, 1.08 * most}, {Axis{"stress, MPa", 0, 1.08 * largest(stress)}});
     const Stroke load{palette::rim, 4.5, Dash::dotted};
-    chart.line(strain, stress, load, Chart::Side::right);
-    const auto draw = [&](const std::vector<double>& values, const Stroke& stroke, const std::string& label) {
-        chart.line(strain, values, stroke);
-        chart.legend(stroke, label);
-    };
-    if (counts.classes.size() == 1) {
-        draw(column(counts, [](const Moment& m) { return m.all.tensile; }), Stroke{palette::tensile, 4}, "tensile");
-        draw(column(counts, [](const Moment& m) { return m.all.shear; }), Stroke{palette::shear, 3.5, Dash::dashed}, "shear");
-    } else {
-        for (std::size_t i = 0; i < counts.classes.size(); ++i) {
-            const Colour colour = palette::series(i);
-            draw(column(counts, [i](const Moment& m) { return m.by_class[i].tensile; }), Stroke{colour, 4},
-                 counts.classes[i] + ", tensile");
-            draw(column(counts, [i](const Moment& m) { return m.by_class[i].shear; }), Stroke{colour, 3, Dash::dashed},
-                 counts.classes[i] + ", shear");
-        }
+    chart.line(course.values, stress, load, Chart::Side::right);
+    for (const Curve& curve : curves) {
+        chart.line(course.values, curve.counts, curve.stroke);
+        chart.legend(curve.stroke, curve.label);
     }
     chart.legend(load, "stress, right");
+    if (counts.classes.size() > 1) chart.add_note("pairs without cracks of a mode have no curve");
     return chart.finish();
 }
 
 Command counts_plot() {
     struct Options : PlotOptions {
         CrackLabelChoice label;
+        Abscissa abscissa = Abscissa::time;
     };
     return make_plot<Options>(
         "counts", "micro-cracks over the loading by mode and class of contacts (pair of minerals)",
         {"uniaxial.h5 -o counts.png", "brazilian.h5 --crack-event broken -o counts.svg"}, one_run,
         [](CLI::App& app, Options& options) {
             add_chart(app, options);
+            add_abscissa(app, options.abscissa);
             add_crack_label(app, options.label);
         },
         [](const Options& options, const Call& call) {
@@ -72,8 +126,8 @@ Command counts_plot() {
             const RunData data = run_data(run);
             const Specimen specimen = run.specimen();
             const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
-            return draw_counts(count_cracks(data, load_curve(data), specimen, cracks), data,
-                               definition_of(options.label.of(run.header())), options.style);
+            return draw_counts(count_cracks_by_row(data, load_curve(data), specimen, cracks), data,
+                               definition_of(options.label.of(run.header())), options.abscissa, options.style);
         });
 }
 

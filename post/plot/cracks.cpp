@@ -90,9 +90,11 @@ struct Scene {
     const CrackMapOptions& options;
     const PictureStyle& style;
     std::vector<std::string> objections = {};  ///< caveats of the strength, a line each
-    /// What the cracks are.
-    [[nodiscard]] std::string definition() const {
-        return limited_to(definition_of(options.label.of(data.header)), options.classes);
+    /// What stands below the maps: what the cracks are, and the caveats of the strength.
+    [[nodiscard]] std::vector<std::string> notes() const {
+        std::vector<std::string> lines{limited_to(definition_of(options.label.of(data.header)), options.classes)};
+        lines.insert(lines.end(), objections.begin(), objections.end());
+        return lines;
     }
 };
 
@@ -141,16 +143,15 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     ChartText text{test_title(header),
                    {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed, specimen.n_grains(),
                                 specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
-                    fmt::format("law {}, {}", header.contact_law, header.fracture_energy_choice),
+                    fmt::format("law {}, fracture energy {}", header.contact_law, header.fracture_energy_choice),
                     standing_label(now, header.test == "brazilian", scene.options.magnification)}};
-    text.subtitle.insert(text.subtitle.end(), scene.objections.begin(), scene.objections.end());
     MapView map(specimen, std::move(shot.places), text, {scene.style});
     std::vector<LegendEntry> legend{
         {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
         {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
     if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
     for (LegendEntry& phase : phase_legend(specimen)) legend.push_back(std::move(phase));
-    map.draw_legend(legend, scene.definition());
+    map.draw_legend(legend, scene.notes());
     return std::move(map).drawing();
 }
 
@@ -180,31 +181,46 @@ std::size_t maps_in_a_row(std::size_t maps, double page_width) {
     return (maps + rows - 1) / rows;
 }
 
+struct RowOfMaps {
+    Drawing drawing;
+    MapScale scale;
+};
+
 /// Maps of one row, their captions of one height.
-Drawing row_of_maps(const Scene& scene, std::vector<Panel>& row, double width) {
+RowOfMaps row_of_maps(const Scene& scene, std::vector<Panel>& row, double width, const MapBox& view) {
     constexpr double margin = 10;
-    MapPage page{scene.style.of_part(width), scene.style.page_width, margin, 0};
+    MapPage page{scene.style.of_part(width), scene.style.page_width, margin, 0, view};
     for (const Panel& each : row) {
         page.heading_height = std::max(page.heading_height, heading_height(each.text, {margin, width - margin}));
     }
     std::vector<Drawing> maps;
+    MapScale scale;
     for (Panel& each : row) {
         const double time = each.shot.time;
         MapView map(scene.specimen, std::move(each.shot.places), each.text, page);
         draw_state(map, scene, standing(scene.data, load_curve(scene.data), time), cracks_until(scene.cracks, time));
+        scale = map.scale();
         maps.push_back(std::move(map).drawing());
     }
-    return side_by_side(maps);
+    return {side_by_side(maps), scale};
 }
 
-/// Maps side by side under one title.
+/// What is to be seen in all of some frames.
+MapBox common_view(const Scene& scene, const std::vector<std::size_t>& frames) {
+    MapBox view;
+    for (const std::size_t frame : frames) view.include(view_box(scene.specimen, snapshot(scene, frame).places));
+    return view;
+}
+
+/// Maps side by side under one title, of one scale.
 Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     const double page_width = scene.style.page_width;
     const std::size_t in_a_row = maps_in_a_row(frames.size(), page_width);
     const Column column{page_margin, page_width - page_margin};
     ChartText text{scene.style.title.empty() ? test_title(scene.data.header) : scene.style.title,
                    {fmt::format("plane {}", name_of(scene.data.header.plane))}};
-    text.subtitle.insert(text.subtitle.end(), scene.objections.begin(), scene.objections.end());
+    const MapBox view = common_view(scene, frames);
+    MapScale scale;
     Drawing page(static_cast<int>(page_width), 0);
     page.set_height(draw_heading(page, text, column, 14));
     for (std::size_t first = 0; first < frames.size(); first += in_a_row) {
@@ -212,15 +228,17 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
         for (std::size_t i = first; i < std::min(first + in_a_row, frames.size()); ++i) {
             row.push_back(panel(scene, frames[i], static_cast<char>('a' + i)));
         }
-        const Drawing maps = row_of_maps(scene, row, std::floor(page_width / static_cast<double>(in_a_row)));
-        page.add(maps, {0, static_cast<double>(page.height())});
-        page.set_height(page.height() + maps.height());
+        const RowOfMaps maps = row_of_maps(scene, row, std::floor(page_width / static_cast<double>(in_a_row)), view);
+        page.add(maps.drawing, {0, static_cast<double>(page.height())});
+        page.set_height(page.height() + maps.drawing.height());
+        scale = maps.scale;
     }
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
                                     {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
     for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
     const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
-    page.set_height(draw_heading(page, {"", {scene.definition()}}, column, end.bottom) + 14);
+    const double bottom = draw_scale_bar(page, scale, column, end);
+    page.set_height(draw_heading(page, {"", scene.notes()}, column, bottom) + 14);
     return page;
 }
 

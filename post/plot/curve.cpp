@@ -79,7 +79,7 @@ ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
                                 run.specimen.mean_edge * 1e3, name_of(run.header.plane)),
                     fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
                                 100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
-    if (!definition.empty()) text.subtitle.push_back(definition);
+    if (!definition.empty()) text.notes.push_back(definition);
     return text;
 }
 
@@ -95,19 +95,18 @@ Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
     ChartText text = heading(runs, definition);
-    text.subtitle.insert(text.subtitle.end(), objections.begin(), objections.end());
+    text.notes.insert(text.notes.end(), objections.begin(), objections.end());
     return {style, text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, {right}};
 }
+
+constexpr Stroke shear_stroke{palette::shear, 4, Dash::dotted};
+constexpr Stroke tensile_stroke{palette::tensile, 3, Dash::dashed};
 
 /// Counts of cracks against axial strain, on a scale of their own at the right.
 void draw_counts(Chart& chart, const Run& run) {
     const std::vector<double> strain = times(run.curve.axial_strain, 100);
-    const auto draw = [&](HistoryColumn column, const Stroke& stroke, const std::string& name) {
-        chart.line(strain, run.data->history[column], stroke, Chart::Side::right);
-        chart.legend(stroke, name);
-    };
-    draw(HistoryColumn::shear_cracks, {palette::shear, 4, Dash::dotted}, "shear cracks, right");
-    draw(HistoryColumn::tensile_cracks, {palette::tensile, 3, Dash::dashed}, "tensile cracks, right");
+    chart.line(strain, run.data->history[HistoryColumn::shear_cracks], shear_stroke, Chart::Side::right);
+    chart.line(strain, run.data->history[HistoryColumn::tensile_cracks], tensile_stroke, Chart::Side::right);
 }
 
 constexpr Marker first_peak_marker{palette::ink, MarkerShape::triangle, 13};
@@ -194,7 +193,14 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
         const std::string own = runs.size() == 1 ? "stress" : legend_label(runs[i], names[i]);
         chart.legend(series_stroke(i, 4.5), given.empty() ? own : given);
     }
-    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_earlier_peak))) chart.legend(first_peak_marker, "first peak");
+    if (counts) {
+        chart.legend(tensile_stroke, "tensile cracks, right");
+        chart.legend(shear_stroke, "shear cracks, right");
+    }
+    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_earlier_peak))) {
+        chart.legend(first_peak_marker, "first peak");
+        chart.legend(Marker{}, "largest stress");
+    }
     if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual)))
         chart.legend(residual_stroke, "residual strength");
     for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], i);

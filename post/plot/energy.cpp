@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/test_label.hpp"
@@ -32,37 +34,58 @@ const std::vector<Term>& terms() {
     return all;
 }
 
+/// Terms smaller than this share of the largest are nothing in a picture.
+constexpr double least_share = 1e-3;
+
+double magnitude(const std::vector<double>& values) { return std::max(largest(values), -smallest(values)); }
+
 }  // namespace
 
-Drawing draw_energy(const RunData& run, const PictureStyle& style) {
-    const double sense = run.header.test == "tension" ? 100 : -100;
-    const std::vector<double> strain = times(run.history[HistoryColumn::axial_strain], sense);
-    const bool loaded = largest(strain) > 0;
-    const std::vector<double>& x = loaded ? strain : run.history[HistoryColumn::time];
+Drawing draw_energy(const RunData& run, Abscissa abscissa, const PictureStyle& style) {
+    const Course course = course_of(run, abscissa);
     std::vector<double> all;
     for (const Term& term : terms()) all.insert(all.end(), run.history[term.column].begin(), run.history[term.column].end());
+    const auto [low, high] = padded_range(all, 0.04);
     Chart chart(
         style,
         {test_title(run.header),
          {fmt::format("energy balance per metre of thickness; largest residual {:.2g} % of the peak stored energy; damping "
                       "took {:.2g} % of the work",
                       100 * run.header.energy_balance_error, 100 * run.header.damping_share)}},
-        Axis{loaded ? "axial strain, %" : "time, s", std::min(0.0, smallest(x)), 1.03 * largest(x)},
-        Axis{"energy, J/m", padded_range(all, 0.04).first, padded_range(all, 0.04).second});
+        course.axis, Axis{"energy, J/m", low, high});
+    if (const auto curve = load_curve_if_any(run)) {
+        const Stroke at_peak{palette::rim, 2, Dash::dashed};
+        chart.line(std::vector<double>(2, course.values[curve->peak]), std::vector<double>{low, high}, at_peak);
+        chart.legend(at_peak, peak_label(run));
+    }
+    std::string left_out;
     for (const Term& term : terms()) {
         const std::vector<double>& values = run.history[term.column];
-        if (largest(values) == 0 && smallest(values) == 0) continue;
-        chart.line(x, values, term.stroke);
+        if (magnitude(values) < least_share * magnitude(all)) {
+            left_out += (left_out.empty() ? "" : ", ") + std::string(term.label);
+            continue;
+        }
+        chart.line(course.values, values, term.stroke);
         chart.legend(term.stroke, term.label);
     }
+    if (!left_out.empty()) chart.add_note("below 0.1 % of the largest, and not shown: " + left_out);
     return chart.finish();
 }
 
 Command energy_plot() {
-    return make_plot<PlotOptions>(
-        "energy", "the energy balance over the strain", {"uniaxial.h5 -o energy.png", "brazilian.h5 -o energy.svg"}, one_run,
-        add_chart,
-        [](const PlotOptions& options, const Call& call) { return draw_energy(read_run_data(call.file()), options.style); });
+    struct Options : PlotOptions {
+        Abscissa abscissa = Abscissa::time;
+    };
+    return make_plot<Options>(
+        "energy", "the energy balance over a test", {"uniaxial.h5 -o energy.png", "brazilian.h5 --x strain -o energy.svg"},
+        one_run,
+        [](CLI::App& app, Options& options) {
+            add_chart(app, options);
+            add_abscissa(app, options.abscissa);
+        },
+        [](const Options& options, const Call& call) {
+            return draw_energy(read_run_data(call.file()), options.abscissa, options.style);
+        });
 }
 
 }  // namespace graincrack

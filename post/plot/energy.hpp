@@ -1,16 +1,17 @@
-// The energy balance of a run over its strain.
+// The energy balance of a run over a test.
 #pragma once
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "post/measure/load_curve.hpp"
+#include "post/plot/abscissa.hpp"
 
 namespace graincrack {
 
-/// Every term of the energy balance against axial strain (time, for a run that was not loaded along its axis), per metre of
-/// thickness; the largest residual in the subtitle.
-Drawing draw_energy(const RunData& run, const PictureStyle& style = {});
+/// The terms of the energy balance over a test, per metre of thickness, and where its largest stress is; the largest residual in
+/// the subtitle. Terms below a thousandth of the largest are named, not drawn.
+Drawing draw_energy(const RunData& run, Abscissa abscissa = Abscissa::time, const PictureStyle& style = {});
 
 Command energy_plot();
 

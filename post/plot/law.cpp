@@ -124,45 +124,47 @@ std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths
     return sets;
 }
 
-/// One curve a law; the largest set of indistinguishable ones is a single black curve. Returns whether there is such a set.
-bool draw_paths(Chart& chart, const std::vector<Path>& paths, double thinner = 1) {
-    const auto sets = like_curves(paths);
-    const auto most =
-        std::max_element(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    for (auto set = sets.begin(); set != sets.end(); ++set) {
-        const bool joint = set == most && set->size() > 1;
-        for (std::size_t k = 0; k < (joint ? 1 : set->size()); ++k) {
-            const Path& path = paths[(*set)[k]];
-            const double width = 4 + 3 * static_cast<double>(joint ? 0 : set->size() - 1 - k);  // earlier ones show at the sides
-            Stroke stroke = joint ? Stroke{} : series_stroke((*set)[k]);
-            stroke.width = thinner * width;
-            chart.line(path.displacement, path.traction, stroke);
+/// Curves of laws beside that of a law of their own, which is black and covers those that cannot be told from it.
+struct LawCurves {
+    std::vector<ContactLaw> laws;
+    std::size_t own = 0;
+    [[nodiscard]] Stroke stroke(std::size_t i) const { return i == own ? Stroke{} : series_stroke(i); }
+};
+
+void draw_paths(Chart& chart, const LawCurves& curves, const std::vector<Path>& paths, double thinner = 1) {
+    const auto draw = [&](std::size_t i, double width) {
+        Stroke stroke = curves.stroke(i);
+        stroke.width = thinner * width;
+        chart.line(paths[i].displacement, paths[i].traction, stroke);
+    };
+    for (const auto& set : like_curves(paths)) {
+        if (std::find(set.begin(), set.end(), curves.own) != set.end()) continue;
+        for (std::size_t k = 0; k < set.size(); ++k) {  // earlier ones show at the sides
+            draw(set[k], 4 + 1.8 * static_cast<double>(set.size() - 1 - k));
         }
     }
-    return most->size() > 1;
+    draw(curves.own, 4);
 }
 
 /// Height of a frame on a page: three stand below one another in a column, side by side over two.
 double frame_height(const PictureStyle& style) { return style.page_width < 700 ? 340 : 290; }
 
-Drawing draw_open(const std::vector<ContactLaw>& laws, const ContactParameters& contact, const std::string& caption, double reach,
+Drawing draw_open(const LawCurves& curves, const ContactParameters& contact, const std::string& caption, double reach,
                   const PictureStyle& style) {
     Chart chart(style, {"", {caption}}, up_to("opening, µm", reach * micro),
                 up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega), {.height = frame_height(style)});
     std::vector<Path> paths;
-    for (const ContactLaw& law : laws) paths.push_back(open_path(law, contact, reach));
-    draw_paths(chart, paths);
+    for (const ContactLaw& law : curves.laws) paths.push_back(open_path(law, contact, reach));
+    draw_paths(chart, curves, paths);
     return chart.finish();
 }
 
-/// \param joint is set if several laws share a curve
-Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters& contact, double compression,
-                   const PictureStyle& style, bool& joint) {
+Drawing draw_shear(const LawCurves& curves, const ContactParameters& contact, double compression, const PictureStyle& style) {
     const double reach = std::max(3 * contact.critical_sliding, 1.2 * contact.ultimate_opening);
     double highest = 0;
     std::vector<Path> open;
     std::vector<Path> closed;
-    for (const ContactLaw& law : laws) {
+    for (const ContactLaw& law : curves.laws) {
         open.push_back(shear_path(law, contact, 0, reach));
         closed.push_back(shear_path(law, contact, compression, reach));
         highest = std::max({highest, largest(open.back().traction), largest(closed.back().traction)});
@@ -170,9 +172,8 @@ Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters&
     Chart chart(style, {"", {fmt::format("sliding under {:.3g} MPa, thin: δn = 0", compression * mega)}},
                 up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest),
                 {.height = frame_height(style)});
-    const bool all_closed = draw_paths(chart, closed);
-    const bool all_open = draw_paths(chart, open, 0.45);
-    joint = all_closed || all_open;
+    draw_paths(chart, curves, closed);
+    draw_paths(chart, curves, open, 0.45);
     return chart.finish();
 }
 
@@ -181,28 +182,36 @@ Drawing draw_shear(const std::vector<ContactLaw>& laws, const ContactParameters&
 Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options,
                   const PictureStyle& style) {
     const Coupling coupling = options.coupling == "none" ? Coupling::none : Coupling::full;
-    std::vector<ContactLaw> laws;
-    for (const LawDescription& d : chosen(options.laws)) laws.push_back(make_contact_law(contact, d.variant, coupling));
+    LawCurves curves;
+    for (const LawDescription& d : chosen(options.laws)) {
+        if (d.name == options.own) curves.own = curves.laws.size();
+        curves.laws.push_back(make_contact_law(contact, d.variant, coupling));
+    }
     const bool wide = style.page_width >= 1400;
     const PictureStyle part = style.of_part(wide ? std::floor(style.page_width / 3) : style.page_width);
     const ChartText heading{
         style.title.empty() ? title : style.title,
-        {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²; sliding: δcs {:.3g} µm, cc {:.4g} MPa",
-                     contact.critical_opening * micro, contact.ultimate_opening * micro, contact.fracture_energy,
-                     contact.critical_sliding * micro, contact.cohesion * mega)}};
+        {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
+                     contact.ultimate_opening * micro, contact.fracture_energy),
+         fmt::format("sliding: δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}};
     Drawing page(static_cast<int>(style.page_width), 0);
     const Column column{page_margin, page.width() - page_margin};
     page.set_height(draw_heading(page, heading, column, 14));
-    bool joint = false;
     const std::vector<Drawing> charts{
-        draw_open(laws, contact, "opening, unloaded half-way", 1.05 * contact.ultimate_opening, part),
-        draw_open(laws, contact, "the same near the peak", 4 * contact.critical_opening, part),
-        draw_shear(laws, contact, options.normal_stress, part, joint)};
+        draw_open(curves, contact, "opening, unloaded half-way", 1.05 * contact.ultimate_opening, part),
+        draw_open(curves, contact, "the same near the peak", 4 * contact.critical_opening, part),
+        draw_shear(curves, contact, options.normal_stress, part)};
     page = stacked({page, wide ? side_by_side(charts) : stacked(charts)});
     std::vector<LegendEntry> legend;
-    for (std::size_t i = 0; i < laws.size(); ++i) legend.push_back({series_stroke(i), std::string(name_of(laws[i].variant))});
-    if (joint) legend.push_back({Stroke{}, "one curve for all laws without one of their own"});
-    page.set_height(draw_legend(page, legend, column, page.height()).bottom + 14);
+    for (std::size_t i = 0; i < curves.laws.size(); ++i) {
+        const std::string name(name_of(curves.laws[i].variant));
+        const bool of_material = i == curves.own && name == options.own;
+        legend.push_back({curves.stroke(i), name + (of_material ? " (the material's own)" : "")});
+    }
+    double end = draw_legend(page, legend, column, page.height()).bottom;
+    if (curves.laws.size() > 1)
+        end = draw_heading(page, {"", {"a law without a curve of its own has the black one"}}, column, end);
+    page.set_height(end + 14);
     return page;
 }
 
@@ -248,7 +257,8 @@ void add_options(CLI::App& app, LawOptions& options) {
 
 Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
     LawPlotOptions law = options.law;
-    if (law.laws.empty()) law.laws = {run.header().contact_law};
+    law.own = run.header().contact_law;
+    if (law.laws.empty()) law.laws = {law.own};
     law.coupling = run.header().coupling;
     return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law,
                      options.style);
@@ -257,7 +267,9 @@ Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
 Drawing draw_laws_of_material(const LawOptions& options, const Call& call) {
     const Material material = read_material_of(call, options.material);
     const ContactParameters contact = contact_parameters(material, options.plane, options.fracture_energy);
-    return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), options.law, options.style);
+    LawPlotOptions law = options.law;
+    law.own = material.law.empty() ? name_of(default_law) : material.law;
+    return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), law, options.style);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "post/chart/picture_style.hpp"
 #include "post/command.hpp"
 #include "share/material.hpp"
+#include "solver/law/table.hpp"
 
 namespace graincrack {
 
@@ -15,7 +16,8 @@ namespace graincrack {
 struct LawPlotOptions {
     std::vector<std::string> laws;  ///< names; empty: all
     std::string coupling = "full";
-    double normal_stress = 20e6;  ///< compression under which a contact is sheared, Pa
+    double normal_stress = 20e6;                          ///< compression under which a contact is sheared, Pa
+    std::string own = std::string(name_of(default_law));  ///< of the material, whose curve is black
 };
 
 /// Below one another, on a wide page side by side: traction against opening, with an unloading half-way down; the same near the

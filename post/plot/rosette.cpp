@@ -28,6 +28,13 @@ Bins shares(const Bins& lengths) {
     return out;
 }
 
+/// Shares at which rings are drawn, two or three.
+std::vector<double> rings_within(double largest) {
+    std::vector<double> rings = round_ticks(0, largest, 3);
+    std::erase_if(rings, [](double ring) { return ring == 0; });
+    return rings;
+}
+
 /// One rose around a centre, with petals of full length at `scale`.
 class Rose {
 public:
@@ -35,19 +42,17 @@ public:
         : drawing_(drawing), centre_(centre), radius_(radius), scale_(scale) {}
 
     void rings() {
-        for (const double ring : round_ticks(0, scale_, 2)) {
-            if (ring == 0) continue;
+        for (const double ring : rings_within(scale_)) {
             std::vector<Pixel> circle;
             for (int i = 0; i <= 72; ++i) circle.push_back(at(std::numbers::pi * i / 36, ring));
-            drawing_.polyline(circle, 1, palette::faint);
+            drawing_.polyline(circle, 1.4, palette::outline);
         }
         for (int i = 0; i < 12; ++i) drawing_.line(centre_, at(std::numbers::pi * i / 6, scale_), 1, palette::faint);
     }
     /// The labels of the rings, drawn last: perpendicular to the load, where the fewest cracks are.
     void scale_labels() {
         constexpr double size = letters::text;
-        for (const double ring : round_ticks(0, scale_, 2)) {
-            if (ring == 0) continue;
+        for (const double ring : rings_within(scale_)) {
             const std::string percent = fmt::format("{:.0f} %", 100 * ring);
             const Pixel label = at(0, ring);
             const double half = text_width(percent, size) / 2;
@@ -102,7 +107,8 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
     }
     Drawing drawing(static_cast<int>(style.page_width), 0);
     const Column column{page_margin, drawing.width() - page_margin};
-    const ChartText text{style.title.empty() ? title : style.title, {"share of crack length by direction; load is vertical"}};
+    const ChartText text{style.title.empty() ? title : style.title,
+                         {"share of crack length by direction, in bins of 10°; load is vertical"}};
     const double top = draw_heading(drawing, text, column, 14) + 20;
     const double radius = std::min(0.225 * drawing.width(), 300.0);
     double x = 0.26 * drawing.width();
@@ -116,8 +122,10 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
         rose.caption(fmt::format("{}: {:.4g} mm", tensile ? "tensile" : "shear", 1e3 * total(lengths)));
         x += 0.48 * drawing.width();
     }
-    const LegendEnd end =
-        draw_legend(drawing, {{Stroke{palette::pre_existing, 2.5}, "the specimen's own facets"}}, column, top + 2 * radius + 64);
+    const LegendEnd end = draw_legend(drawing,
+                                      {{Stroke{palette::pre_existing, 2.5}, "the specimen's own facets"},
+                                       {Stroke{palette::outline, 1.4}, "rings: share of the length"}},
+                                      column, top + 2 * radius + 64);
     drawing.set_height(draw_heading(drawing, {"", {definition}}, column, end.bottom) + 14);
     return drawing;
 }

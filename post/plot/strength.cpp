@@ -81,11 +81,11 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
                        const std::vector<std::string>& objections, const PictureStyle& style) {
     const std::vector<SizedStrengths> rows = group_strengths_by_size(runs);
-    std::vector<std::string> subtitle = plane_lines(group_strengths(runs));
-    subtitle.insert(subtitle.end(), objections.begin(), objections.end());
     const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
     const Axis strength{"strength, MPa", low / 1.6, high * 1.6, true};
-    Chart chart(style, {runs.front().header.material.empty() ? "Strengths" : runs.front().header.material, subtitle},
+    Chart chart(style,
+                {runs.front().header.material.empty() ? "Strengths" : runs.front().header.material,
+                 plane_lines(group_strengths(runs)), objections},
                 Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;
@@ -94,7 +94,7 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
         const StrengthGroup& group = rows[i].group;
         const double x = static_cast<double>(i) + 1;
         names.emplace_back(
-            x, series_label(group.test, group.confining_pressure) + (rows[i].size.empty() ? "" : ", " + rows[i].size));
+            x, series_label(group.test, group.confining_pressure) + (rows[i].size.empty() ? "" : ",\n" + rows[i].size));
         draw_row(chart, runs, rows[i], x, material, strength.low);
         without_peak += group.without_peak;
         mean = mean || rows[i].runs.size() > 1;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "post/chart/chart.hpp"
@@ -86,35 +87,63 @@ void draw_region(Chart& chart, const Plane& plane, const ccd::Problem& problem) 
     chart.legend(region_fill, "joint 95 % region of the factors");
 }
 
-/// Writes the level beside a contour: at the end that lies farthest to one side, or where else there is room.
-void label_contour(Chart& chart, const GridValues& grid, double level, bool right, Colour colour) {
-    std::vector<std::array<double, 2>> places;
+using Place = std::array<double, 2>;
+
+/// A contour with the level that is written on it.
+struct LabelledContour {
+    std::vector<Place> places;
+    std::string label;
+    Colour colour;
+};
+
+std::vector<Place> places_of(const GridValues& grid, double level) {
+    std::vector<Place> places;
     for (const auto& segment : contour_segments(grid, level)) places.push_back(segment[0]);
-    std::sort(places.begin(), places.end(), [right](const auto& a, const auto& b) { return right ? a[0] > b[0] : a[0] < b[0]; });
-    const std::string text = format_number(level, 6);
-    constexpr std::size_t tries = 12;
-    const std::size_t step = std::max<std::size_t>(1, places.size() / tries);
-    for (std::size_t i = 0; i < places.size(); i += step) {
-        if (chart.note(places[i][0], places[i][1], text, colour, right ? Anchor::start : Anchor::end)) return;
-    }
+    return places;
 }
 
-/// Round levels of a response, thin and labelled where they leave the design, and the target, thick.
-void draw_response(Chart& chart, const Plane& plane, const ccd::Model& model, const ccd::Goal& goal, std::size_t index) {
+/// Round levels of a response, thin, and the target, thick. \return what is to be labelled
+std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, const ccd::Model& model, const ccd::Goal& goal,
+                                           std::size_t index) {
     const Colour colour = palette::series(index);
-    const bool right = index % 2 == 0;
-    const double width = right ? 1.4 : 2.8;  // apart without colour
+    const bool odd = index % 2 == 1;
+    const double width = odd ? 2.8 : 1.4;  // apart without colour
     const GridValues grid = plane.on_grid([&](const std::vector<double>& place) { return model.predict(place); });
     const auto [low, high] = padded_range(grid.value, 0);
+    std::vector<LabelledContour> contours;
     for (const double level : round_ticks(low, high, 6)) {
         draw_contour(chart, grid, level, Stroke{colour, width});
-        label_contour(chart, grid, level, right, colour);
+        contours.push_back({places_of(grid, level), format_number(level, 6), colour});
     }
-    chart.legend(Stroke{colour, width}, column_label(goal.response));
-    if (goal.kind != ccd::Goal::Kind::target) return;
-    const double thick = right ? 4.5 : 7;
+    const Axis axis{column_label(goal.response)};
+    chart.legend(Stroke{colour, width}, axis.label);
+    if (goal.kind != ccd::Goal::Kind::target) return contours;
+    const double thick = odd ? 7 : 4.5;
     draw_contour(chart, grid, goal.target, Stroke{colour, thick});
-    chart.legend(Stroke{colour, thick}, "wanted: " + format_number(goal.target, 6));
+    contours.push_back({places_of(grid, goal.target), "", colour});  // no other's label covers it
+    chart.legend(Stroke{colour, thick}, fmt::format("{} wanted: {}{}{}", axis.label.substr(0, axis.label.find(", ")),
+                                                    format_number(goal.target, 6), axis.unit() == "°" ? "" : " ", axis.unit()));
+    return contours;
+}
+
+/// Writes levels on their contours, where no other contour runs; the places nearest to the middle of a contour come first.
+void label_contours(Chart& chart, const std::vector<LabelledContour>& contours) {
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        if (contours[i].label.empty()) continue;
+        std::vector<Place> others;
+        for (std::size_t k = 0; k < contours.size(); ++k) {
+            if (k != i) others.insert(others.end(), contours[k].places.begin(), contours[k].places.end());
+        }
+        std::vector<Place> places = contours[i].places;
+        std::sort(places.begin(), places.end());
+        const auto middle = static_cast<std::ptrdiff_t>(places.size() / 2);
+        std::vector<Place> outwards;
+        for (std::ptrdiff_t step = 0; step <= middle; ++step) {
+            if (middle + step < std::ssize(places)) outwards.push_back(places[static_cast<std::size_t>(middle + step)]);
+            if (step > 0) outwards.push_back(places[static_cast<std::size_t>(middle - step)]);
+        }
+        (void)chart.label_line(outwards, contours[i].label, contours[i].colour, others);
+    }
 }
 
 std::string optimum_label(const ccd::Problem& problem) {
@@ -148,9 +177,12 @@ Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style) {
     for (const auto& coded : problem.runs.coded) chart.keep_clear(value(coded, 0), value(coded, 1), run.size / 2);
     for (const auto& optimum : problem.optima) chart.keep_clear(value(optimum.coded, 0), value(optimum.coded, 1), best.size / 2);
     draw_region(chart, plane, problem);
+    std::vector<LabelledContour> contours;
     for (std::size_t i = 0; i < problem.models.size(); ++i) {
-        draw_response(chart, plane, problem.models[i], problem.goals[i], i);
+        const auto own = draw_response(chart, plane, problem.models[i], problem.goals[i], i);
+        contours.insert(contours.end(), own.begin(), own.end());
     }
+    label_contours(chart, contours);
     const auto mark = [&](const std::vector<double>& coded, const Marker& marker) {
         chart.points(std::vector<double>{value(coded, 0)}, std::vector<double>{value(coded, 1)}, marker);
     };

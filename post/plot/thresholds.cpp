@@ -38,10 +38,14 @@ Strains strains_of(const LoadCurve& curve) {
     return s;
 }
 
-/// The gauge strain at which a stress is first reached.
+/// The gauge strain at which a stress is first reached, between two rows.
 double strain_at(const Strains& s, double stress) {
     const auto at = std::find_if(s.stress.begin(), s.stress.end(), [&](double v) { return v >= stress; });
-    return at == s.stress.end() ? s.axial.back() : s.axial[static_cast<std::size_t>(at - s.stress.begin())];
+    if (at == s.stress.end()) return s.axial.back();
+    const auto row = static_cast<std::size_t>(at - s.stress.begin());
+    if (row == 0) return s.axial[0];
+    const double share = (stress - s.stress[row - 1]) / (s.stress[row] - s.stress[row - 1]);
+    return s.axial[row - 1] + share * (s.axial[row] - s.axial[row - 1]);
 }
 
 struct Mark {
@@ -55,12 +59,13 @@ std::vector<Mark> marks_of(const RunData& run, const LoadCurve& curve) {
     const Thresholds pseudo = measure_thresholds(curve, VolumeKind::pseudo_3d);
     const Colour two = palette::series(1);
     const Colour three = palette::series(2);
-    return {{"initiation, crack count", initiation_by_count(run, curve), {palette::tensile, MarkerShape::triangle, 20}},
-            {"initiation, crack strain 2D", plane.initiation_by_crack_strain, {two, MarkerShape::disc, 20}},
-            {"initiation, crack strain pseudo-3D", pseudo.initiation_by_crack_strain, {three, MarkerShape::diamond, 20}},
+    const auto hollow = [](Colour colour, MarkerShape shape) { return Marker{colour, shape, 26, true}; };
+    return {{"initiation, crack count", initiation_by_count(run, curve), hollow(palette::tensile, MarkerShape::triangle)},
+            {"initiation, crack strain 2D", plane.initiation_by_crack_strain, hollow(two, MarkerShape::disc)},
+            {"initiation, crack strain pseudo-3D", pseudo.initiation_by_crack_strain, hollow(three, MarkerShape::diamond)},
             {"initiation, lateral response pseudo-3D", pseudo.initiation_by_lateral_response, {three, MarkerShape::cross, 20}},
-            {"damage 2D", plane.damage, {two, MarkerShape::square, 20}},
-            {"damage pseudo-3D", pseudo.damage, {three, MarkerShape::leaves, 20}}};
+            {"damage 2D", plane.damage, hollow(two, MarkerShape::square)},
+            {"damage pseudo-3D", pseudo.damage, hollow(three, MarkerShape::leaves)}};
 }
 
 /// The frames of both charts begin at one place.
@@ -76,7 +81,7 @@ Drawing stress_chart(const RunData& run, const LoadCurve& curve, const Strains& 
     for (const Mark& mark : marks_of(run, curve)) {
         if (!mark.stress) continue;
         const double stress = *mark.stress * 1e-6;
-        chart.point_apart(strain_at(s, stress), stress, mark.marker);
+        chart.points(std::vector<double>{strain_at(s, stress)}, std::vector<double>{stress}, mark.marker);
         chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.label, stress));
     }
     return chart.finish();
@@ -108,7 +113,7 @@ Drawing draw_thresholds(const RunData& run, const PictureStyle& style) {
     }
     const LoadCurve curve = load_curve(run);
     const Strains s = strains_of(curve);
-    const Axis x{"axial strain (gauge), %", 0, largest(s.axial)};
+    const Axis x{"axial strain (gauge), %", 0, 1.03 * largest(s.axial)};
     return stacked({stress_chart(run, curve, s, x, style), volume_chart(s, x, style)});
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
@@ -32,40 +34,75 @@ std::string interval_label(const std::string& name, const Estimate& e) {
     return label;
 }
 
-/// The line and the bounds of its mean, over the range of the group.
-void draw_fit(Chart& chart, const TrendRows& rows, const Trend& trend, const Stroke& stroke) {
+/// A fitted line and the bounds of its mean over the range of its group; no bounds where the rows are too few for them.
+struct FitCurve {
+    std::vector<double> x;
+    std::vector<double> value;
+    std::vector<double> low;
+    std::vector<double> high;
+    [[nodiscard]] bool has_band() const { return !low.empty() && std::isfinite(low.front()); }
+};
+
+FitCurve curve_of(const TrendRows& rows, const Trend& trend) {
     constexpr int steps = 60;
     const auto [low, high] = std::minmax_element(rows.x.begin(), rows.x.end());
-    std::vector<double> x;
-    std::vector<std::vector<double>> y(3);
+    FitCurve curve;
     for (int i = 0; i <= steps; ++i) {
         const double share = static_cast<double>(i) / steps;
-        x.push_back(trend.power ? *low * std::pow(*high / *low, share) : *low + share * (*high - *low));
-        const Estimate e = trend.at(x.back());
-        y[0].push_back(e.value);
-        y[1].push_back(e.low.value_or(std::nan("")));
-        y[2].push_back(e.high.value_or(std::nan("")));
+        curve.x.push_back(trend.power ? *low * std::pow(*high / *low, share) : *low + share * (*high - *low));
+        const Estimate e = trend.at(curve.x.back());
+        curve.value.push_back(e.value);
+        curve.low.push_back(e.low.value_or(std::nan("")));
+        curve.high.push_back(e.high.value_or(std::nan("")));
     }
-    chart.line(x, y[0], stroke);
-    for (const auto& bound : {y[1], y[2]}) chart.line(x, bound, Stroke{stroke.colour, 1.6, stroke.dash});
+    return curve;
+}
+
+/// The rows of a group with what was fitted to them.
+struct FittedRows {
+    const TrendRows& rows;
+    std::optional<Trend> trend;
+    FitCurve curve;
+};
+
+std::vector<FittedRows> fit_groups(const std::vector<TrendRows>& groups, bool power) {
+    std::vector<FittedRows> fitted;
+    for (const TrendRows& rows : groups) {
+        if (rows.x.empty()) continue;
+        const auto trend = fit_trend(rows.x, rows.y, power);
+        fitted.push_back({rows, trend, trend ? curve_of(rows, *trend) : FitCurve{}});
+    }
+    return fitted;
+}
+
+Colour pale(Colour colour) {
+    const auto part = [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - (255 - value) / 6); };
+    return {part(colour.red), part(colour.green), part(colour.blue)};
 }
 
 }  // namespace
 
 Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& options, const PictureStyle& style) {
     const std::string what = options.power ? "y = a xᵇ through logarithms" : "y = a + b x by least squares";
-    Chart chart(style, {"", {what + "; thin: 95 % interval of the mean"}},
+    const std::vector<FittedRows> fitted = fit_groups(groups, options.power);
+    std::vector<double> y = all_of(groups, &TrendRows::y);
+    for (const FittedRows& each : fitted) {  // no band is cut by the frame
+        y.insert(y.end(), each.curve.low.begin(), each.curve.low.end());
+        y.insert(y.end(), each.curve.high.begin(), each.curve.high.end());
+    }
+    Chart chart(style, {"", {what + "; bands: 95 % interval of the mean"}},
                 axis_over(all_of(groups, &TrendRows::x), column_label(options.x), options.power),
-                axis_over(all_of(groups, &TrendRows::y), column_label(options.y), options.power));
-    std::size_t drawn = 0;
-    for (const TrendRows& rows : groups) {
-        if (rows.x.empty()) continue;
-        const Colour colour = palette::series(drawn);
-        const Marker marker{colour, marker_shape(drawn)};
-        const Stroke stroke = series_stroke(drawn);
-        ++drawn;
-        const auto trend = fit_trend(rows.x, rows.y, options.power);
-        if (trend) draw_fit(chart, rows, *trend, stroke);
+                axis_over(y, column_label(options.y), options.power));
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+        const FitCurve& curve = fitted[i].curve;
+        if (curve.has_band()) chart.band(curve.x, curve.low, curve.high, pale(palette::series(i)));
+    }
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+        const auto& [rows, trend, curve] = fitted[i];
+        const Stroke stroke = series_stroke(i);
+        const Marker marker{stroke.colour, marker_shape(i)};
+        for (const auto* bound : {&curve.low, &curve.high}) chart.line(curve.x, *bound, Stroke{stroke.colour, 1.6, stroke.dash});
+        chart.line(curve.x, curve.value, stroke);
         chart.points(rows.x, rows.y, marker);
         std::string label = rows.group.empty() ? "" : rows.group + ": ";
         label += trend ? interval_label("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)

@@ -69,7 +69,7 @@ std::string map_figures(const RunReader& run, const TestReport& t, const std::st
                                              definition_of(label.of(t.data.header)), html::figure_style()),
                                 "directions of the cracks by the end");
     }
-    figures += html::figure(draw_energy(t.data, html::figure_style()), "energy balance");
+    figures += html::figure(draw_energy(t.data, Abscissa::time, html::figure_style()), "energy balance");
     if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data, html::figure_style()), "thresholds");
     return html::figures_of(name + " (" + t.data.name + ")", figures);
 }

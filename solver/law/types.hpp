@@ -16,6 +16,8 @@ namespace graincrack {
 
 /// The contact laws (--contact-law); the order is that of `all_contact_laws`.
 enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent, coulomb_slip, combined, cohesive_frictional };
+/// The law of a material that names none.
+inline constexpr LawVariant default_law = LawVariant::consistent;
 /// What failure in one mode does to the other (--coupling).
 enum class Coupling : std::uint8_t { full, none };
 constexpr std::string_view name_of(Coupling coupling) { return coupling == Coupling::full ? "full" : "none"; }

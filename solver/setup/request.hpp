@@ -81,7 +81,7 @@ struct SimulationRequest {
     std::optional<FractureEnergyChoice> fracture_energy;  ///< in place of the material's
     std::string fracture_energy_choice = "mode-i";
     PlaneCondition plane = PlaneCondition::strain;
-    LawVariant law = LawVariant::consistent;
+    LawVariant law = default_law;
     Coupling coupling = Coupling::full;
     double peak_drop = 0.3;  ///< of a standard test; 0: it continues to the strain limit
     double damping = 0.8;

@@ -6,6 +6,9 @@
 #include <limits>
 
 #include "post/chart/font.hpp"
+#include "post/chart/labels.hpp"
+#include "post/chart/marks.hpp"
+#include "post/chart/page.hpp"
 
 namespace graincrack {
 namespace {
@@ -99,27 +102,66 @@ TEST(Chart, TextsOfTicksDoNotTouch) {
     }
 }
 
-TEST(Chart, MarkersAtOnePlaceStandApart) {
-    Chart chart = unit_chart();
-    const Marker marker{pen, MarkerShape::disc, 20};
-    for (int i = 0; i < 5; ++i) chart.point_apart(0.9, 0.5, marker);
-    const auto discs = lines_of(chart.finish(), pen);
-    ASSERT_EQ(discs.size(), 5U);
-    for (std::size_t i = 0; i < 5; ++i) {
-        EXPECT_EQ(discs[i].points[0].y, discs[0].points[0].y);  // the value can be read at the axis
-        for (std::size_t k = 0; k < i; ++k) EXPECT_GE(std::abs(discs[i].points[0].x - discs[k].points[0].x), 20);
+TEST(Chart, AHollowMarkerIsAClosedOutlineAboutItsPlace) {
+    for (const MarkerShape shape : {MarkerShape::disc, MarkerShape::square, MarkerShape::triangle, MarkerShape::diamond}) {
+        Drawing drawing(100, 100);
+        draw_marker(drawing, {50, 50}, {pen, shape, 20, true});
+        const auto lines = lines_of(drawing, pen);
+        ASSERT_EQ(lines.size(), 1U);
+        EXPECT_EQ(lines[0].points.front().x, lines[0].points.back().x);
+        for (const Pixel& corner : lines[0].points) {
+            EXPECT_GT(std::hypot(corner.x - 50, corner.y - 50), 8);
+            EXPECT_LT(std::hypot(corner.x - 50, corner.y - 50), 15);
+        }
     }
 }
 
-TEST(Chart, ANoteCoversNoOther) {
+TEST(Chart, ALabelStandsOnItsLineWhereNothingElseIs) {
+    using Places = std::vector<std::array<double, 2>>;
+    const auto place_of = [](const Drawing& page, const std::string& label) {
+        for (const Drawing::Shape& shape : page.shapes()) {
+            const auto* text = std::get_if<Text>(&shape);
+            if (text != nullptr && text->label == label) return text->at.x;
+        }
+        return std::nan("");
+    };
     Chart chart = unit_chart();
-    EXPECT_TRUE(chart.note(0.5, 0.5, "one"));
-    EXPECT_FALSE(chart.note(0.5, 0.51, "two"));
-    EXPECT_FALSE(chart.note(0.99, 0.2, "beyond the frame"));
-    EXPECT_TRUE(chart.note(0.5, 0.7, "three"));
-    chart.keep_clear(0.2, 0.2, 6);
-    EXPECT_FALSE(chart.note(0.19, 0.2, "on a marker"));
-    EXPECT_TRUE(chart.note(0.21, 0.25, "above it"));
+    const Places line{{0.5, 0.5}, {0.999, 0.5}, {0.2, 0.5}, {0.8, 0.5}};
+    EXPECT_TRUE(chart.label_line(line, "one", pen, Places{}));
+    EXPECT_TRUE(chart.label_line(line, "two", pen, Places{}));  // not over the first, not over the frame
+    chart.keep_clear(0.8, 0.5, 6);
+    EXPECT_FALSE(chart.label_line(line, "on a marker", pen, Places{}));
+    EXPECT_FALSE(chart.label_line(Places{{0.5, 0.8}}, "on a line", pen, Places{{0.5, 0.8}}));
+    EXPECT_TRUE(chart.label_line(Places{{0.5, 0.8}}, "beside it", pen, Places{{0.5, 0.2}}));
+    const Drawing page = chart.finish();
+    EXPECT_LT(place_of(page, "two"), place_of(page, "one"));
+    EXPECT_NEAR(place_of(page, "one"), place_of(page, "beside it"), 1e-9);
+    EXPECT_TRUE(std::isnan(place_of(page, "on a marker")));
+}
+
+TEST(Chart, NotesStandBelowTheLegend) {
+    Chart chart{PictureStyle{}, ChartText{"title", {}, {"what a crack is"}}, Axis{"x", 0, 1}, Axis{"y", 0, 1}};
+    chart.legend(Stroke{pen, 2}, "entry");
+    chart.add_note("and more");
+    const std::string words = chart.finish().words();
+    EXPECT_LT(words.find("entry"), words.find("what a crack is")) << words;
+    EXPECT_LT(words.find("what a crack is"), words.find("and more")) << words;
+}
+
+TEST(Page, LinesBreakWhereTheyAreToldAndHyphensBeforeNumbersAreMinuses) {
+    EXPECT_EQ(broken_lines("b = -0.5 [-1, 2]\nmode-i run-1", 20, 1000),
+              (std::vector<std::string>{"b = −0.5 [−1, 2]", "mode-i run-1"}));
+    EXPECT_EQ(broken_lines("", 20, 1000), std::vector<std::string>{""});
+}
+
+TEST(Labels, NamesOfColumnsAndMineralsAreThoseOfPrint) {
+    EXPECT_EQ(column_label("phi_deg"), "φ, °");
+    EXPECT_EQ(column_label("phic_over_phi"), "φc over φ");
+    EXPECT_EQ(column_label("grain_young_modulus_GPa"), "grain Young's modulus, GPa");
+    EXPECT_EQ(column_label("philosophy"), "philosophy");
+    EXPECT_EQ(mineral_label("k_feldspar"), "K-feldspar");
+    EXPECT_EQ(mineral_label("k_feldspar-mica"), "K-feldspar–mica");
+    EXPECT_EQ(mineral_label("dark_mica"), "dark mica");
 }
 
 TEST(Chart, TheRightScaleIsItsOwn) {

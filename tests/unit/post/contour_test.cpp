@@ -38,7 +38,7 @@ TEST(Contour, NothingWhereTheLevelIsNotOrTheValueIsUnknown) {
 
 TEST(Labels, UnitsComeBehindACommaAndUnderscoresGo) {
     EXPECT_EQ(column_label("contact_cohesion_MPa"), "contact cohesion, MPa");
-    EXPECT_EQ(column_label("phi_deg"), "phi, °");
+    EXPECT_EQ(column_label("phi_deg"), "φ, °");
     EXPECT_EQ(column_label("x1"), "x1");
     EXPECT_EQ(column_label("strain_at_peak"), "strain at peak");
 }

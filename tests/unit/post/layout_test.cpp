@@ -87,10 +87,11 @@ TEST_P(Layout, PicturesOfOneRun) {
     expect_fit_to_print(draw_fragments(run, {"last", std::nullopt, 1}, style_), "fragments");
     expect_fit_to_print(draw_rosette(crack_rosette(all, recipe_.specimen), "Uniaxial compression", "run.h5", definition, style_),
                         "rosette");
-    expect_fit_to_print(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data, definition, style_),
-                        "counts");
+    expect_fit_to_print(
+        draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, definition, Abscissa::time, style_),
+        "counts");
     expect_fit_to_print(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5", style_), "emission");
-    expect_fit_to_print(draw_energy(data, style_), "energy");
+    expect_fit_to_print(draw_energy(data, Abscissa::time, style_), "energy");
     expect_fit_to_print(draw_thresholds(data, style_), "thresholds");
     expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", {}, style_), "law");
     expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
@@ -146,7 +147,7 @@ TEST_P(Layout, ALongTitleIsBrokenIntoLines) {
     const RunReader run(path("run.h5"));
     expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");
     expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "map");
-    expect_fit_to_print(draw_energy(run_data(run), style_), "energy");
+    expect_fit_to_print(draw_energy(run_data(run), Abscissa::time, style_), "energy");
     expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
 }
 

@@ -140,7 +140,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     };
     expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5", "what a crack is"),
            {"tensile:", "shear:", "own facets", "what a crack is"});
-    expect(draw_counts(count_cracks(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
+    expect(draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
            {"tensile", "shear", "stress", "what a crack is"});
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
     expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragment\n", "100.0 % of the area"});
@@ -310,6 +310,22 @@ TEST_F(Picture, AWidthOnPaperSetsPixelsOfAPngAndPointsOfSvgAndPdf) {
     write_picture(drawing, path("again.pdf"), {0.0508, std::nullopt});
     std::ifstream other(path("again.pdf"), std::ios::binary);
     EXPECT_EQ(pdf, std::string((std::istreambuf_iterator<char>(other)), {}));
+}
+
+TEST_F(Picture, APngOfAWidthSaysItsResolution) {
+    const Drawing drawing(100, 50);
+    EXPECT_EQ(png_bytes(drawing), png_bytes(drawing));
+    const std::vector<unsigned char> without = png_bytes(drawing);
+    const std::vector<unsigned char> png = png_bytes(drawing, {100 * 0.0254 / 300, 300});  // of 100 pixels too
+    // Behind the signature and IHDR: 9 bytes of data, 300 dpi = 11811 = 0x2e23 pixels a metre, twice, unit 1, the chunk's CRC.
+    const std::vector<unsigned char> chunk{0,    0, 0, 9,    'p',  'H', 'Y',  's',  0,    0,   0x2e,
+                                           0x23, 0, 0, 0x2e, 0x23, 1,   0x78, 0xa5, 0x3f, 0x76};
+    ASSERT_EQ(png.size(), without.size() + chunk.size());
+    EXPECT_TRUE(std::equal(chunk.begin(), chunk.end(), png.begin() + 33));
+    EXPECT_TRUE(std::equal(without.begin(), without.begin() + 33, png.begin()));
+    EXPECT_TRUE(std::equal(without.begin() + 33, without.end(), png.begin() + 33 + std::ssize(chunk)));
+    write_picture(drawing, path("sized.png"), {100 * 0.0254 / 300, 300});
+    EXPECT_EQ(cairo_image_surface_get_width(read_png(path("sized.png")).get()), 100);
 }
 
 TEST_F(Picture, AResolutionThatMeansNothingIsRefused) {

@@ -133,7 +133,7 @@ TEST_F(TrendTable, PictureHasALineAGroup) {
     const TrendOptions options{"edge", "strength", false, {"test"}};
     const std::string svg = to_svg(draw_trend(collect_trends({write(two_groups)}, options, notes_), options));
     EXPECT_NE(svg.find("pull: b = 2"), std::string::npos);
-    EXPECT_NE(svg.find("split: b = -1"), std::string::npos);
+    EXPECT_NE(svg.find("split: b = −1"), std::string::npos);
 }
 
 }  // namespace
