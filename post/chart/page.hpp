@@ -22,7 +22,7 @@ inline constexpr double page_margin = 28;
 struct ChartText {
     std::string title;                    ///< bold
     std::vector<std::string> subtitle;    ///< a line each, or several where it is too long for one
-    std::vector<std::string> notes = {};  ///< below the picture: what a word means, what speaks against a value
+    std::vector<std::string> notes = {};  ///< below the picture: what a word means, the caveats of a value
 };
 
 /// Where texts may stand.
