@@ -33,14 +33,6 @@ std::string shortened(const std::string& word, double size, double room, bool bo
     return shorter;
 }
 
-/// A word with a minus in place of the hyphen before a number.
-std::string with_minus(std::string word) {
-    const std::size_t sign = word.find_first_not_of("([");
-    const auto is_digit = [&](std::size_t at) { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };
-    if (sign != std::string::npos && word[sign] == '-' && is_digit(sign + 1)) word.replace(sign, 1, "−");
-    return word;
-}
-
 /// Calls `draw` with each line of a heading: its text, its size, whether it is the title, and its baseline.
 template <class Draw>
 double each_line(const ChartText& text, const Column& column, double top, const Draw& draw) {
@@ -67,6 +59,13 @@ void draw_mark(Drawing& drawing, const std::variant<Stroke, Marker, Colour>& mar
 }
 
 }  // namespace
+
+std::string with_minus(std::string word) {
+    const std::size_t sign = word.find_first_not_of("([");
+    const auto is_digit = [&](std::size_t at) { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };
+    if (sign != std::string::npos && word[sign] == '-' && is_digit(sign + 1)) word.replace(sign, 1, "−");
+    return word;
+}
 
 std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold) {
     std::vector<std::string> lines;

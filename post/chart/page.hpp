@@ -31,6 +31,8 @@ struct Column {
     double right = 0;
 };
 
+/// A word with a minus in place of the hyphen before a number.
+std::string with_minus(std::string word);
 /// Text in lines that are no wider than `room`, broken at ends of lines and blanks. A longer word, as names of files may be,
 /// loses its middle; a hyphen before a number is a minus.
 std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold = false);

@@ -33,9 +33,11 @@ th, td:not(:first-child) { white-space: pre-line; }
 .checks { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
 .columns { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 32px; align-items: start; }
 .figures { column-count: 2; column-gap: 32px; }
-.figures .across { column-span: all; }
+.figures .across, .figures .middle { column-span: all; }
 .columns > div:only-child { grid-column: 1 / -1; }
 figure { margin: 6px 0 14px; min-width: 0; max-width: 564px; break-inside: avoid; }
+figure.across { max-width: none; }
+figure.middle { margin-left: auto; margin-right: auto; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 img { max-width: 100%; }
@@ -99,15 +101,26 @@ PictureStyle figure_style(bool wide) {
     return style;
 }
 
-std::string figure(const Drawing& drawing, const std::string& caption, bool wide) {
-    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", wide ? " class=\"across\"" : "",
-                       image(drawing, caption), escaped(caption));
+std::string figure(const Drawing& drawing, const std::string& caption, FigurePlace place) {
+    const char* const style = place == FigurePlace::across   ? " class=\"across\""
+                              : place == FigurePlace::middle ? " class=\"middle\""
+                                                             : "";
+    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", style, image(drawing, caption), escaped(caption));
 }
 
-std::string figures(const std::string& content) { return "<div class=\"figures\">\n" + content + "</div>\n"; }
+std::string Figures::str() const {
+    std::string content;
+    bool odd = figures_.size() % 2 == 1;
+    for (const Figure& each : figures_) {
+        const FigurePlace place = !odd ? FigurePlace::column : each.map ? FigurePlace::middle : FigurePlace::across;
+        odd = false;
+        content += figure(each.map ? *each.map : each.draw(figure_style(place == FigurePlace::across)), each.caption, place);
+    }
+    return "<div class=\"figures\">\n" + content + "</div>\n";
+}
 
-std::string figures_of(const std::string& heading, const std::string& content) {
-    return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + figures(content) + "</div>\n";
+std::string Figures::under(const std::string& heading) const {
+    return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + str() + "</div>\n";
 }
 
 std::string section(const std::string& id, const std::string& heading, const std::string& content) {

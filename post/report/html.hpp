@@ -1,7 +1,10 @@
 // HTML without anything outside the page: text, tables, pictures in place.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "post/chart/drawing.hpp"
@@ -30,12 +33,33 @@ private:
 
 /// The page of a picture in one column of the report, or across both: its letters are as large as those of tables.
 PictureStyle figure_style(bool wide = false);
+/// Where a figure stands among others.
+enum class FigurePlace { column, across, middle };
 /// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG.
-std::string figure(const Drawing& drawing, const std::string& caption, bool wide = false);
-/// Figures in two columns, in one where the window is narrow.
-std::string figures(const std::string& content);
-/// The same under a heading of their own, on one page of a print.
-std::string figures_of(const std::string& heading, const std::string& content);
+std::string figure(const Drawing& drawing, const std::string& caption, FigurePlace place = FigurePlace::column);
+
+/// Figures in two columns, in one where the window is narrow. Of an odd number the first stands across both, so that no column
+/// is left empty; a map of a specimen, which is not wide, in their middle.
+class Figures {
+public:
+    /// \param draw is called once, by `str`
+    void add(const std::string& caption, std::function<Drawing(const PictureStyle&)> draw) {
+        figures_.push_back({caption, std::move(draw), std::nullopt});
+    }
+    void add_map(const std::string& caption, Drawing map) { figures_.push_back({caption, {}, std::move(map)}); }
+    [[nodiscard]] bool empty() const { return figures_.empty(); }
+    [[nodiscard]] std::string str() const;
+    /// The same under a heading of their own, on one page of a print.
+    [[nodiscard]] std::string under(const std::string& heading) const;
+
+private:
+    struct Figure {
+        std::string caption;
+        std::function<Drawing(const PictureStyle&)> draw;
+        std::optional<Drawing> map;
+    };
+    std::vector<Figure> figures_;
+};
 
 /// A section with a heading; `id` is its place for links.
 std::string section(const std::string& id, const std::string& heading, const std::string& content);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "post/chart/labels.hpp"
+
 namespace graincrack {
 
 namespace {
@@ -29,7 +31,7 @@ void Minerals::add_phases(const std::string& kind, const Specimen& specimen, con
     for (std::size_t p = 0; p < reached.size(); ++p) {
         const Phase& phase = header.fabric.phases.at(p);
         const auto grains = std::count(specimen.grain_phase.begin(), specimen.grain_phase.end(), p);
-        phases_.row({p == 0 ? kind : " ", specimen.phase_names[p], asked_for(material, specimen.phase_names[p]),
+        phases_.row({p == 0 ? kind : " ", mineral_label(specimen.phase_names[p]), asked_for(material, specimen.phase_names[p]),
                      number(100 * reached[p]), std::to_string(grains), number(phase.young_modulus * 1e-9),
                      number(phase.poisson_ratio, 3), number(phase.density)});
     }
@@ -43,9 +45,9 @@ void Minerals::add_classes(const std::string& kind, const RunClasses& run) {
     for (std::size_t k = 0; k < run.classes.size(); ++k) {
         const ClassCounts& each = run.classes[k];
         const ModeCounts peak = each.at_peak.value_or(ModeCounts{});
-        classes_.row({k == 0 ? kind : " ", each.name, std::to_string(each.contacts), number(100 * each.length / run.length(), 3),
-                      number(peak.tensile, 6), number(peak.shear, 6), number(each.at_end.tensile, 6),
-                      number(each.at_end.shear, 6)});
+        classes_.row({k == 0 ? kind : " ", mineral_label(each.name), std::to_string(each.contacts),
+                      number(100 * each.length / run.length(), 3), number(peak.tensile, 6), number(peak.shear, 6),
+                      number(each.at_end.tensile, 6), number(each.at_end.shear, 6)});
     }
 }
 

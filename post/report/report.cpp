@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 
+#include "post/chart/labels.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
@@ -43,7 +45,7 @@ using html::number;
 struct Content {
     std::vector<TestReport> tests;
     std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
-    std::string mesh;             ///< figures of specimens
+    html::Figures mesh;           ///< of specimens
     std::string maps;             ///< figures of the first run of each series
     Minerals minerals;            ///< of these specimens and runs
     std::vector<SizedEnvelope> envelopes;
@@ -58,20 +60,24 @@ std::string name_of_row(const SizedStrengths& row) {
 /// Pictures of one run of a kind, two by two.
 std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabelChoice& label) {
     const Specimen specimen = run.specimen();
-    std::string figures;
+    html::Figures figures;
     if (run.n_frames() > 0) {
-        figures += html::figure(draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}, html::figure_style()),
-                                "cracks before, at and after the peak");
+        figures.add("cracks before, at and after the peak", [&](const PictureStyle& style) {
+            return draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}, style);
+        });
     }
+    figures.add("energy balance", [&](const PictureStyle& style) { return draw_energy(t.data, Abscissa::time, style); });
     const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, label);
     if (!cracks.empty()) {
-        figures += html::figure(draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name,
-                                             definition_of(label.of(t.data.header)), html::figure_style()),
-                                "directions of the cracks by the end");
+        figures.add("directions of the cracks by the end", [&](const PictureStyle& style) {
+            return draw_rosette(crack_rosette(cracks, specimen), test_title(t.data.header), t.data.name,
+                                definition_of(label.of(t.data.header)), style);
+        });
     }
-    figures += html::figure(draw_energy(t.data, Abscissa::time, html::figure_style()), "energy balance");
-    if (is_compression(t.data.header)) figures += html::figure(draw_thresholds(t.data, html::figure_style()), "thresholds");
-    return html::figures_of(name + " (" + t.data.name + ")", figures);
+    if (is_compression(t.data.header)) {
+        figures.add("thresholds", [&](const PictureStyle& style) { return draw_thresholds(t.data, style); });
+    }
+    return figures.under(name + " (" + t.data.name + ")");
 }
 
 std::vector<RunData> data_of(const Content& content) {
@@ -109,8 +115,8 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Repo
         const Specimen specimen = run.specimen();
         const std::string kind = specimen.shape + (row.size.empty() ? "" : ", " + row.size);
         if (seen.insert(kind).second) {
-            content.mesh += html::figure(draw_specimen(specimen, t.data.name, SpecimenColour::phase, html::figure_style()),
-                                         kind + ", of " + t.data.name);
+            content.mesh.add_map(kind + ", of " + t.data.name,
+                                 draw_specimen(specimen, t.data.name, SpecimenColour::phase, html::figure_style()));
             content.minerals.add_phases(kind, specimen, t.data.header, options.material);
         }
         content.maps += map_figures(run, t, name_of_row(row), options.label);
@@ -212,28 +218,36 @@ std::string objection_paragraphs(const Content& content) {
 
 std::string kind_of(const RunHeader& header) { return is_compression(header) ? "compression" : header.test; }
 
-/// Tests whose stresses mean the same share a chart.
-std::string curve_figures(const Content& content, const CrackLabelChoice& label) {
+/// Strengths and curves; tests whose stresses mean the same share a chart.
+std::string curve_figures(const Content& content, const ReportOptions& options) {
+    html::Figures figures;
+    figures.add("strengths by test", [&](const PictureStyle& style) {
+        return draw_strengths(data_of(content), options.material, objection_lines(content), style);
+    });
     std::map<std::string, std::vector<RunData>> kinds;
     for (const RunData& run : content.curves) {
         kinds[kind_of(run.header)].push_back(run);
     }
-    std::string figures;
-    for (const auto& [kind, runs] : kinds) {
-        const auto lines = objection_lines(content, [&, of = kind](const RunHeader& h) { return kind_of(h) == of; });
-        figures += html::figure(draw_curves(runs, {}, definition_of(label.of(runs.front().header)), lines, html::figure_style()),
-                                "stress and strain: " + kind);
+    for (const auto& each : kinds) {
+        const std::string& kind = each.first;
+        const std::vector<RunData>& runs = each.second;
+        figures.add("stress and strain: " + kind, [&](const PictureStyle& style) {
+            const auto lines = objection_lines(content, [&](const RunHeader& h) { return kind_of(h) == kind; });
+            return draw_curves(runs, {}, definition_of(options.label.of(runs.front().header)), lines, style);
+        });
     }
-    return figures;
+    return figures.str();
 }
 
 std::string envelope_section(const Content& content) {
-    std::string figures;
+    html::Figures figures;
     for (const SizedEnvelope& each : content.envelopes) {
-        const std::string title = content.tests.front().data.header.material + (each.size.empty() ? "" : ", " + each.size);
-        figures += html::figure(draw_envelope(each.tests, title, {}, html::figure_style()), "Mohr circles and envelopes");
+        figures.add("Mohr circles and envelopes", [&](const PictureStyle& style) {
+            const std::string title = content.tests.front().data.header.material + (each.size.empty() ? "" : ", " + each.size);
+            return draw_envelope(each.tests, title, {}, style);
+        });
     }
-    return (figures.empty() ? "" : html::figures(figures)) + content.envelope_note;
+    return (figures.empty() ? "" : figures.str()) + content.envelope_note;
 }
 
 /// A row of a parameter of all contacts, or a cell for each class where they differ.
@@ -250,7 +264,7 @@ std::string parameter_table(const TestReport& test) {
     const std::vector<ContactParameters>& classes = h.fabric.contacts;
     std::vector<std::string> columns{"parameter"};
     if (classes.size() > 1) {
-        columns.insert(columns.end(), test.class_names.begin(), test.class_names.end());
+        std::transform(test.class_names.begin(), test.class_names.end(), std::back_inserter(columns), mineral_label);
     } else {
         columns.emplace_back("value");
     }
@@ -319,15 +333,12 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
     body += html::section(
         "figures", "Key figures and curves",
-        key_figures(content) + objection_paragraphs(content) + run_table(content) +
-            html::figures(html::figure(draw_strengths(data_of(content), material, objection_lines(content), html::figure_style()),
-                                       "strengths by test") +
-                          curve_figures(content, options.label)));
+        key_figures(content) + objection_paragraphs(content) + run_table(content) + curve_figures(content, options));
     body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelopes, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);
-    body += html::section("mesh", "Specimens", html::figures(content.mesh));
+    body += html::section("mesh", "Specimens", content.mesh.str());
     if (const std::string minerals = content.minerals.str(); !minerals.empty()) {
         body += html::section("minerals", "Minerals", minerals);
     }

@@ -43,6 +43,33 @@ protected:
     test::TemporaryFolder folder_;
 };
 
+TEST(Figures, LeaveNoColumnEmpty) {
+    const auto count = [](const std::string& text, const std::string& word) {
+        std::size_t n = 0;
+        for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+        return n;
+    };
+    html::Figures charts;
+    std::vector<double> widths;
+    for (std::size_t n = 1; n <= 3; ++n) {
+        charts.add("chart", [&](const PictureStyle& style) {
+            widths.push_back(style.page_width);
+            return Drawing(10, 10);
+        });
+        widths.clear();
+        const std::string html = charts.str();
+        EXPECT_EQ(count(html, "<figure"), n);
+        EXPECT_EQ(count(html, "<figure class=\"across\">"), n % 2);
+        EXPECT_EQ(widths.front(), html::figure_style(n % 2 == 1).page_width);
+        EXPECT_TRUE(n == 1 || widths.back() == html::figure_style().page_width);
+    }
+    html::Figures maps;
+    maps.add_map("map", Drawing(10, 10));
+    EXPECT_EQ(count(maps.str(), "<figure class=\"middle\">"), 1U);
+    maps.add_map("map", Drawing(10, 10));
+    EXPECT_EQ(count(maps.str(), "class=\"middle\""), 0U);
+}
+
 TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
