@@ -72,8 +72,8 @@ void check_request(const SpecimenRequest& request) {
         throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
     }
     if (!(request.spread >= 0 && request.spread <= max_spread)) {
-        throw UsageError("--spread: " + format_number(request.spread) + " is out of range; 0 to " + format_number(max_spread) +
-                         " would do");
+        throw UsageError("--spread: " + format_number(request.spread) + " is out of range; give 0 to " +
+                         format_number(max_spread));
     }
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
@@ -89,7 +89,7 @@ void check_request(const SpecimenRequest& request) {
         check_size("--edge", *request.edge);
         if (*request.edge > smallest / 2) {
             throw UsageError("--edge: " + metres(*request.edge) + " is too large for a specimen " + metres(smallest) +
-                             " across; at most half of that would do");
+                             " across; give at most half of that");
         }
         // More grains than this would exceed the file's indices, whatever the number of elements.
         if (area(region) / (*request.edge * *request.edge) > 3e8) {
@@ -107,23 +107,23 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     plan.n_boundary = admissible_boundary_count(region, perimeter(region) / plan.edge, n_grains % 2 != 0);
     if (const std::size_t n_phases = request.phases.fractions.size(); n_grains < static_cast<std::int64_t>(n_phases)) {
         throw UsageError("--phases: " + std::to_string(n_phases) + " are more than the " + std::to_string(n_grains) +
-                         " grains; as many phases as grains would do");
+                         " grains; give at most one phase per grain");
     }
     if (plan.n_boundary < 4 * request.shape.diameters) {
         throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
-                         std::to_string(plan.n_boundary) + " edges on the rim; at most a quarter of these would do");
+                         std::to_string(plan.n_boundary) + " edges on the rim; give at most a quarter of that number");
     }
     if (request.notch && request.shape.width < 6 * plan.edge) {
-        throw UsageError("--notch: there is no room for one; six grain edges of " + metres(plan.edge) +
-                         " across the specimen would do");
+        throw UsageError("--notch: there is no room for one; the specimen must be at least six grain edges of " +
+                         metres(plan.edge) + " wide");
     }
     const bool through = request.notch && std::abs(*request.notch - request.shape.width) <= 1e-9 * request.shape.width;
     if (request.notch && !through &&
         !(*request.notch >= 2 * plan.edge && *request.notch <= request.shape.width - 4 * plan.edge)) {
         throw UsageError("--notch: must leave two grain edges of " + metres(plan.edge) +
-                         " at either side and be as long as two itself: " + metres(2 * plan.edge) + " to " +
-                         metres(request.shape.width - 4 * plan.edge) + " would do; so would " + metres(request.shape.width) +
-                         ", a joint through the whole width");
+                         " at either side and be at least two long; give " + metres(2 * plan.edge) + " to " +
+                         metres(request.shape.width - 4 * plan.edge) + ", or " + metres(request.shape.width) +
+                         " for a joint through the whole width");
     }
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
@@ -183,8 +183,8 @@ MeshPlan plan_mesh(const SpecimenRequest& request) {
     // With at least two edges across the specimen (`check_request`), an equilateral mesh has this many grains.
     const double fewest = std::ceil(16 * area(region) / (std::sqrt(3.0) * smallest * smallest));
     if (static_cast<double>(*request.grains) < fewest) {
-        throw UsageError("--grains: " + std::to_string(*request.grains) + " is too few for this shape; at least " +
-                         std::to_string(static_cast<std::int64_t>(fewest)) + " would do");
+        throw UsageError("--grains: " + std::to_string(*request.grains) + " is too few for this shape; give at least " +
+                         std::to_string(static_cast<std::int64_t>(fewest)));
     }
     if (*request.grains > 700'000'000) throw UsageError("--grains: at most 700000000 fit a specimen file");
     return plan_for(request, *request.grains);

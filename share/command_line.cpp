@@ -325,7 +325,7 @@ std::string file_message(const Call& call) {
     const CLI::Option* config = call.app.get_config_ptr();
     return config == nullptr || config->count() == 0
                ? ""
-               : fmt::format("{}: {} cannot be read; a TOML file is wanted", shown_name(*config), config->results().back());
+               : fmt::format("{}: {} cannot be read; a TOML file is needed", shown_name(*config), config->results().back());
 }
 
 template <class Kind>
@@ -467,9 +467,9 @@ void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& o
     app.add_flag("--print-config", options.print_config, "print the effective options as TOML for --config and exit")
         ->configurable(false);
     const auto say = [&options](Verbosity verbosity) { return [&options, verbosity] { options.verbosity = verbosity; }; };
-    CLI::Option* quiet = app.add_flag_callback("-q,--quiet", say(Verbosity::quiet), "say nothing but errors");
+    CLI::Option* quiet = app.add_flag_callback("-q,--quiet", say(Verbosity::quiet), "print errors only");
     CLI::Option* verbose =
-        app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "say more: the options that hold, as TOML");
+        app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "print more: the effective options, as TOML");
     quiet->excludes(verbose);
 }
 

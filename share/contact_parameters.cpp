@@ -41,7 +41,7 @@ std::span<const ContactParameter> all_contact_parameters() {
                          .value = &Values::friction_angle,
                          .given = &Given::friction_angle,
                          .example = "48.76 deg",
-                         .usual = "0.7 times that of the rock, with which grains would lock",
+                         .usual = "0.7 times that of the rock; with the full angle grains interlock",
                          .every_law = true},
         ContactParameter{
             .quantity = {"contact_normal_stiffness", stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true},

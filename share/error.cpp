@@ -75,7 +75,7 @@ int run_tool(const std::string& tool, const std::function<int()>& body) {
     } catch (const Error& error) {
         return report(tool, error.what(), error.code());
     } catch (const std::bad_alloc&) {
-        return report(tool, "out of memory: a smaller specimen or fewer frames would fit", ExitCode::internal);
+        return report(tool, "out of memory: use a smaller specimen or fewer frames", ExitCode::internal);
     } catch (const std::exception& error) {
         return report(tool, std::string("internal error: ") + error.what(), ExitCode::internal);
     }

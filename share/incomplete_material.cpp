@@ -21,7 +21,7 @@ const char* const rock_keys = R"toml(
 # poisson_ratio = 0.23
 # density = "2650 kg/m3"                  # hardly enters quasi-static results: 2650 kg/m3 fits most granites
 # mode_i_toughness = "1.5 MPa.m^0.5"      # K_IC. Not measured: tensile strength / 6.88, an empirical mean over many rocks
-                                          # (Zhang 2002), MPa to MPa.m^0.5; write beside it that it is no measurement
+                                          # (Zhang 2002), MPa to MPa.m^0.5; say in a comment that it is not a measurement
 # mode_ii_toughness = "3.0 MPa.m^0.5"     # K_IIC. Not measured: Zhang (2002) has no relation for it; Augig granite has 2 K_IC.
                                           # Take that, and see by a second value how much your results depend on it
 # tensile_strength = "8.8 MPa"            # Brazilian

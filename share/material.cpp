@@ -124,7 +124,7 @@ void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::s
         for (const TomlEntry& entry : toml.entries) {
             std::optional<TomlKeys> table = entry.section.empty() ? std::nullopt : fabric_table(read, entry.section);
             if (!table)
-                throw InputError(fmt::format("{}: line {}: only tables of phases are wanted here", toml.file, entry.line));
+                throw InputError(fmt::format("{}: line {}: only tables of phases are allowed here", toml.file, entry.line));
             table->read(toml.file, entry);
         }
         fabric.phases.merge(read.phases);
@@ -173,7 +173,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
                                              entry.line, entry.key));
             }
             if (entry.is_array || entry.values.front().kind != TomlValue::Kind::text || entry.values.front().text.empty()) {
-                throw InputError(fmt::format("{}: line {}: name: a text is wanted", toml.file, entry.line));
+                throw InputError(fmt::format("{}: line {}: name: a text is needed", toml.file, entry.line));
             }
             material.name = entry.values.front().text;
             continue;
@@ -274,7 +274,7 @@ TomlKey material_key(const std::string& key) {
 
 Quantity material_quantity(const std::string& key) {
     const TomlKey found = material_key(key);
-    if (found.is_word()) throw UsageError(fmt::format("{}: is a word; a quantity is wanted", key));
+    if (found.is_word()) throw UsageError(fmt::format("{}: is a word; a quantity is needed", key));
     return found.quantity;
 }
 

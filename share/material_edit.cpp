@@ -34,7 +34,7 @@ void check(const MaterialSetting& setting) {
     const auto& [key, value] = setting;
     if (key == "name") {
         if (value.empty() || value.find_first_of("\"\\\n") != std::string::npos)
-            throw UsageError(fmt::format("name={}: a name without quotes is wanted", value));
+            throw UsageError(fmt::format("name={}: a name without quotes is needed", value));
         return;
     }
     const TomlKey found = material_key(key);

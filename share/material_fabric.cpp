@@ -176,7 +176,7 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
     for (const auto& [name, phase] : fabric.phases) {
         const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
         if (!std::all_of(name.begin(), name.end(), is_letter)) {
-            throw InputError(fmt::format("{}: [phases.{}]: a name of small letters, digits and _ is wanted", where, name));
+            throw InputError(fmt::format("{}: [phases.{}]: a name of small letters, digits and _ is needed", where, name));
         }
         if (phase.young_modulus && phase.relative_young_modulus) {
             throw InputError(
@@ -191,7 +191,7 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
         sum += phase.fraction;
     }
     if (!fabric.phases.empty() && std::abs(sum - 1) > whole) {
-        throw InputError(fmt::format("{}: the fractions of the phases sum up to {}; 1 is wanted", where, sum));
+        throw InputError(fmt::format("{}: the fractions of the phases sum up to {}; 1 is needed", where, sum));
     }
     require_pairs(fabric, where);
     if (fabric.strength_correlation > 0 && !fabric.strength_modulus) {

@@ -54,7 +54,7 @@ std::optional<double> TomlKeys::read(const std::string& file, const TomlEntry& e
     key->found = true;
     if (key->is_word()) {
         if (entry.is_array || entry.values.front().kind != TomlValue::Kind::text) {
-            throw InputError(fmt::format("{}{}: a text is wanted", where, name));
+            throw InputError(fmt::format("{}{}: a text is needed", where, name));
         }
         key->require_word(entry.values.front().text, where + name);
         key->set_word(entry.values.front().text);

@@ -120,7 +120,7 @@ std::string quoted(std::string_view text) {
 [[noreturn]] void refuse_unit(std::string_view text, std::string_view symbol, Dimension dimension, std::string_view where) {
     for (const Dimension other : all_dimensions) {
         if (other == dimension || !find_unit(symbol, other)) continue;
-        refuse(where, fmt::format("{} has the unit of a {}, a {} is wanted", quoted(text), name_of(other), name_of(dimension)),
+        refuse(where, fmt::format("{} has the unit of a {}, a {} is needed", quoted(text), name_of(other), name_of(dimension)),
                what_fits(dimension));
     }
     std::string hint;

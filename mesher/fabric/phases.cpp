@@ -20,7 +20,7 @@ namespace {
 constexpr double sum_tolerance = 1e-6;
 
 [[noreturn]] void refuse(const std::string& option, const std::string& wrong, const std::string& right) {
-    throw UsageError(option + ": " + wrong + "; " + right + " would do");
+    throw UsageError(option + ": " + wrong + "; give " + right);
 }
 
 /// The areas of all crystals, m².
@@ -86,7 +86,8 @@ std::vector<PhaseFraction> parse_phases(std::string_view text) {
         const std::string_view item = text.substr(0, text.find(','));
         const std::size_t equals = item.find('=');
         if (equals == std::string_view::npos) {
-            refuse("--phases", fmt::format("\"{}\" is no phase with its fraction", item), "quartz=0.32,feldspar=0.62,mica=0.06");
+            refuse("--phases", fmt::format("\"{}\" is not a phase with its fraction", item),
+                   "quartz=0.32,feldspar=0.62,mica=0.06");
         }
         const std::string name(item.substr(0, equals));
         fractions.push_back({name, parse_quantity(item.substr(equals + 1), quantity::phase_fraction, "--phases: " + name)});
@@ -98,26 +99,26 @@ std::vector<PhaseFraction> parse_phases(std::string_view text) {
 void check(const PhaseRequest& request) {
     const auto& phases = request.fractions;
     if (!(request.cluster >= 1) || !std::isfinite(request.cluster)) {
-        refuse("--phase-cluster", format_number(request.cluster) + " is out of range", "a number of grains, at least 1,");
+        refuse("--phase-cluster", format_number(request.cluster) + " is out of range", "a number of grains, at least 1");
     }
     if (phases.empty()) {
         if (request.seed) refuse("--phase-seed", "there are no phases", "--phases quartz=0.4,feldspar=0.6");
         if (request.cluster != 1) refuse("--phase-cluster", "there are no phases", "--phases quartz=0.4,feldspar=0.6");
         return;
     }
-    if (phases.size() > max_phases) refuse("--phases", fmt::format("{} are too many", phases.size()), "at most 22");
+    if (phases.size() > max_phases) refuse("--phases", fmt::format("{} are too many", phases.size()), "at most 22 phases");
     double sum = 0;
     for (auto phase = phases.begin(); phase != phases.end(); ++phase) {
         const std::string& name = phase->name;
         if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
-            refuse("--phases", fmt::format("\"{}\" is no name of a phase", name), "one of a-z, 0-9 and _");
+            refuse("--phases", fmt::format("\"{}\" is not a valid name of a phase", name), "a name of a-z, 0-9 and _");
         }
         if (std::any_of(phases.begin(), phase, [&](const PhaseFraction& other) { return other.name == name; })) {
-            refuse("--phases", name + " stands twice", "every phase once");
+            refuse("--phases", name + " is given twice", "each phase once");
         }
         if (!quantity::phase_fraction.admits(phase->fraction)) {
             refuse("--phases", name + "=" + format_number(phase->fraction) + " is out of range",
-                   "a fraction of the area, above 0 and at most 1,");
+                   "a fraction of the area, above 0 and at most 1");
         }
         sum += phase->fraction;
     }

@@ -18,8 +18,8 @@ constexpr int n_modes = 512;
 
 void check_value(const char* option, const std::optional<double>& value, const Quantity& quantity) {
     if (value && !quantity.admits(*value)) {
-        throw UsageError(std::string(option) + ": " + format_quantity(*value, quantity.dimension) + " is out of range; " +
-                         bounds_text(quantity) + " would do");
+        throw UsageError(std::string(option) + ": " + format_quantity(*value, quantity.dimension) +
+                         " is out of range; give a value " + bounds_text(quantity));
     }
 }
 
@@ -37,7 +37,7 @@ void check(const StrengthRequest& request) {
     if (request.modulus) return;
     for (const auto& [given, option] : {std::pair{request.correlation.has_value(), "--strength-correlation"},
                                         std::pair{request.seed.has_value(), "--strength-seed"}}) {
-        if (given) throw UsageError(std::string(option) + ": strength does not scatter; --strength-modulus 5 beside it would do");
+        if (given) throw UsageError(std::string(option) + ": strength does not scatter; add --strength-modulus 5");
     }
 }
 

@@ -482,7 +482,7 @@ std::string label_of(Ending ending) {
         case Ending::not_reached: return "not reached";
         case Ending::contradictory: return "contradictory";
         case Ending::undecided: return "undecided";
-        default: return "runs are wanted";
+        default: return "runs are needed";
     }
 }
 

@@ -19,7 +19,7 @@ enum class Ending {
     contradictory,  ///< each target is in reach, but not all together
     undecided       ///< the confirmation scatters too much for a verdict, or the surfaces do not describe the rock
 };
-/// "runs are wanted", "calibrated", "not reached", "contradictory", "undecided".
+/// "runs are needed", "calibrated", "not reached", "contradictory", "undecided".
 std::string label_of(Ending ending);
 
 /// A quantity at all points of the designs. Targets come first, then what else the same tests measure.

@@ -197,7 +197,7 @@ std::vector<Target> targets_of(const Material& rock, const TomlFile& file, doubl
     for (const TomlEntry& entry : file.entries) {
         if (entry.section == std::vector<std::string>{"targets"})
             throw InputError(
-                fmt::format("{}: line {}: targets.{}: a row is wanted, as {{value = \"8.8 MPa\", deviation = \"5 %\"}}",
+                fmt::format("{}: line {}: targets.{}: a row is needed, such as {{value = \"8.8 MPa\", deviation = \"5 %\"}}",
                             file.file, entry.line, entry.key));
     }
     if (targets.empty()) return laboratory_targets(rock, confining_pressure, predicted_pressures);

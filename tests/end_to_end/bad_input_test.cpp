@@ -122,7 +122,7 @@ const std::vector<BadInput> solver{
     {"WordForAnother", "graincrack-solve brazilian disc.h5 --material augig-granite --contact-law newton -o out.h5", 2, "newton"},
     {"ParameterOfAnotherLaw",
      "graincrack-solve brazilian disc.h5 --material augig-granite --contact-residual-cohesion 3MPa -o out.h5", 2,
-     "--contact-residual-cohesion: the contact law consistent does not use it; leave it out, or choose one that does: "
+     "--contact-residual-cohesion: the contact law consistent does not use it; leave it out, or choose a law that uses it: "
      "coulomb-slip"},
     {"EnergyOfALawWithout",
      "graincrack-solve brazilian disc.h5 --material augig-granite --contact-law coulomb-slip --fracture-energy mixed -o out.h5",

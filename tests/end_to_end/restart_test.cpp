@@ -141,7 +141,7 @@ TEST(Restart, ARunStopsInItsWallTimeAndGoesOn) {
     shell.must(test + "--quiet --restart run.h5.checkpoint --walltime 1h -o run.h5");
     EXPECT_EQ(rows("run.h5"), rows("whole.h5"));
     const Outcome piped = shell.run(test + "--walltime 1h -o - | cat >/dev/null; exit ${PIPESTATUS[0]}");
-    EXPECT_NE(piped.err.find("--walltime: a run that goes to stdout"), std::string::npos) << piped.err;
+    EXPECT_NE(piped.err.find("--walltime: a run written to stdout"), std::string::npos) << piped.err;
 }
 
 TEST(Restart, ANewRunDoesNotRemoveACheckpointUnlessTold) {
@@ -220,7 +220,7 @@ TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
         EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
     };
     refused("--program second.toml --restart first.h5 --plane stress", "plane condition");
-    refused("--program second.toml --restart first.h5 --contact-law scaled", "--contact-law consistent fits");
+    refused("--program second.toml --restart first.h5 --contact-law scaled", "give --contact-law consistent");
     refused("--program second.toml --restart first.h5 --mass-scaling none", "--mass-scaling selective --mass-scaling-factor");
     refused("--program second.toml --restart specimen.h5", "specimen.h5");
     shell.must("graincrack-solve program specimen.h5 --material augig-granite --quiet --program first.toml -o stateless.h5");

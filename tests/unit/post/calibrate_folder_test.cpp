@@ -224,7 +224,7 @@ direct_tension = {use = "predict"}
     refused("[targets]\nbrazilian = {deviation = \"1 MPa\"}\n", {"targets.brazilian", "value is missing"});
     refused("[targets]\nbrazilian = {use = \"predict\"}\n", {"none to be fitted"});
     refused("[targets]\nbrazilian = {value = \"8 MPa\", use = \"maybe\"}\n", {"neither fit nor predict"});
-    refused("[targets]\nbrazilian = \"8 MPa\"\n", {"targets.brazilian: a row is wanted"});
+    refused("[targets]\nbrazilian = \"8 MPa\"\n", {"targets.brazilian: a row is needed"});
     refused("[parameters]\n\"contact.cohesions\" = {}\n", {"parameters.\"contact.cohesions\"", "unknown key"});
     refused("[parameters]\n\"contact.shear_stiffness\" = {low = \"1e13\"}\n", {"no default bounds", "give low and high"});
     refused("[parameters]\n\"contact.cohesion\" = {low = \"80 MPa\", high = \"20 MPa\"}\n", {"low must be below high"});

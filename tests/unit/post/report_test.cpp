@@ -92,7 +92,7 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
 TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     const std::vector<std::string> runs{run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
     expect_texts(page(runs, {read_material("augig-granite"), StrainLimitRuns::refuse}),
-                 {"<h3>Results</h3>", "it has no [fitted]"});
+                 {"<h3>Results</h3>", "This material has no [fitted]"});
     std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
     const std::string calibrated = folder_.file("calibrated.toml");
     std::ofstream(calibrated) << file.rdbuf() << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190 on 30 new specimens\"\n";

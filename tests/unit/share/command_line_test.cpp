@@ -235,7 +235,7 @@ TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4mm", "--grains", "3"}),
               "--edge and --grains: only one of them can be given; leave one out");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4MPa"}),
-              "--edge: \"4MPa\" has the unit of a stress, a length is wanted; units that fit: m, mm, cm, um or km (a bare number "
+              "--edge: \"4MPa\" has the unit of a stress, a length is needed; units that fit: m, mm, cm, um or km (a bare number "
               "is in m)");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "-4mm"}),
               "--edge: \"-4mm\" is out of bounds; it must be above 0 m and at most 1 km");
@@ -252,8 +252,8 @@ TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--quiet", "--verbose"}),
               "--quiet and --verbose: only one of them can be given; leave one out");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/nowhere.toml"}),
-              "--config: /nowhere.toml cannot be read; a TOML file is wanted");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/"}), "--config: / cannot be read; a TOML file is wanted");
+              "--config: /nowhere.toml cannot be read; a TOML file is needed");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/"}), "--config: / cannot be read; a TOML file is needed");
 }
 
 TEST_F(CommandLine, ValuesTooManyOrNone) {
@@ -327,7 +327,7 @@ TEST_F(CommandLine, FlagsWinOverEnvironmentOverFile) {
     }
     set("GRAINCRACK_SPREAD", "2km");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b"}),
-              "--spread (from GRAINCRACK_SPREAD): \"2km\" has the unit of a length, a pure number is wanted; a pure number, or "
+              "--spread (from GRAINCRACK_SPREAD): \"2km\" has the unit of a length, a pure number is needed; a pure number, or "
               "one in %, fits");
 }
 
@@ -374,7 +374,7 @@ TEST_F(CommandLine, ComplaintsAboutAFile) {
     EXPECT_EQ(complaint_about_file("config = 'x'\n"), "FILE: line 1: config cannot stand in a file; give it on the command line");
     EXPECT_EQ(complaint_about_file("deep = 3\n"), "FILE: line 1: deep is true or false");
     EXPECT_EQ(complaint_about_file("edge = '4 MPa'\n"),
-              "--edge (from FILE, line 1): \"4 MPa\" has the unit of a stress, a length is wanted; units that fit: m, mm, cm, um "
+              "--edge (from FILE, line 1): \"4 MPa\" has the unit of a stress, a length is needed; units that fit: m, mm, cm, um "
               "or km (a bare "
               "number is in m)");
     EXPECT_EQ(complaint_about_file("edge = ['1mm', '2mm']\n"), "--edge (from FILE, line 1): given more than once; give it once");

@@ -169,7 +169,7 @@ TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
 }
 
 TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
-    expect_refused("[phases.quartz]\nfraction = 0.7\n[phases.mica]\nfraction = 0.4\n", {"sum up to 1.1", "1 is wanted"});
+    expect_refused("[phases.quartz]\nfraction = 0.7\n[phases.mica]\nfraction = 0.4\n", {"sum up to 1.1", "1 is needed"});
     expect_refused("[phases.Quartz]\nfraction = 1\n", {"phases.Quartz", "small letters"});
     expect_refused("[phases.quartz]\nfraction = 1\nyoung_modulus = \"80 GPa\"\nrelative_young_modulus = 1.2\n",
                    {"give one of them"});

@@ -77,7 +77,7 @@ TEST(Units, EveryListedUnitIsReadAndGivenBack) {
 TEST(Units, ComplaintsNameOptionFaultAndRemedyInOneLine) {
     const std::string wrong_dimension = complaint("4MPa", quantity::mean_edge);
     EXPECT_EQ(wrong_dimension,
-              "--edge: \"4MPa\" has the unit of a stress, a length is wanted; units that fit: m, mm, cm, um or km (a bare number "
+              "--edge: \"4MPa\" has the unit of a stress, a length is needed; units that fit: m, mm, cm, um or km (a bare number "
               "is in m)");
     EXPECT_EQ(complaint("4furlong", quantity::mean_edge),
               "--edge: unknown unit \"furlong\" in \"4furlong\"; units that fit: m, mm, cm, um or km (a bare number is in m)");

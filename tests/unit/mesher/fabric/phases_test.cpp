@@ -170,13 +170,13 @@ TEST(Phases, BadPhasesSayWhatIsWrong) {
     for (const auto& [phases, words] : std::vector<std::pair<std::string, std::string>>{
              {"quartz=0.5,mica=0.6", "add up to 1.1"},
              {"quartz=0.5,mica=0.4", "add up to 0.9"},
-             {"quartz=0.5,quartz=0.5", "quartz stands twice"},
-             {"k-feldspar=1", "\"k-feldspar\" is no name"},
-             {"Quartz=1", "\"Quartz\" is no name"},
-             {"=1", "\"\" is no name"},
-             {"quartz", "\"quartz\" is no phase"},
-             {"", "\"\" is no phase"},
-             {"quartz=1,", "\"\" is no phase"},
+             {"quartz=0.5,quartz=0.5", "quartz is given twice"},
+             {"k-feldspar=1", "\"k-feldspar\" is not a valid name"},
+             {"Quartz=1", "\"Quartz\" is not a valid name"},
+             {"=1", "\"\" is not a valid name"},
+             {"quartz", "\"quartz\" is not a phase"},
+             {"", "\"\" is not a phase"},
+             {"quartz=1,", "\"\" is not a phase"},
              {"quartz=0,mica=1", "quartz"},
              {"quartz=-0.5,mica=1.5", "quartz"},
              {"quartz=much,mica=0.5", "much"},
@@ -188,7 +188,7 @@ TEST(Phases, BadPhasesSayWhatIsWrong) {
     }
     std::string many;
     for (int i = 0; i < 25; ++i) many += (i == 0 ? "p" : ",p") + std::to_string(i) + "=0.04";
-    EXPECT_NE(complaint(many).find("25 are too many; at most 22"), std::string::npos);
+    EXPECT_NE(complaint(many).find("25 are too many; give at most 22"), std::string::npos);
 }
 
 TEST(Phases, BadRequestsNameTheirOption) {
