@@ -1,4 +1,6 @@
 // Sources of options: flags, environment and configuration file; --print-config and --dry-run.
+#include <cmath>
+
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
