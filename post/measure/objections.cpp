@@ -48,8 +48,8 @@ std::vector<Objection> objections_to(const RunReader& reader, const RunData& run
     return objections_to(run, measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen)));
 }
 
-std::string subtitle_line(const Objection& objection) {
-    constexpr std::size_t room = 43;  // characters that fit beside the words before, at the size of subtitles
+std::string note_line(const Objection& objection) {
+    constexpr std::size_t room = 43;  // characters that fit beside the words before, at the size of notes
     return "caveat: " + (objection.text.size() <= room ? objection.text : objection.kind);
 }
 

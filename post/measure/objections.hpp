@@ -18,8 +18,8 @@ std::vector<Objection> objections_to(const RunData& run, const std::optional<Bra
 /// The same, read from the run. \param run the data of `reader`
 std::vector<Objection> objections_to(const RunReader& reader, const RunData& run);
 
-/// As a line below a title: "caveat: first cracks at 0.81 R, not inside 0.5 R".
-std::string subtitle_line(const Objection& objection);
+/// As a line below a picture: "caveat: first cracks at 0.81 R, not inside 0.5 R".
+std::string note_line(const Objection& objection);
 
 /// The runs of a set with the caveats of their strengths.
 class ObjectionCount {

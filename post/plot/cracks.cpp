@@ -250,7 +250,7 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const 
     const std::vector<bool> contacts = contacts_of_classes(specimen, options.classes, run.name());
     const std::vector<Crack> cracks = cracks_of(read_labelled_cracks(run, specimen, options.label), contacts);
     Scene scene{run, specimen, cracks, run_data(run), options, style};
-    for (const Objection& objection : objections_to(run, scene.data)) scene.objections.push_back(subtitle_line(objection));
+    for (const Objection& objection : objections_to(run, scene.data)) scene.objections.push_back(note_line(objection));
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
 }

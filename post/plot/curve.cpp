@@ -235,7 +235,7 @@ Command curve_plot() {
                 runs.push_back(run_data(reader, options.label));
                 const std::vector<Objection> objections = objections_to(reader, runs.back());
                 doubts.add(runs.back(), objections);
-                for (const Objection& objection : objections) lines.push_back(subtitle_line(objection));
+                for (const Objection& objection : objections) lines.push_back(note_line(objection));
             }
             return draw_curves(runs, laboratory, definition_of(options.label.of(runs.front().header)),
                                runs.size() == 1 ? lines : doubts.lines(), options.style);

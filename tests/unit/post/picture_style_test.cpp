@@ -94,7 +94,11 @@ TEST(PictureStyle, EveryPictureTakesTheOptions) {
     EXPECT_NE(svg_of({"curve", run, "--label", "run.h5=dry"}).find("dry\n"), std::string::npos);
     EXPECT_NE(svg_of({"curve", run, "--x-limits", "-0.1,0.2%", "--y-limits", "0,500"}).find("\n500\n"), std::string::npos);
     test::expect_one_line<UsageError>([&] { (void)svg_of({"curve", run, "--label", "wet.h5=wet"}); }, {"wet.h5", "run.h5"});
-    test::expect_one_line<UsageError>([&] { (void)svg_of({"energy", run, "--x", "strain", "--x-limits", "90,91"}); }, {"--x-limits 90,91"});
+    test::expect_one_line<UsageError>(
+        [&] {
+            (void)svg_of({"energy", run, "--x", "strain", "--x-limits", "90,91"});
+        },
+        {"--x-limits 90,91"});
 }
 
 }  // namespace

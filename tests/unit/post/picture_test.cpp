@@ -171,7 +171,7 @@ TEST_F(Picture, StrengthsStandByTest) {
     EXPECT_EQ(to_svg(draw_strengths(runs, std::nullopt)).find("laboratory"), std::string::npos);
 }
 
-TEST_F(Picture, SubtitlesSayWhatSpeaksAgainstAStrength) {
+TEST_F(Picture, NotesSayWhatSpeaksAgainstAStrength) {
     test::Recipe disc;
     disc.test = "brazilian";  // the synthetic cracks span half of the height
     test::write_run(path("disc.h5"), disc);
