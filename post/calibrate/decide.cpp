@@ -239,7 +239,7 @@ void Calibration::fit(const Box& box) {
     for (const Logistic& logistic : logistics) shares.push_back({&logistic, study().first_peak_share});
     if (aims.empty()) {
         throw Ended{Ending::undecided, fmt::format("no target can be fitted from {} points", inside.size()),
-                    "ask for more points (--set points=N), or for targets that these tests have"};
+                    "ask for more points (setting points=N), or for targets that these tests have"};
     }
     fit_.optimum = find_optimum(box, first_guess(problem_.parameters), aims, shares);
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
@@ -431,11 +431,12 @@ void Calibration::end() {
     if (expected && out_of_reach) throw Ended{Ending::not_reached, missed, remedies};
     if (expected)
         throw Ended{Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
-    const std::string another = fmt::format("ask for one more design (--set zooms={})", study().zooms + 1);
+    const std::string another = fmt::format("ask for one more design (setting zooms={})", study().zooms + 1);
     if (outside)
         throw Ended{Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
     throw Ended{Ending::undecided, missed,
-                fmt::format("confirm on more specimens, about {} (--set confirmation_discs=N, confirmation_rectangles=N), or {}",
+                fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
+                            "{}; settings are given by --set, or by SET= of make",
                             specimens, another)};
 }
 

@@ -28,7 +28,7 @@ struct SimulationPlan {
     std::int64_t max_steps = 0;      ///< to the strain limit, with the longest that stages may wait for rest
     /// Steps that tests of granite take at the automatic rate; 0 for other rates and programs, of which nobody knows.
     std::int64_t usual_steps = 0;
-    std::size_t rows = 0;            ///< of the history in as many steps
+    std::size_t rows = 0;  ///< of the history in as many steps
     /// Arrays of the run when it has made as many steps and all contact points have failed, bytes. The program, its libraries and
     /// the buffers of HDF5 take some 25 MB more. So do node–edge contacts, which nobody foresees: of a crushed specimen some
     /// three candidate pairs of 100 bytes a node.
