@@ -24,7 +24,7 @@ TEST(Install, ToolsFindTheMaterialsTheyCameWith) {
         shell.must("cd moved/share/doc/graincrack; for page in README.md share/doc/*.md; do grep -oE '\\]\\([^)#:]+' $page | "
                    "cut -c3- | while read -r link; do test -e $(dirname $page)/$link || echo $page $link; done; done; true"),
         "");
-    EXPECT_EQ(shell.run("grep -rlF " GRAINCRACK_BIN " moved").out, "");  // nothing of the build is in it
+    EXPECT_EQ(shell.run("grep -rlF " GRAINCRACK_BIN " moved").out, "");               // nothing of the build is in it
     EXPECT_EQ(shell.run("grep -rlF " GRAINCRACK_SOURCE "/share moved/bin").out, "");  // nor of the sources
     EXPECT_NE(content_of(shell.file("moved/share/man/man1/graincrack-post-plot-cracks.1.gz")), "");
     EXPECT_EQ(shell.must("PYTHONPATH=moved/lib/python3/dist-packages /usr/bin/python3 -c \"import graincrack; "
