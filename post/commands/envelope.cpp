@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "post/option_parts.hpp"
-#include "post/table/people_table.hpp"
 #include "post/table/table_form.hpp"
+#include "post/table/terminal_table.hpp"
 
 namespace graincrack {
 
@@ -97,8 +97,8 @@ Cell plane_of_compression(const std::vector<RunData>& runs) {
 }
 
 /// The few quantities that people look for, a line each, with their intervals.
-void write_for_people(std::ostream& out, const NamedRow& row) {
-    PeopleTable table({{"quantity", ""}, {"value", ""}, {"95 % interval", ""}, {"unit", ""}});
+void write_to_terminal(std::ostream& out, const NamedRow& row) {
+    TerminalTable table({{"quantity", ""}, {"value", ""}, {"95 % interval", ""}, {"unit", ""}});
     const auto add = [&](const std::string& label, const std::string& name, const std::string& unit) {
         const std::string suffix = unit.empty() ? "" : "_" + unit;
         const std::string low = row.shown(name + "_low" + suffix);
@@ -159,7 +159,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     if (format) {
         row.write(out, *format);
     } else {
-        write_for_people(out, row.named());
+        write_to_terminal(out, row.named());
     }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "post/cracks/contact_classes.hpp"
-#include "post/table/people_table.hpp"
+#include "post/table/terminal_table.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -40,26 +40,26 @@ ClassCounts sum_of(const RunClasses& run) {
     return sum;
 }
 
-void write_for_people(std::ostream& out, const std::vector<RunClasses>& runs) {
-    PeopleTable people({{"contacts", ""},
-                        {"number", ""},
-                        {"length", "%"},
-                        {"tensile", "at peak"},
-                        {"shear", "at peak"},
-                        {"tensile", "at end"},
-                        {"shear", "at end"}});
+void write_to_terminal(std::ostream& out, const std::vector<RunClasses>& runs) {
+    TerminalTable terminal({{"contacts", ""},
+                            {"number", ""},
+                            {"length", "%"},
+                            {"tensile", "at peak"},
+                            {"shear", "at peak"},
+                            {"tensile", "at end"},
+                            {"shear", "at end"}});
     for (const RunClasses& run : runs) {
-        people.group(run.run + ", " + run.definition);
+        terminal.group(run.run + ", " + run.definition);
         const auto row = [&](const ClassCounts& each) {
             const auto& peak = each.at_peak;
-            people.row({each.name, std::to_string(each.contacts), format_number(100 * each.length / run.length(), 3),
-                        peak ? format_number(peak->tensile, 6) : "", peak ? format_number(peak->shear, 6) : "",
-                        format_number(each.at_end.tensile, 6), format_number(each.at_end.shear, 6)});
+            terminal.row({each.name, std::to_string(each.contacts), format_number(100 * each.length / run.length(), 3),
+                          peak ? format_number(peak->tensile, 6) : "", peak ? format_number(peak->shear, 6) : "",
+                          format_number(each.at_end.tensile, 6), format_number(each.at_end.shear, 6)});
         };
         for (const ClassCounts& each : run.classes) row(each);
         row(sum_of(run));
     }
-    people.write(out);
+    terminal.write(out);
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, 
     if (format) {
         write_for_scripts(out, runs, *format);
     } else {
-        write_for_people(out, runs);
+        write_to_terminal(out, runs);
     }
 }
 

@@ -39,8 +39,8 @@ std::optional<double> radius_of_first(const Specimen& specimen, const std::vecto
     return sum / static_cast<double>(n) / (specimen.width / 2);
 }
 
-std::vector<Objection> find_objections(const BrazilianSplit& split, double peak) {
-    std::vector<Objection> found;
+std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak) {
+    std::vector<Caveat> found;
     if (!split.spanning_stress) {
         found.push_back(
             {fmt::format("open cracks never span {:.2g} D", spanning_share),
@@ -65,7 +65,7 @@ std::vector<Objection> find_objections(const BrazilianSplit& split, double peak)
 
 std::string BrazilianSplit::warning() const {
     std::string label;
-    for (const Objection& objection : objections) label += (label.empty() ? "" : "; ") + objection.text;
+    for (const Caveat& caveat : caveats) label += (label.empty() ? "" : "; ") + caveat.text;
     return label;
 }
 
@@ -78,7 +78,7 @@ BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const S
     if (const auto time = time_of_span(specimen, cracks)) split.spanning_stress = at_time(times, curve.stress, *time);
     std::erase_if(cracks, [](const Crack& c) { return c.mode != CrackMode::tensile; });
     split.first_crack_radius = radius_of_first(specimen, cracks, times[curve.peak]);
-    split.objections = find_objections(split, curve.peak_stress());
+    split.caveats = find_caveats(split, curve.peak_stress());
     return split;
 }
 

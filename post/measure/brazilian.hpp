@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "post/measure/caveat.hpp"
 #include "post/measure/load_curve.hpp"
-#include "post/measure/objection.hpp"
 
 namespace graincrack {
 
@@ -18,7 +18,7 @@ struct BrazilianSplit {
     /// over the radius; empty without any.
     std::optional<double> first_crack_radius;
     /// Why 2Fmax/(π t D) may not be the tensile strength.
-    std::vector<Objection> objections;
+    std::vector<Caveat> caveats;
     /// Their texts in one; empty if there are none.
     [[nodiscard]] std::string warning() const;
 };

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "post/fit/statistics.hpp"
-#include "post/measure/tables_for_people.hpp"
+#include "post/measure/terminal_tables.hpp"
 #include "post/measure/thresholds.hpp"
 #include "share/error.hpp"
 
@@ -249,7 +249,7 @@ void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs,
     }
     std::vector<std::vector<Cell>> rows;
     for (const std::string& run : runs) rows.push_back(moduli_row(run));
-    write_moduli_for_people(out, {columns, rows});
+    write_moduli_to_terminal(out, {columns, rows});
 }
 
 }  // namespace graincrack

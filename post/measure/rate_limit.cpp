@@ -10,7 +10,7 @@
 #include "post/measure/comparable.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/test_label.hpp"
-#include "post/table/people_table.hpp"
+#include "post/table/terminal_table.hpp"
 #include "share/error.hpp"
 #include "share/units.hpp"
 
@@ -105,26 +105,26 @@ const std::vector<std::string> columns{
     "test",     "confining_pressure_MPa", "strength",           "specimens",           "rate_ratio", "fast_MPa",
     "slow_MPa", "change_percent",         "change_low_percent", "change_high_percent", "limit_MPa",  "error_MPa"};
 
-void write_for_people(std::ostream& out, const std::vector<std::vector<Cell>>& rows) {
-    PeopleTable people({{"test", ""},
-                        {"specimens", ""},
-                        {"faster", "MPa"},
-                        {"slower", "MPa"},
-                        {"change", "%"},
-                        {"95 % interval", "%"},
-                        {"limit", "MPa"},
-                        {"error", "MPa"}});
+void write_to_terminal(std::ostream& out, const std::vector<std::vector<Cell>>& rows) {
+    TerminalTable terminal({{"test", ""},
+                            {"specimens", ""},
+                            {"faster", "MPa"},
+                            {"slower", "MPa"},
+                            {"change", "%"},
+                            {"95 % interval", "%"},
+                            {"limit", "MPa"},
+                            {"error", "MPa"}});
     for (const std::vector<Cell>& cells : rows) {
         const NamedRow row(columns, cells);
         const auto low = row.number("change_low_percent");
-        people.row(
+        terminal.row(
             {series_label(row.text("test"), 1e6 * row.number("confining_pressure_MPa").value_or(0)) + ", " + row.text("strength"),
              row.text("specimens"), row.shown("fast_MPa"), row.shown("slow_MPa"),
              fmt::format("{:+.2f}", row.number("change_percent").value_or(0)),
              low ? fmt::format("{:+.2f} to {:+.2f}", *low, row.number("change_high_percent").value_or(0)) : "",
              row.shown("limit_MPa"), format_number(row.number("error_MPa").value_or(0), 2)});
     }
-    people.write(out);
+    terminal.write(out);
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths,
                             limit.limit * 1e-6, limit.error * 1e-6});
         }
     }
-    if (!format) return write_for_people(out, rows);
+    if (!format) return write_to_terminal(out, rows);
     TableWriter table(out, columns, *format);
     for (const auto& row : rows) table.row(row);
 }

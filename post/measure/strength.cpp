@@ -8,8 +8,8 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/run_state.hpp"
-#include "post/measure/objections.hpp"
-#include "post/measure/tables_for_people.hpp"
+#include "post/measure/caveats.hpp"
+#include "post/measure/terminal_tables.hpp"
 #include "share/error.hpp"
 #include "share/printable.hpp"
 
@@ -94,10 +94,10 @@ void append_first_peak(std::vector<Cell>& row, const std::optional<FirstPeak>& p
 /// Caveats of the strengths of some runs: a line for each run and reason, and the runs counted.
 struct Doubts {
     std::vector<std::string> lines;
-    ObjectionCount count;
-    void add(const RunData& run, const std::vector<Objection>& objections) {
-        for (const Objection& objection : objections) lines.push_back(printable(run.name) + ": warning: " + objection.text);
-        count.add(run, objections);
+    CaveatCount count;
+    void add(const RunData& run, const std::vector<Caveat>& caveats) {
+        for (const Caveat& caveat : caveats) lines.push_back(printable(run.name) + ": warning: " + caveat.text);
+        count.add(run, caveats);
     }
 };
 
@@ -130,7 +130,7 @@ std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
                           megapascal(strength.stress_at_marks[0]),
                           megapascal(strength.stress_at_marks[1]),
                           megapascal(strength.stress_at_marks[2])};
-    doubts.add(run, objections_to(run, append_split(row, reader, run)));
+    doubts.add(run, caveats_of(run, append_split(row, reader, run)));
     row.push_back(run.header.confining_pressure > 0 ? Cell(run.header.confinement_mean * 1e-6) : Cell());
     const ContactParameters& contact = run.header.contact;
     row.emplace_back(run.header.contact_law);
@@ -207,7 +207,7 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
         TableWriter table(out, columns, *format);
         for (const auto& row : rows) table.row(row);
     } else {
-        write_strengths_for_people(out, {columns, rows});
+        write_strengths_to_terminal(out, {columns, rows});
     }
     out.flush();
     if (!out) return;  // the command says so

@@ -4,11 +4,11 @@
 #include <map>
 #include <tuple>
 
+#include "post/measure/caveats.hpp"
 #include "post/measure/comparable.hpp"
 #include "post/measure/grain_size.hpp"
-#include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/tables_for_people.hpp"
+#include "post/measure/terminal_tables.hpp"
 
 namespace graincrack {
 
@@ -68,7 +68,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
                                                   "ratio_to_brazilian",
                                                   "plane",
                                                   "mean_edge_mm"};
-    ObjectionCount doubts;
+    CaveatCount doubts;
     std::vector<std::vector<Cell>> rows;
     const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
     const std::vector<RunData> runs = read_doubted_runs(paths, doubts);
@@ -85,7 +85,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
         TableWriter table(out, columns, *format);
         for (const auto& row : rows) table.row(row);
     } else {
-        write_summary_for_people(out, {columns, rows});
+        write_summary_to_terminal(out, {columns, rows});
     }
     out.flush();
     if (!out) return;  // the command says so

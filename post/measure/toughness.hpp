@@ -22,7 +22,7 @@ struct Toughness {
     double characteristic_length = 0;  ///< l_ch = E' Gf/tc² (Hillerborg et al. 1976), m: the scale of the process zone
     /// a/l_ch, a half the notch: small-scale yielding, on which K_IC rests, needs it large.
     [[nodiscard]] double notch_ratio() const { return 0.5 * notch_length / characteristic_length; }
-    /// Why the measured toughness may not be K_IC; empty if there is no objection.
+    /// Why the measured toughness may not be K_IC; empty if there is no caveat.
     [[nodiscard]] std::string warning() const;
 };
 /// a/l_ch below which the process zone is no small part of the notch, and the measured toughness is too low.

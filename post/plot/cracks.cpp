@@ -10,8 +10,8 @@
 #include "post/chart/map_view.hpp"
 #include "post/cracks/contact_classes.hpp"
 #include "post/cracks/run_state.hpp"
+#include "post/measure/caveats.hpp"
 #include "post/measure/load_curve.hpp"
-#include "post/measure/objections.hpp"
 #include "post/measure/test_label.hpp"
 #include "share/command_line.hpp"
 
@@ -89,11 +89,11 @@ struct Scene {
     RunData data;
     const CrackMapOptions& options;
     const PictureStyle& style;
-    std::vector<std::string> objections = {};  ///< caveats of the strength, a line each
+    std::vector<std::string> caveats = {};  ///< caveats of the strength, a line each
     /// What stands below the maps: what the cracks are, and the caveats of the strength.
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> lines{limited_to(definition_of(options.label.of(data.header)), options.classes)};
-        lines.insert(lines.end(), objections.begin(), objections.end());
+        lines.insert(lines.end(), caveats.begin(), caveats.end());
         return lines;
     }
 };
@@ -250,7 +250,7 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const 
     const std::vector<bool> contacts = contacts_of_classes(specimen, options.classes, run.name());
     const std::vector<Crack> cracks = cracks_of(read_labelled_cracks(run, specimen, options.label), contacts);
     Scene scene{run, specimen, cracks, run_data(run), options, style};
-    for (const Objection& objection : objections_to(run, scene.data)) scene.objections.push_back(note_line(objection));
+    for (const Caveat& caveat : caveats_of(run, scene.data)) scene.caveats.push_back(note_line(caveat));
     if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
     return panels(scene, frames);
 }

@@ -10,8 +10,8 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/cracks/crack_counts.hpp"
+#include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
-#include "post/measure/objections.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
@@ -88,14 +88,14 @@ double drawn_lateral(const Extent& extent) { return std::max(extent.lateral, -0.
 
 /// \param definition of the cracks that are counted; empty if none are
 Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
-           const std::vector<std::string>& objections, const PictureStyle& style) {
+           const std::vector<std::string>& caveats, const PictureStyle& style) {
     const double lateral = drawn_lateral(extent);
     const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
     ChartText text = heading(runs, definition);
-    text.notes.insert(text.notes.end(), objections.begin(), objections.end());
+    text.notes.insert(text.notes.end(), caveats.begin(), caveats.end());
     return {style, text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, {right}};
 }
 
@@ -178,13 +178,13 @@ LaboratoryCurve read_laboratory_curve(const std::string& path) {
 }
 
 Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition, const std::vector<std::string>& objections, const PictureStyle& style) {
+                    const std::string& definition, const std::vector<std::string>& caveats, const PictureStyle& style) {
     const std::vector<Run> runs = prepare(data);
     Extent extent;
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
-    Chart chart = page(runs, extent, counts ? definition : "", objections, style);
+    Chart chart = page(runs, extent, counts ? definition : "", caveats, style);
     const std::vector<std::string> names = names_apart(data);
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -228,14 +228,14 @@ Command curve_plot() {
             std::vector<LaboratoryCurve> laboratory;
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
             std::vector<RunData> runs;
-            ObjectionCount doubts;
+            CaveatCount doubts;
             std::vector<std::string> lines;  // of the only run
             for (const std::string& file : call.files) {
                 const RunReader reader(file);
                 runs.push_back(run_data(reader, options.label));
-                const std::vector<Objection> objections = objections_to(reader, runs.back());
-                doubts.add(runs.back(), objections);
-                for (const Objection& objection : objections) lines.push_back(note_line(objection));
+                const std::vector<Caveat> caveats = caveats_of(reader, runs.back());
+                doubts.add(runs.back(), caveats);
+                for (const Caveat& caveat : caveats) lines.push_back(note_line(caveat));
             }
             return draw_curves(runs, laboratory, definition_of(options.label.of(runs.front().header)),
                                runs.size() == 1 ? lines : doubts.lines(), options.style);

@@ -28,11 +28,10 @@ LaboratoryCurve read_laboratory_curve(const std::string& path);
 /// strain to the left, both from platens and rim. A first peak below the largest stress has a triangle, the residual strength a
 /// short line. One run: the counts of its micro-cracks on a second scale.
 /// \throws InputError if brazilian, tension and compression runs are mixed: their stresses do not mean the same
-/// \param definition of the cracks that the histories count, in words \param objections caveats of the strength, a
+/// \param definition of the cracks that the histories count, in words \param caveats caveats of the strength, a
 /// line each
 Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition, const std::vector<std::string>& objections = {},
-                    const PictureStyle& style = {});
+                    const std::string& definition, const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
 
 Command curve_plot();
 

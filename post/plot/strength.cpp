@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/measure/caveats.hpp"
 #include "post/measure/grain_size.hpp"
-#include "post/measure/objections.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
@@ -79,13 +79,13 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
 }  // namespace
 
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
-                       const std::vector<std::string>& objections, const PictureStyle& style) {
+                       const std::vector<std::string>& caveats, const PictureStyle& style) {
     const std::vector<SizedStrengths> rows = group_strengths_by_size(runs);
     const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
     const Axis strength{"strength, MPa", low / 1.6, high * 1.6, true};
     Chart chart(style,
                 {runs.front().header.material.empty() ? "Strengths" : runs.front().header.material,
-                 plane_lines(group_strengths(runs)), objections},
+                 plane_lines(group_strengths(runs)), caveats},
                 Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;
@@ -126,7 +126,7 @@ Command strength_plot() {
         [](const Options& options, const Call& call) {
             std::optional<Material> material;
             if (!options.material.empty()) material = read_material_of(call, options.material);
-            ObjectionCount doubts;
+            CaveatCount doubts;
             const std::vector<RunData> runs = read_doubted_runs(call.files, doubts);
             return draw_strengths(runs, material, doubts.lines(), options.style);
         });

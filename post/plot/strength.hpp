@@ -15,9 +15,9 @@ namespace graincrack {
 
 /// Every run as a point (a cross if it reached no peak), the mean of each test, confining pressure and grain size with its
 /// 95 % interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the
-/// axis. \throws InputError if the runs are not of one material \param objections caveats of the strength, a line each
+/// axis. \throws InputError if the runs are not of one material \param caveats caveats of the strength, a line each
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
-                       const std::vector<std::string>& objections = {}, const PictureStyle& style = {});
+                       const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
 
 Command strength_plot();
 

@@ -116,12 +116,12 @@ std::string contact_zone_label(const Runs& runs) {
 }
 
 /// Caveats of the strengths of runs of one kind, and the number of runs that have each.
-std::string objections_label(const Runs& runs) {
+std::string caveats_label(const Runs& runs) {
     std::vector<std::pair<std::string, std::size_t>> kinds;
     for (const TestReport* run : runs) {
-        for (const Objection& objection : run->objections) {
-            auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == objection.kind; });
-            if (kind == kinds.end()) kind = kinds.insert(kind, {objection.kind, 0});
+        for (const Caveat& caveat : run->caveats) {
+            auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == caveat.kind; });
+            if (kind == kinds.end()) kind = kinds.insert(kind, {caveat.kind, 0});
             ++kind->second;
         }
     }
@@ -194,7 +194,7 @@ const std::vector<Check>& checks() {
          }},
         {"mass added", nullptr, percent_of(&RunHeader::added_mass), "\u00a0%"},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
-        {.name = "caveats of the strength", .of_all = objections_label}};
+        {.name = "caveats of the strength", .of_all = caveats_label}};
     return all;
 }
 

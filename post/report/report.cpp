@@ -13,9 +13,9 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/cracks/run_state.hpp"
+#include "post/measure/caveats.hpp"
 #include "post/measure/comparable.hpp"
 #include "post/measure/grain_size.hpp"
-#include "post/measure/objections.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/test_label.hpp"
 #include "post/plot/cracks.hpp"
@@ -195,22 +195,22 @@ std::string run_table(const Content& content) {
 }
 
 /// Caveats of the strengths of runs, a line each. \param wanted which runs
-std::vector<std::string> objection_lines(const Content& content, const std::function<bool(const RunHeader&)>& wanted) {
-    ObjectionCount doubts;
+std::vector<std::string> caveat_lines(const Content& content, const std::function<bool(const RunHeader&)>& wanted) {
+    CaveatCount doubts;
     for (const TestReport& t : content.tests) {
-        if (wanted(t.data.header)) doubts.add(t.data, t.objections);
+        if (wanted(t.data.header)) doubts.add(t.data, t.caveats);
     }
     return doubts.lines();
 }
 
-std::vector<std::string> objection_lines(const Content& content) {
-    return objection_lines(content, [](const RunHeader&) { return true; });
+std::vector<std::string> caveat_lines(const Content& content) {
+    return caveat_lines(content, [](const RunHeader&) { return true; });
 }
 
 /// Beside the key figures, their caveats.
-std::string objection_paragraphs(const Content& content) {
+std::string caveat_paragraphs(const Content& content) {
     std::string paragraphs;
-    for (const std::string& line : objection_lines(content)) {
+    for (const std::string& line : caveat_lines(content)) {
         paragraphs += html::paragraph("Caveats of these strengths: " + line + ".");
     }
     return paragraphs;
@@ -222,7 +222,7 @@ std::string kind_of(const RunHeader& header) { return is_compression(header) ? "
 std::string curve_figures(const Content& content, const ReportOptions& options) {
     html::Figures figures;
     figures.add("strengths by test", [&](const PictureStyle& style) {
-        return draw_strengths(data_of(content), options.material, objection_lines(content), style);
+        return draw_strengths(data_of(content), options.material, caveat_lines(content), style);
     });
     std::map<std::string, std::vector<RunData>> kinds;
     for (const RunData& run : content.curves) {
@@ -232,7 +232,7 @@ std::string curve_figures(const Content& content, const ReportOptions& options) 
         const std::string& kind = each.first;
         const std::vector<RunData>& runs = each.second;
         figures.add("stress and strain: " + kind, [&](const PictureStyle& style) {
-            const auto lines = objection_lines(content, [&](const RunHeader& h) { return kind_of(h) == kind; });
+            const auto lines = caveat_lines(content, [&](const RunHeader& h) { return kind_of(h) == kind; });
             return draw_curves(runs, {}, definition_of(options.label.of(runs.front().header)), lines, style);
         });
     }
@@ -331,9 +331,9 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     std::string body = "<h1>" + html::escaped(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
                        html::escaped(header.contact_law) +
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
-    body += html::section(
-        "figures", "Key figures and curves",
-        key_figures(content) + objection_paragraphs(content) + run_table(content) + curve_figures(content, options));
+    body +=
+        html::section("figures", "Key figures and curves",
+                      key_figures(content) + caveat_paragraphs(content) + run_table(content) + curve_figures(content, options));
     body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelopes, material));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "post/cracks/run_state.hpp"
-#include "post/measure/objections.hpp"
+#include "post/measure/caveats.hpp"
 #include "share/h5_file.hpp"
 #include "share/schema.hpp"
 
@@ -70,7 +70,7 @@ TestReport read_test_report(const RunReader& run) {
     }
     std::optional<BrazilianSplit> split;
     if (header.test == "brazilian") split = measure_split(report.data, report.curve, specimen, log);
-    report.objections = objections_to(report.data, split);
+    report.caveats = caveats_of(report.data, split);
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.at_end = balance_cracks(cracks, times.back());

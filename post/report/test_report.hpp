@@ -8,9 +8,9 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_summary.hpp"
+#include "post/measure/caveat.hpp"
 #include "post/measure/load_curve.hpp"
 #include "post/measure/moduli.hpp"
-#include "post/measure/objection.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/thresholds.hpp"
 
@@ -41,8 +41,8 @@ struct TestReport {
     std::optional<Thresholds> thresholds;  ///< 2D, compression tests
     std::optional<double> initiation;      ///< by crack count, Pa
     InitiationByDamage initiation_by_damage;
-    std::vector<Objection> objections;  ///< caveats of the strength
-    CrackBalance at_peak;               ///< by the event of the run
+    std::vector<Caveat> caveats;  ///< caveats of the strength
+    CrackBalance at_peak;         ///< by the event of the run
     CrackBalance at_end;
     FailureBranches branches;
     ModeCounts broken;                        ///< by the end, by the sign of the opening then

@@ -14,7 +14,7 @@ namespace graincrack {
 namespace {
 
 constexpr int digits = 7;
-constexpr int people_digits = 5;
+constexpr int terminal_digits = 5;
 
 std::string tsv_text(const Cell& cell) {
     std::string clean = cell.text();
@@ -48,7 +48,7 @@ std::string json_text(const Cell& cell) {
 /// As people read it: five digits of a real number.
 std::string aligned_text(const Cell& cell) {
     const bool real = cell.is_number() && cell.text().find_first_of(".e") != std::string::npos;
-    return real ? format_number(std::stod(cell.text()), people_digits) : cell.text();
+    return real ? format_number(std::stod(cell.text()), terminal_digits) : cell.text();
 }
 
 }  // namespace

@@ -111,10 +111,10 @@ TEST_F(Classes, TableHasARowAClassAndForPeopleTheirSum) {
     double share = 0;
     for (std::size_t row = 0; row < 5; ++row) share += std::stod(test::field(scripts.str(), "length_share", row));
     EXPECT_NEAR(share, 1, 1e-6);
-    std::ostringstream people;
-    write_class_counts(people, runs, std::nullopt);
-    EXPECT_NE(people.str().find("points past their peak"), std::string::npos) << people.str();
-    EXPECT_NE(people.str().find("\nall  "), std::string::npos) << people.str();
+    std::ostringstream terminal;
+    write_class_counts(terminal, runs, std::nullopt);
+    EXPECT_NE(terminal.str().find("points past their peak"), std::string::npos) << terminal.str();
+    EXPECT_NE(terminal.str().find("\nall  "), std::string::npos) << terminal.str();
 }
 
 TEST_F(Classes, CrackLogNamesTheClassWhereThereAreSeveralPhases) {

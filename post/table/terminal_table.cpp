@@ -1,4 +1,4 @@
-#include "post/table/people_table.hpp"
+#include "post/table/terminal_table.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,7 +16,7 @@ std::string entry(const std::string& cell) { return cell.empty() ? "-" : printab
 
 }  // namespace
 
-void PeopleTable::write(std::ostream& out) const {
+void TerminalTable::write(std::ostream& out) const {
     std::vector<std::size_t> widths;
     for (const Column& column : columns_) widths.push_back(std::max(width_of(column.heading), width_of(column.unit)));
     for (const Line& line : lines_) {

@@ -10,13 +10,13 @@
 
 namespace graincrack {
 
-class PeopleTable {
+class TerminalTable {
 public:
     struct Column {
         std::string heading;
         std::string unit;  ///< on a line below the headings
     };
-    explicit PeopleTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+    explicit TerminalTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
     /// A line above the rows that follow.
     void group(const std::string& title) { lines_.push_back({title, {}}); }
     /// \pre one cell a column; an empty one shows as a dash

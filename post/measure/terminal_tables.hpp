@@ -16,10 +16,10 @@ struct ScriptTable {
 };
 
 /// Strength, strain and cracks of each run, in groups of one test, pressure and plane condition, each with its mean.
-void write_strengths_for_people(std::ostream& out, const ScriptTable& table);
+void write_strengths_to_terminal(std::ostream& out, const ScriptTable& table);
 /// The rows of `strength --summary`.
-void write_summary_for_people(std::ostream& out, const ScriptTable& table);
+void write_summary_to_terminal(std::ostream& out, const ScriptTable& table);
 /// E and ν by gauges, by platens and predicted, in groups of one plane condition.
-void write_moduli_for_people(std::ostream& out, const ScriptTable& table);
+void write_moduli_to_terminal(std::ostream& out, const ScriptTable& table);
 
 }  // namespace graincrack

@@ -7,24 +7,24 @@
 #include <vector>
 
 #include "post/measure/brazilian.hpp"
+#include "post/measure/caveat.hpp"
 #include "post/measure/load_curve.hpp"
-#include "post/measure/objection.hpp"
 
 namespace graincrack {
 
 /// Reasons to doubt the strength of a run: it reached no peak; it was far from equilibrium; damping carried part of the load; a
 /// disc did not split from its middle. \param split of a Brazilian test, empty for others
-std::vector<Objection> objections_to(const RunData& run, const std::optional<BrazilianSplit>& split);
+std::vector<Caveat> caveats_of(const RunData& run, const std::optional<BrazilianSplit>& split);
 /// The same, read from the run. \param run the data of `reader`
-std::vector<Objection> objections_to(const RunReader& reader, const RunData& run);
+std::vector<Caveat> caveats_of(const RunReader& reader, const RunData& run);
 
 /// As a line below a picture: "caveat: first cracks at 0.81 R, not inside 0.5 R".
-std::string note_line(const Objection& objection);
+std::string note_line(const Caveat& caveat);
 
 /// The runs of a set with the caveats of their strengths.
-class ObjectionCount {
+class CaveatCount {
 public:
-    void add(const RunData& run, const std::vector<Objection>& objections);
+    void add(const RunData& run, const std::vector<Caveat>& caveats);
     /// "Brazilian: first cracks outside 0.5 R (9 of 9 runs)", a line for each test, pressure and kind; last the `tension_line`.
     [[nodiscard]] std::vector<std::string> lines() const;
     /// That direct tension is stronger than the Brazilian test, with what rock does; empty where it is not, without both tests,
@@ -45,6 +45,6 @@ private:
 };
 
 /// Reads runs, and counts the caveats of their strengths. \throws InputError
-std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, ObjectionCount& count);
+std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count);
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-#include "post/measure/objections.hpp"
+#include "post/measure/caveats.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace graincrack {
 
 namespace {
 
-void object_to_end(std::vector<Objection>& found, const RunData& run, const LoadCurve& curve) {
+void object_to_end(std::vector<Caveat>& found, const RunData& run, const LoadCurve& curve) {
     const std::string kind = peak_kind(run, curve);
     if (kind == "drop" || run.header.test == "program") return;  // the stages of a program need no peak
     const std::string text = kind == "cap" ? "no peak: the test was stopped at the strain limit"
@@ -21,7 +21,7 @@ void object_to_end(std::vector<Objection>& found, const RunData& run, const Load
     found.push_back({"no peak", text});
 }
 
-void object_to_damping(std::vector<Objection>& found, const RunHeader& header) {
+void object_to_damping(std::vector<Caveat>& found, const RunHeader& header) {
     if (!(header.damping_load > trusted_damping_load)) return;
     found.push_back(
         {"damping carries load",
@@ -32,9 +32,9 @@ void object_to_damping(std::vector<Objection>& found, const RunHeader& header) {
 
 }  // namespace
 
-std::vector<Objection> objections_to(const RunData& run, const std::optional<BrazilianSplit>& split) {
-    std::vector<Objection> found;
-    if (split) found = split->objections;
+std::vector<Caveat> caveats_of(const RunData& run, const std::optional<BrazilianSplit>& split) {
+    std::vector<Caveat> found;
+    if (split) found = split->caveats;
     object_to_end(found, run, load_curve(run));
     const std::string equilibrium = equilibrium_warning(run.header, run.history);
     if (!equilibrium.empty()) found.push_back({"far from equilibrium", equilibrium});
@@ -42,18 +42,18 @@ std::vector<Objection> objections_to(const RunData& run, const std::optional<Bra
     return found;
 }
 
-std::vector<Objection> objections_to(const RunReader& reader, const RunData& run) {
-    if (run.header.test != "brazilian") return objections_to(run, std::nullopt);
+std::vector<Caveat> caveats_of(const RunReader& reader, const RunData& run) {
+    if (run.header.test != "brazilian") return caveats_of(run, std::nullopt);
     const Specimen specimen = reader.specimen();
-    return objections_to(run, measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen)));
+    return caveats_of(run, measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen)));
 }
 
-std::string note_line(const Objection& objection) {
+std::string note_line(const Caveat& caveat) {
     constexpr std::size_t room = 43;  // characters that fit beside the words before, at the size of notes
-    return "caveat: " + (objection.text.size() <= room ? objection.text : objection.kind);
+    return "caveat: " + (caveat.text.size() <= room ? caveat.text : caveat.kind);
 }
 
-ObjectionCount::Group& ObjectionCount::group(const RunHeader& header) {
+CaveatCount::Group& CaveatCount::group(const RunHeader& header) {
     const std::string label = series_label(header.test, header.confining_pressure);
     const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
     if (found != groups_.end()) return *found;
@@ -61,15 +61,15 @@ ObjectionCount::Group& ObjectionCount::group(const RunHeader& header) {
     return groups_.back();
 }
 
-void ObjectionCount::add(const RunData& run, const std::vector<Objection>& objections) {
+void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
     Group& own = group(run.header);
     ++own.runs;
     own.sum += load_curve(run).peak_stress();
-    for (const Objection& objection : objections) {
+    for (const Caveat& caveat : caveats) {
         const auto known =
-            std::find_if(own.kinds.begin(), own.kinds.end(), [&](const auto& kind) { return kind.first == objection.kind; });
+            std::find_if(own.kinds.begin(), own.kinds.end(), [&](const auto& kind) { return kind.first == caveat.kind; });
         if (known == own.kinds.end()) {
-            own.kinds.emplace_back(objection.kind, 1);
+            own.kinds.emplace_back(caveat.kind, 1);
         } else {
             ++known->second;
         }
@@ -79,7 +79,7 @@ void ObjectionCount::add(const RunData& run, const std::vector<Objection>& objec
     if (!known) headers_.push_back(run.header);
 }
 
-std::vector<std::string> ObjectionCount::lines() const {
+std::vector<std::string> CaveatCount::lines() const {
     std::vector<std::string> lines;
     for (const Group& g : groups_) {
         for (const auto& [kind, runs] : g.kinds) {
@@ -91,13 +91,13 @@ std::vector<std::string> ObjectionCount::lines() const {
     return lines;
 }
 
-std::optional<double> ObjectionCount::mean_of(const std::string& test) const {
+std::optional<double> CaveatCount::mean_of(const std::string& test) const {
     const std::string label = series_label(test, 0);
     const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
     return found == groups_.end() ? std::nullopt : std::optional(found->sum / static_cast<double>(found->runs));
 }
 
-std::string ObjectionCount::tension_line() const {
+std::string CaveatCount::tension_line() const {
     const std::optional<double> brazilian = mean_of("brazilian");
     const std::optional<double> direct = mean_of("tension");
     if (!brazilian || !direct || !(*direct > *brazilian) || headers_.size() > 1) return "";
@@ -106,12 +106,12 @@ std::string ObjectionCount::tension_line() const {
         *direct / *brazilian);
 }
 
-std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, ObjectionCount& count) {
+std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count) {
     std::vector<RunData> runs;
     for (const std::string& path : paths) {
         const RunReader reader(path);
         runs.push_back(run_data(reader));
-        count.add(runs.back(), objections_to(reader, runs.back()));
+        count.add(runs.back(), caveats_of(reader, runs.back()));
     }
     return runs;
 }

@@ -1,4 +1,4 @@
-#include "post/measure/tables_for_people.hpp"
+#include "post/measure/terminal_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "post/fit/statistics.hpp"
 #include "post/measure/test_label.hpp"
-#include "post/table/people_table.hpp"
+#include "post/table/terminal_table.hpp"
 #include "share/units.hpp"
 
 namespace graincrack {
@@ -54,16 +54,16 @@ std::string mean_label(const Sample& strengths) {
 
 }  // namespace
 
-void write_strengths_for_people(std::ostream& out, const ScriptTable& table) {
-    PeopleTable people({{"run", ""},
-                        {"seed", ""},
-                        {"grains", ""},
-                        {"mean edge", "mm"},
-                        {"strength", "MPa"},
-                        {"at strain", "%"},
-                        {"ended by", ""},
-                        {"tensile", "cracks"},
-                        {"shear", "cracks"}});
+void write_strengths_to_terminal(std::ostream& out, const ScriptTable& table) {
+    TerminalTable people({{"run", ""},
+                          {"seed", ""},
+                          {"grains", ""},
+                          {"mean edge", "mm"},
+                          {"strength", "MPa"},
+                          {"at strain", "%"},
+                          {"ended by", ""},
+                          {"tensile", "cracks"},
+                          {"shear", "cracks"}});
     const auto title = [](const NamedRow& row) { return test_of(row) + ", plane " + row.text("plane"); };
     for (const auto& [name, rows] : grouped(table, title)) {
         people.group(name);
@@ -82,16 +82,16 @@ void write_strengths_for_people(std::ostream& out, const ScriptTable& table) {
     people.write(out);
 }
 
-void write_summary_for_people(std::ostream& out, const ScriptTable& table) {
-    PeopleTable people({{"test", ""},
-                        {"plane", ""},
-                        {"edge", "mm"},
-                        {"runs", ""},
-                        {"without peak", ""},
-                        {"strength", "MPa"},
-                        {"s.d.", "MPa"},
-                        {"95 % interval of the mean", "MPa"},
-                        {"over Brazilian", ""}});
+void write_summary_to_terminal(std::ostream& out, const ScriptTable& table) {
+    TerminalTable people({{"test", ""},
+                          {"plane", ""},
+                          {"edge", "mm"},
+                          {"runs", ""},
+                          {"without peak", ""},
+                          {"strength", "MPa"},
+                          {"s.d.", "MPa"},
+                          {"95 % interval of the mean", "MPa"},
+                          {"over Brazilian", ""}});
     for (const std::vector<Cell>& cells : table.rows) {
         const NamedRow row(table.columns, cells);
         const std::string low = row.shown("strength_low_MPa");
@@ -102,19 +102,19 @@ void write_summary_for_people(std::ostream& out, const ScriptTable& table) {
     people.write(out);
 }
 
-void write_moduli_for_people(std::ostream& out, const ScriptTable& table) {
-    PeopleTable people({{"run", ""},
-                        {"E", "GPa"},
-                        {"ν", ""},
-                        {"E in the plane", "GPa"},
-                        {"ν in the plane", ""},
-                        {"E by platens", "GPa"},
-                        {"E predicted", "GPa"},
-                        {"ν predicted", ""},
-                        {"E Voigt", "GPa"},
-                        {"E Reuss", "GPa"},
-                        {"crack initiation", "MPa"},
-                        {"crack damage", "MPa"}});
+void write_moduli_to_terminal(std::ostream& out, const ScriptTable& table) {
+    TerminalTable people({{"run", ""},
+                          {"E", "GPa"},
+                          {"ν", ""},
+                          {"E in the plane", "GPa"},
+                          {"ν in the plane", ""},
+                          {"E by platens", "GPa"},
+                          {"E predicted", "GPa"},
+                          {"ν predicted", ""},
+                          {"E Voigt", "GPa"},
+                          {"E Reuss", "GPa"},
+                          {"crack initiation", "MPa"},
+                          {"crack damage", "MPa"}});
     const auto title = [](const NamedRow& row) {
         return "plane " + row.text("plane") +
                (row.text("plane") == "strain" ? ": E and ν are material values, converted from those in the plane" : "");
