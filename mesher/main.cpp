@@ -14,11 +14,11 @@
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/size_check.hpp"
 #include "mesher/specimen_maker.hpp"
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/material.hpp"
-#include "share/progress.hpp"
-#include "share/provenance.hpp"
+#include "share/base/error.hpp"
+#include "share/base/progress.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/provenance.hpp"
+#include "share/rock/material.hpp"
 
 namespace {
 

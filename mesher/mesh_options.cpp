@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "mesher/plane/triangulation.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack::mesher {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mesher/specimen_maker.hpp"
-#include "share/progress.hpp"
+#include "share/base/progress.hpp"
 
 namespace graincrack::mesher {
 

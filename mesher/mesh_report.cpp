@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "mesher/assemblage/counts.hpp"
-#include "share/notch.hpp"
-#include "share/units.hpp"
+#include "share/base/units.hpp"
+#include "share/file/notch.hpp"
 
 namespace graincrack::mesher {
 

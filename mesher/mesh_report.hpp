@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesher/specimen_maker.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "share/fracture_process_zone.hpp"
-#include "share/units.hpp"
+#include "share/base/units.hpp"
+#include "share/rock/fracture_process_zone.hpp"
 
 namespace graincrack::mesher {
 

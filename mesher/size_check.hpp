@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack::mesher {
 

@@ -15,9 +15,9 @@
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "mesher/seeds/sampling.hpp"
-#include "share/error.hpp"
-#include "share/quantities.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/quantities.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::mesher {
 

@@ -8,7 +8,7 @@
 #include "mesher/fabric/strength_field.hpp"
 #include "mesher/region/shape.hpp"
 #include "mesher/seeds/relaxation.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -31,8 +31,8 @@
 #include "post/commands/summarize.hpp"
 #include "post/commands/trend.hpp"
 #include "post/cracks/crack_map.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "post/command_line.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 int main(int argc, char** argv) {
     return graincrack::run_tool("graincrack-post", [&] {

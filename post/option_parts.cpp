@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

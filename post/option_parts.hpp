@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "post/ccd/tables.hpp"
-#include "post/command.hpp"
 #include "post/cracks/export.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/fit/trend.hpp"
 #include "post/measure/strength.hpp"
+#include "post/options/command.hpp"
 #include "post/table/table.hpp"
-#include "share/incomplete_material.hpp"
+#include "share/rock/incomplete_material.hpp"
 
 namespace graincrack {
 

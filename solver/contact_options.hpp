@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 #include "solver/setup/request.hpp"
 
 namespace graincrack {

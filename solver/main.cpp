@@ -10,10 +10,10 @@
 #include <iostream>
 #include <numbers>
 
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/schema.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
 #include "solver/loading/program_text.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/checkpoint.hpp"

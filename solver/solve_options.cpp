@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <system_error>
 
-#include "share/command_line.hpp"
-#include "share/error.hpp"
-#include "share/output_file.hpp"
-#include "share/shared_file.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/shared_file.hpp"
+#include "share/base/units.hpp"
+#include "share/file/output_file.hpp"
+#include "share/options/command_line.hpp"
 #include "solver/contact_options.hpp"
 #include "solver/loading/program_file.hpp"
 #include "solver/run/checkpoint.hpp"

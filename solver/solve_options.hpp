@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "share/progress.hpp"
+#include "share/base/progress.hpp"
 #include "solver/setup/request.hpp"
 
 namespace graincrack {

@@ -1,7 +1,7 @@
 // A notch: grain boundaries that are broken from the start.
 #pragma once
 
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesher/elements/plane_mesh.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -3,7 +3,7 @@
 
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/region/region.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mesher/plane/random_numbers.hpp"
-#include "share/error.hpp"
-#include "share/quantities.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/quantities.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::mesher {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesher/plane/geometry.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

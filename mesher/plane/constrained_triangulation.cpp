@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 

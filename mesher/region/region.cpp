@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "mesher/plane/constrained_triangulation.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 

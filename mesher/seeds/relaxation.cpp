@@ -6,7 +6,7 @@
 
 #include "mesher/plane/constrained_triangulation.hpp"
 #include "mesher/seeds/orientation.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 

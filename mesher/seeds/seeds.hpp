@@ -6,7 +6,7 @@
 
 #include "mesher/plane/geometry.hpp"
 #include "mesher/plane/triangulation.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

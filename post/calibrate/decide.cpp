@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
 

@@ -8,7 +8,7 @@
 
 #include "post/calibrate/optimum.hpp"
 #include "post/calibrate/run.hpp"
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack::calibrate {
 

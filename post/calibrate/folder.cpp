@@ -10,9 +10,9 @@
 
 #include "post/calibrate/report.hpp"
 #include "post/table/table_file.hpp"
-#include "share/error.hpp"
-#include "share/incomplete_material.hpp"
-#include "share/output_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/output_file.hpp"
+#include "share/rock/incomplete_material.hpp"
 
 namespace graincrack::calibrate {
 

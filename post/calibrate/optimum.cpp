@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack::calibrate {
 

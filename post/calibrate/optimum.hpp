@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "post/calibrate/surface.hpp"
-#include "post/fit/logistic.hpp"
+#include "post/statistics/logistic.hpp"
 
 namespace graincrack::calibrate {
 

@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include "share/error.hpp"
-#include "share/incomplete_material.hpp"
-#include "share/mohr_coulomb.hpp"
-#include "share/units.hpp"
+#include "post/fit/mohr_coulomb.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/rock/incomplete_material.hpp"
 
 namespace graincrack::calibrate {
 

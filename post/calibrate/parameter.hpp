@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "post/calibrate/design.hpp"
-#include "share/material.hpp"
-#include "share/material_edit.hpp"
-#include "share/toml_file.hpp"
+#include "share/base/toml_file.hpp"
+#include "share/rock/material.hpp"
+#include "share/rock/material_edit.hpp"
 
 namespace graincrack::calibrate {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "post/calibrate/identify.hpp"
-#include "post/fit/regression.hpp"
-#include "share/units.hpp"
+#include "post/statistics/regression.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
 

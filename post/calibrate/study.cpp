@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
 

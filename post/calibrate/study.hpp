@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "post/calibrate/run.hpp"
-#include "share/toml_file.hpp"
+#include "share/base/toml_file.hpp"
 
 namespace graincrack::calibrate {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "share/error.hpp"
-#include "share/mohr_coulomb.hpp"
-#include "share/units.hpp"
+#include "post/fit/mohr_coulomb.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
 

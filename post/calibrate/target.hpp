@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "share/material.hpp"
-#include "share/toml_file.hpp"
+#include "share/base/toml_file.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack::calibrate {
 

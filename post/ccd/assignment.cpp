@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::ccd {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "post/ccd/assignment.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::ccd {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::ccd {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "post/fit/regression.hpp"
-#include "post/fit/statistics.hpp"
+#include "post/statistics/regression.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack::ccd {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "post/ccd/assignment.hpp"
-#include "post/fit/statistics.hpp"
-#include "share/error.hpp"
+#include "post/statistics/statistics.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::ccd {
 

@@ -9,8 +9,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/font.hpp"
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "share/printable.hpp"
+#include "share/base/printable.hpp"
 
 namespace graincrack {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "share/printable.hpp"
+#include "share/base/printable.hpp"
 
 namespace graincrack {
 

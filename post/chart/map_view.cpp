@@ -8,7 +8,7 @@
 #include "post/chart/font.hpp"
 #include "post/chart/labels.hpp"
 #include "post/chart/pixel_fill.hpp"
-#include "share/units.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -11,7 +11,7 @@
 #include "post/chart/drawing.hpp"
 #include "post/chart/page.hpp"
 #include "post/chart/picture_style.hpp"
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

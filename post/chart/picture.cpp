@@ -13,8 +13,8 @@
 #include <span>
 
 #include "post/chart/font.hpp"
-#include "share/error.hpp"
-#include "share/output_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/output_file.hpp"
 
 namespace graincrack {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "post/table/table_file.hpp"
-#include "share/error.hpp"
-#include "share/toml_file.hpp"
+#include "share/base/error.hpp"
+#include "share/base/toml_file.hpp"
 
 namespace graincrack::claims {
 

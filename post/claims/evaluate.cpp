@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "post/claims/levels.hpp"
-#include "post/fit/rank.hpp"
-#include "share/error.hpp"
+#include "post/statistics/rank.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::claims {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack::claims {
 

@@ -9,8 +9,8 @@
 #include "post/chart/picture.hpp"
 #include "post/option_parts.hpp"
 #include "post/plot/heat_map.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The command `calibrate`: the next runs of a calibration, or its end.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

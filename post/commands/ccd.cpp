@@ -2,7 +2,7 @@
 
 #include "post/ccd/tables.hpp"
 #include "post/option_parts.hpp"
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The commands `ccd design`, `ccd fit` and `ccd solve`: central composite designs.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -4,8 +4,8 @@
 
 #include "post/claims/claims_table.hpp"
 #include "post/option_parts.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

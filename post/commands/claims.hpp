@@ -1,7 +1,7 @@
 // The command `claims`: verdicts on the claims of a paper.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

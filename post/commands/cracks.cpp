@@ -3,7 +3,7 @@
 #include "post/cracks/class_counts.hpp"
 #include "post/option_parts.hpp"
 #include "post/table/table_form.hpp"
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

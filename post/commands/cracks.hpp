@@ -1,7 +1,7 @@
 // The command `cracks`: a run as a folder of files for ParaView and scripts.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "post/command.hpp"
 #include "post/fit/envelope.hpp"
+#include "post/options/command.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

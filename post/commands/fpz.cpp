@@ -8,9 +8,9 @@
 
 #include "post/fit/paper_rock.hpp"
 #include "post/option_parts.hpp"
-#include "share/command_line.hpp"
-#include "share/incomplete_material.hpp"
-#include "share/units.hpp"
+#include "share/base/units.hpp"
+#include "share/options/command_line.hpp"
+#include "share/rock/incomplete_material.hpp"
 
 namespace graincrack {
 

@@ -2,11 +2,11 @@
 
 #include "post/measure/history.hpp"
 #include "post/option_parts.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/probe_file.hpp"
-#include "share/schema.hpp"
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/probe_file.hpp"
+#include "share/file/schema.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

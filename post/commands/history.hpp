@@ -1,7 +1,7 @@
 // The command `history`: the rows of a run; of a loading program also its probes and stages.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "share/command_line.hpp"
-#include "share/contact_parameters.hpp"
-#include "share/file_checks.hpp"
-#include "share/h5_file.hpp"
-#include "share/printable.hpp"
-#include "share/probe_file.hpp"
-#include "share/provenance.hpp"
-#include "share/run_file.hpp"
-#include "share/schema.hpp"
-#include "share/units.hpp"
+#include "share/base/printable.hpp"
+#include "share/base/units.hpp"
+#include "share/file/file_checks.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/probe_file.hpp"
+#include "share/file/provenance.hpp"
+#include "share/file/run_file.hpp"
+#include "share/file/schema.hpp"
+#include "share/options/command_line.hpp"
+#include "share/rock/contact_parameters.hpp"
 
 namespace graincrack {
 

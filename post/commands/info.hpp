@@ -1,7 +1,7 @@
 // The command `info`: what is in a file, for a person; and its digest.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "post/option_parts.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
-#include "share/incomplete_material.hpp"
-#include "share/material_edit.hpp"
-#include "share/output_file.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/file/output_file.hpp"
+#include "share/options/command_line.hpp"
+#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material_edit.hpp"
 
 namespace graincrack {
 

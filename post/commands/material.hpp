@@ -1,7 +1,7 @@
 // The command `material`: a template of a material file, values of one, one with other values.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -7,7 +7,7 @@
 #include "post/measure/toughness.hpp"
 #include "post/option_parts.hpp"
 #include "post/table/table_form.hpp"
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

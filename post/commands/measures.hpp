@@ -1,7 +1,7 @@
 // The commands `strength`, `moduli` and `toughness`: what each run gives by itself, one row per run.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

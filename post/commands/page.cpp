@@ -1,7 +1,7 @@
 #include "post/commands/page.hpp"
 
 #include "post/report/page.hpp"
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

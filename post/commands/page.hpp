@@ -1,7 +1,7 @@
 // The command `page`: texts, tables and pictures of a study as one page.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The command `plot` with all its pictures.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The command `properties`: what specimens measure beside what the laboratory did.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -2,7 +2,7 @@
 
 #include "post/option_parts.hpp"
 #include "post/report/report.hpp"
-#include "share/output_file.hpp"
+#include "share/file/output_file.hpp"
 
 namespace graincrack {
 

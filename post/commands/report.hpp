@@ -1,7 +1,7 @@
 // The command `report`: a test or a set of tests as one HTML page.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The command `size-effect`: strength against grain size.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -2,7 +2,7 @@
 
 #include "post/option_parts.hpp"
 #include "post/summary/summarize.hpp"
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The command `summarize`: statistics of the rows of tables by groups.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // The command `trend`: a column of tables against another.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "post/cracks/contact_classes.hpp"
+#include "post/run/contact_classes.hpp"
 #include "post/table/terminal_table.hpp"
-#include "share/units.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

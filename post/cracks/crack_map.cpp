@@ -25,9 +25,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "post/cracks/run_state.hpp"
-#include "share/error.hpp"
-#include "share/output_file.hpp"
+#include "post/run/run_state.hpp"
+#include "share/base/error.hpp"
+#include "share/file/output_file.hpp"
 
 namespace graincrack {
 

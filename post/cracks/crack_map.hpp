@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "post/cracks/crack_label.hpp"
 #include "post/cracks/fragments.hpp"
-#include "share/run_file.hpp"
+#include "post/run/crack_label.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "share/run_file.hpp"
-#include "share/union_find.hpp"
+#include "share/base/union_find.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -4,7 +4,7 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
-#include "post/cracks/run_state.hpp"
+#include "post/run/run_state.hpp"
 
 namespace graincrack {
 

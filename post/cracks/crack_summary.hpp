@@ -9,7 +9,7 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/cracks/fragments.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

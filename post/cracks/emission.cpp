@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
-#include "share/fracture_process_zone.hpp"
-#include "share/union_find.hpp"
+#include "share/base/union_find.hpp"
+#include "share/rock/fracture_process_zone.hpp"
 
 namespace graincrack {
 

@@ -5,9 +5,9 @@
 #include <ostream>
 #include <vector>
 
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -8,17 +8,17 @@
 #include <utility>
 
 #include "post/cracks/class_counts.hpp"
-#include "post/cracks/contact_classes.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_map.hpp"
 #include "post/cracks/crack_summary.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/cracks/paraview_state.hpp"
 #include "post/cracks/rosette.hpp"
-#include "post/cracks/run_state.hpp"
-#include "share/error.hpp"
-#include "share/output_file.hpp"
-#include "share/output_lock.hpp"
+#include "post/run/contact_classes.hpp"
+#include "post/run/run_state.hpp"
+#include "share/base/error.hpp"
+#include "share/file/output_file.hpp"
+#include "share/file/output_lock.hpp"
 
 namespace graincrack {
 

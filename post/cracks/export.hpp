@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "post/cracks/crack_label.hpp"
 #include "post/cracks/emission.hpp"
-#include "share/progress.hpp"
-#include "share/run_file.hpp"
+#include "post/run/crack_label.hpp"
+#include "share/base/progress.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

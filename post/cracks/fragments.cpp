@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "share/union_find.hpp"
+#include "share/base/union_find.hpp"
 
 namespace graincrack {
 

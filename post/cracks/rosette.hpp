@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "post/table/table.hpp"
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <set>
 
-#include "post/fit/regression.hpp"
-#include "post/measure/comparable.hpp"
-#include "share/error.hpp"
+#include "post/run/comparable.hpp"
+#include "post/statistics/regression.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "post/fit/hoek_brown.hpp"
-#include "post/fit/statistics.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/fit/mohr_coulomb.hpp"
 #include "post/measure/strength.hpp"
-#include "share/mohr_coulomb.hpp"
+#include "post/run/load_curve.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "post/fit/nonlinear_fit.hpp"
+#include "post/statistics/nonlinear_fit.hpp"
 
 namespace graincrack {
 

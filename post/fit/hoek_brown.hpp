@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack {
 

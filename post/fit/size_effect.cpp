@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 
-#include "post/fit/nonlinear_fit.hpp"
 #include "post/fit/paper_rock.hpp"
-#include "post/measure/comparable.hpp"
-#include "share/error.hpp"
+#include "post/run/comparable.hpp"
+#include "post/statistics/nonlinear_fit.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

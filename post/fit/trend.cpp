@@ -8,7 +8,7 @@
 #include <set>
 
 #include "post/table/table_file.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

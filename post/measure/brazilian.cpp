@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/cracks/crack_label.hpp"
 #include "post/cracks/crack_network.hpp"
+#include "post/run/crack_label.hpp"
 
 namespace graincrack {
 

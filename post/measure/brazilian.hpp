@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "post/measure/caveat.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "post/cracks/run_state.hpp"
-#include "post/measure/comparable.hpp"
-#include "post/measure/test_label.hpp"
-#include "share/equilibrium.hpp"
+#include "post/run/comparable.hpp"
+#include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
+#include "share/file/equilibrium.hpp"
 
 namespace graincrack {
 

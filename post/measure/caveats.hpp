@@ -8,7 +8,7 @@
 
 #include "post/measure/brazilian.hpp"
 #include "post/measure/caveat.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 

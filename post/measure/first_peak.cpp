@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "post/fit/statistics.hpp"
 #include "post/measure/mean_over_strain.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "post/measure/load_curve.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <thread>
 
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
 
 namespace graincrack {
 

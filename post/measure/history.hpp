@@ -6,7 +6,7 @@
 #include <string>
 
 #include "post/table/table.hpp"
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "post/fit/statistics.hpp"
 #include "post/measure/terminal_tables.hpp"
 #include "post/measure/thresholds.hpp"
-#include "share/error.hpp"
+#include "post/statistics/statistics.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

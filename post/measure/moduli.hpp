@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 #include "post/table/table.hpp"
-#include "share/fracture_process_zone.hpp"
+#include "share/rock/fracture_process_zone.hpp"
 
 namespace graincrack {
 

@@ -7,12 +7,12 @@
 #include <map>
 #include <tuple>
 
-#include "post/measure/comparable.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/test_label.hpp"
+#include "post/run/comparable.hpp"
+#include "post/run/test_label.hpp"
 #include "post/table/terminal_table.hpp"
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "post/cracks/crack_counts.hpp"
-#include "post/cracks/run_state.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/terminal_tables.hpp"
-#include "share/error.hpp"
-#include "share/printable.hpp"
+#include "post/run/mode_counts.hpp"
+#include "post/run/run_state.hpp"
+#include "share/base/error.hpp"
+#include "share/base/printable.hpp"
 
 namespace graincrack {
 

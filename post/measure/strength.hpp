@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "post/measure/first_peak.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

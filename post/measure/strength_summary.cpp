@@ -5,10 +5,10 @@
 #include <tuple>
 
 #include "post/measure/caveats.hpp"
-#include "post/measure/comparable.hpp"
 #include "post/measure/grain_size.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/terminal_tables.hpp"
+#include "post/run/comparable.hpp"
 
 namespace graincrack {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "post/fit/statistics.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
+#include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

@@ -6,10 +6,10 @@
 #include <functional>
 #include <utility>
 
-#include "post/fit/statistics.hpp"
-#include "post/measure/test_label.hpp"
+#include "post/run/test_label.hpp"
+#include "post/statistics/statistics.hpp"
 #include "post/table/terminal_table.hpp"
-#include "share/units.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-#include "post/fit/statistics.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack {
 

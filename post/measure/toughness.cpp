@@ -8,11 +8,11 @@
 
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
-#include "share/error.hpp"
-#include "share/notch.hpp"
-#include "share/printable.hpp"
-#include "share/schema.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/printable.hpp"
+#include "share/base/units.hpp"
+#include "share/file/notch.hpp"
+#include "share/file/schema.hpp"
 
 namespace graincrack {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 #include "post/table/table.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack {
 

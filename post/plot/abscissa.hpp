@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "post/chart/axis.hpp"
-#include "post/measure/load_curve.hpp"
-#include "share/command_line.hpp"
+#include "post/run/load_curve.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

@@ -10,10 +10,10 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
 #include "post/chart/numbers.hpp"
-#include "post/cracks/run_state.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/error.hpp"
+#include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -3,8 +3,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
 #include "post/cracks/crack_counts.hpp"
+#include "post/options/command.hpp"
 #include "post/plot/abscissa.hpp"
 
 namespace graincrack {

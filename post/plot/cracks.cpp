@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "post/chart/map_view.hpp"
-#include "post/cracks/contact_classes.hpp"
-#include "post/cracks/run_state.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/measure/load_curve.hpp"
-#include "post/measure/test_label.hpp"
-#include "share/command_line.hpp"
+#include "post/run/contact_classes.hpp"
+#include "post/run/load_curve.hpp"
+#include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

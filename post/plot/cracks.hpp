@@ -7,9 +7,9 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/cracks/crack_label.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/run_file.hpp"
+#include "post/run/crack_label.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

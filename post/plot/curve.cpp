@@ -12,10 +12,10 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/run/test_label.hpp"
 #include "post/table/table_file.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -7,8 +7,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/options/command.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 

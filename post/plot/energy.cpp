@@ -6,8 +6,8 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/run/test_label.hpp"
 
 namespace graincrack {
 

@@ -6,8 +6,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
 #include "post/fit/envelope.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

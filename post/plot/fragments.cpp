@@ -6,9 +6,9 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/cracks/fragments.hpp"
-#include "post/cracks/run_state.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
 
 namespace graincrack {
 

@@ -1,7 +1,7 @@
 // Map of the fragments of a frame.
 #pragma once
 
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 #include "post/plot/cracks.hpp"
 
 namespace graincrack {

@@ -11,9 +11,9 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
-#include "share/run_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/run_file.hpp"
+#include "share/options/command_line.hpp"
 #include "solver/law/contact_law.hpp"
 
 namespace graincrack {

@@ -6,8 +6,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
-#include "share/material.hpp"
+#include "post/options/command.hpp"
+#include "share/rock/material.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {

@@ -1,7 +1,7 @@
 #include "post/plot/make_plot.hpp"
 
-#include "share/command_line.hpp"
-#include "share/quantities.hpp"
+#include "share/base/quantities.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

@@ -10,8 +10,8 @@
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
 #include "post/option_parts.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -9,11 +9,11 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
-#include "post/cracks/contact_classes.hpp"
-#include "post/cracks/run_state.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/error.hpp"
+#include "post/run/contact_classes.hpp"
+#include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -5,8 +5,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
 #include "post/cracks/rosette.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

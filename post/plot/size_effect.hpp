@@ -3,8 +3,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
 #include "post/fit/size_effect.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

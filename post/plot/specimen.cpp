@@ -10,10 +10,10 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/command_line.hpp"
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

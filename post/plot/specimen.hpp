@@ -5,8 +5,8 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
-#include "share/specimen.hpp"
+#include "post/options/command.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack {
 

@@ -10,8 +10,8 @@
 #include "post/measure/grain_size.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/run/test_label.hpp"
 
 namespace graincrack {
 

@@ -12,8 +12,8 @@
 #include "post/chart/contour.hpp"
 #include "post/chart/labels.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -4,7 +4,7 @@
 #include "post/ccd/tables.hpp"
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -7,7 +7,7 @@
 #include "post/chart/labels.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

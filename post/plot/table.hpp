@@ -6,7 +6,7 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command.hpp"
+#include "post/options/command.hpp"
 
 namespace graincrack {
 

@@ -7,10 +7,10 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/measure/thresholds.hpp"
 #include "post/plot/make_plot.hpp"
-#include "share/error.hpp"
+#include "post/run/test_label.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -6,7 +6,7 @@
 
 #include "post/fit/envelope.hpp"
 #include "post/report/test_report.hpp"
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -8,8 +8,8 @@
 
 #include "post/chart/page.hpp"
 #include "post/chart/picture.hpp"
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::html {
 

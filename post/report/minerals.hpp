@@ -7,7 +7,7 @@
 #include "post/cracks/class_counts.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/report/html.hpp"
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -16,8 +16,8 @@
 #include "post/table/condition.hpp"
 #include "post/table/table.hpp"
 #include "post/table/table_file.hpp"
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "post/fit/envelope.hpp"
-#include "post/measure/load_curve.hpp"
+#include "post/run/load_curve.hpp"
 #include "post/table/table.hpp"
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "post/measure/grain_size.hpp"
-#include "post/measure/test_label.hpp"
 #include "post/report/html.hpp"
+#include "post/run/test_label.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "post/cracks/crack_label.hpp"
 #include "post/measure/strength.hpp"
-#include "share/material.hpp"
-#include "share/progress.hpp"
+#include "post/run/crack_label.hpp"
+#include "share/base/progress.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "post/cracks/run_state.hpp"
 #include "post/measure/caveats.hpp"
-#include "share/h5_file.hpp"
-#include "share/schema.hpp"
+#include "post/run/run_state.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
 
 namespace graincrack {
 

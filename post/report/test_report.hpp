@@ -9,10 +9,10 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_summary.hpp"
 #include "post/measure/caveat.hpp"
-#include "post/measure/load_curve.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/thresholds.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 

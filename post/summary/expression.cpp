@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "post/table/condition.hpp"
-#include "share/error.hpp"
-#include "share/printable.hpp"
+#include "share/base/error.hpp"
+#include "share/base/printable.hpp"
 
 namespace graincrack::summary {
 

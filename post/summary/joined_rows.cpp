@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::summary {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
-#include "post/fit/statistics.hpp"
-#include "share/mohr_coulomb.hpp"
+#include "post/fit/mohr_coulomb.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack::summary {
 

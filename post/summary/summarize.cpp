@@ -8,7 +8,7 @@
 #include "post/summary/expression.hpp"
 #include "post/summary/text_template.hpp"
 #include "post/table/condition.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::summary {
 

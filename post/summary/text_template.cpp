@@ -9,7 +9,7 @@
 #include "post/summary/expression.hpp"
 #include "post/table/condition.hpp"
 #include "post/table/table.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::summary {
 

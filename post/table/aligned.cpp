@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "share/printable.hpp"
+#include "share/base/printable.hpp"
 
 namespace graincrack {
 

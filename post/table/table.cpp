@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "post/table/aligned.hpp"
-#include "share/printable.hpp"
-#include "share/units.hpp"
+#include "share/base/printable.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -12,7 +12,7 @@
 #include <iostream>
 #include <limits>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "share/command_line.hpp"
+#include "share/options/command_line.hpp"
 
 namespace graincrack {
 

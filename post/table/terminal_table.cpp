@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "post/table/aligned.hpp"
-#include "share/printable.hpp"
-#include "share/units.hpp"
+#include "share/base/printable.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

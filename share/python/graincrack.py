@@ -31,7 +31,7 @@ except ImportError as error:
 
 __all__ = ["FormatError", "GraincrackError", "Group", "MissingError", "Run", "Specimen", "Table"]
 
-SCHEMA_VERSION = 4  # as share/h5_file.hpp has it
+SCHEMA_VERSION = 4  # as share/file/h5_file.hpp has it
 
 
 class GraincrackError(Exception):

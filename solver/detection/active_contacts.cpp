@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "solver/arithmetic/simd.hpp"
 #include "solver/detection/node_edge_contact.hpp"
-#include "solver/simd.hpp"
 
 namespace graincrack {
 namespace {

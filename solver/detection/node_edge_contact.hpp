@@ -23,10 +23,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/arithmetic/simd.hpp"
+#include "solver/arithmetic/vector2.hpp"
 #include "solver/law/contact_law.hpp"
 #include "solver/model/contact_pairs.hpp"
-#include "solver/simd.hpp"
-#include "solver/vector2.hpp"
 
 namespace graincrack {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/arithmetic/simd.hpp"
 #include "solver/detection/node_edge_contact.hpp"
 #include "solver/model/state.hpp"
-#include "solver/simd.hpp"
 
 namespace graincrack {
 

@@ -29,7 +29,7 @@
 #include <limits>
 #include <vector>
 
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {

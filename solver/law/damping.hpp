@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "solver/vector2.hpp"
+#include "solver/arithmetic/vector2.hpp"
 
 namespace graincrack {
 

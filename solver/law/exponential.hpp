@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "solver/simd.hpp"
+#include "solver/arithmetic/simd.hpp"
 
 namespace graincrack {
 

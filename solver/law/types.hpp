@@ -9,8 +9,8 @@
 #include <limits>
 #include <string_view>
 
-#include "share/contact_parameters.hpp"
-#include "share/contact_state.hpp"
+#include "share/rock/contact_parameters.hpp"
+#include "share/rock/contact_state.hpp"
 
 namespace graincrack {
 

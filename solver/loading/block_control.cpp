@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 

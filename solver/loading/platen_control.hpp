@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "share/material.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
 #include "solver/loading/block_control.hpp"
 #include "solver/loading/rate_control.hpp"
 #include "solver/model/amplitude.hpp"

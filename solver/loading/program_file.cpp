@@ -10,8 +10,8 @@
 #include <iterator>
 #include <set>
 
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 #include "solver/loading/block_control.hpp"
 #include "solver/loading/toml_table.hpp"
 

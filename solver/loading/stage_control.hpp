@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/loading/platen_control.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/setup/program.hpp"

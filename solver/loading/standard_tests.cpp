@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "solver/setup/transit_time.hpp"
 
 namespace graincrack {

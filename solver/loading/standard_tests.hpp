@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "share/material.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
 #include "solver/setup/program.hpp"
 #include "solver/setup/request.hpp"
 

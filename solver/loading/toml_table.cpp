@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "share/error.hpp"
-#include "share/units.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "share/quantities.hpp"
-#include "share/toml_file.hpp"
+#include "share/base/quantities.hpp"
+#include "share/base/toml_file.hpp"
 
 namespace graincrack {
 

@@ -7,15 +7,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "share/fabric.hpp"
-#include "share/fracture_process_zone.hpp"
-#include "share/specimen.hpp"
+#include "share/file/fabric.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/fracture_process_zone.hpp"
+#include "solver/arithmetic/simd.hpp"
+#include "solver/arithmetic/vector2.hpp"
 #include "solver/model/element.hpp"
 #include "solver/model/node_order.hpp"
 #include "solver/model/range.hpp"
 #include "solver/model/surface.hpp"
-#include "solver/simd.hpp"
-#include "solver/vector2.hpp"
 
 namespace graincrack {
 

@@ -14,8 +14,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/arithmetic/vector2.hpp"
 #include "solver/model/memory.hpp"
-#include "solver/vector2.hpp"
 
 namespace graincrack {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "share/fracture_process_zone.hpp"
-#include "solver/vector2.hpp"
+#include "share/rock/fracture_process_zone.hpp"
+#include "solver/arithmetic/vector2.hpp"
 
 namespace graincrack {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "share/union_find.hpp"
+#include "share/base/union_find.hpp"
 
 namespace graincrack {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 #include "solver/model/range.hpp"
 
 namespace graincrack {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "share/error.hpp"
-#include "share/output_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/output_file.hpp"
 
 namespace graincrack {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/model/state.hpp"
 
 namespace graincrack {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/state.hpp"
 

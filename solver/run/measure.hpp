@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "share/union_find.hpp"
+#include "share/base/union_find.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/node_edge_contact.hpp"
 

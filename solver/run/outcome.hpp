@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 
 namespace graincrack {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "solver/setup/regions.hpp"
 
 namespace graincrack {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "share/probe_file.hpp"
+#include "share/file/probe_file.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
 #include "solver/setup/program.hpp"

@@ -7,9 +7,9 @@
 #include <functional>
 #include <span>
 
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/schema.hpp"
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
 #include "solver/loading/standard_tests.hpp"
 
 namespace graincrack {

@@ -1,7 +1,7 @@
 // The same grains of smaller elements.
 #pragma once
 
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack {
 

@@ -12,9 +12,9 @@
 #include <optional>
 #include <span>
 
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/schema.hpp"
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/run/measure.hpp"
 #include "solver/run/state_check.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "share/run_file.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/loading/stage_control.hpp"
 #include "solver/model/state.hpp"
 #include "solver/run/frame_output.hpp"

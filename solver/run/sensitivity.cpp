@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/refinement.hpp"
 

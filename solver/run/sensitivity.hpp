@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "share/sensitivity.hpp"
+#include "share/file/sensitivity.hpp"
 #include "solver/run/simulation.hpp"
 
 namespace graincrack {

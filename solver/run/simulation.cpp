@@ -10,10 +10,10 @@
 #include <numeric>
 #include <optional>
 
-#include "share/equilibrium.hpp"
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
-#include "share/output_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/equilibrium.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/output_file.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/crack_log.hpp"

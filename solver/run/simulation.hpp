@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "share/progress.hpp"
-#include "share/provenance.hpp"
-#include "share/run_file.hpp"
+#include "share/base/progress.hpp"
+#include "share/file/provenance.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/run/outcome.hpp"
 #include "solver/setup/request.hpp"
 

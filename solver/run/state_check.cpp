@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "solver/detection/pair_list.hpp"
 #include "solver/model/contact_pairs.hpp"
 

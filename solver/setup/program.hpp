@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include "share/probe_file.hpp"
-#include "share/run_file.hpp"
+#include "share/file/probe_file.hpp"
+#include "share/file/run_file.hpp"
+#include "solver/arithmetic/vector2.hpp"
 #include "solver/model/amplitude.hpp"
-#include "solver/vector2.hpp"
 
 namespace graincrack {
 

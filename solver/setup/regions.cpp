@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "share/material.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
 #include "solver/setup/program.hpp"

@@ -9,11 +9,11 @@
 #include <string>
 #include <string_view>
 
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
+#include "solver/arithmetic/simd.hpp"
 #include "solver/law/contact_law.hpp"
 #include "solver/law/damping.hpp"
 #include "solver/setup/program.hpp"
-#include "solver/simd.hpp"
 
 namespace graincrack {
 

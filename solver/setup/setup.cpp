@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "solver/setup/element_mass.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"

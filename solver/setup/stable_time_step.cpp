@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack {
 namespace {

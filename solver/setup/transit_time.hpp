@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "share/material.hpp"
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/simd.hpp"
+#include "solver/arithmetic/simd.hpp"
 
 namespace graincrack {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "solver/simd.hpp"
+#include "solver/arithmetic/simd.hpp"
 
 namespace graincrack {
 namespace {

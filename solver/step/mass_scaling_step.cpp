@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "solver/simd.hpp"
+#include "solver/arithmetic/simd.hpp"
 
 namespace graincrack {
 namespace {

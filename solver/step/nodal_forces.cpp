@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "solver/simd.hpp"
+#include "solver/arithmetic/simd.hpp"
 #include "solver/step/element_forces.hpp"
 #include "solver/step/prescribed.hpp"
 

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <string_view>
 
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
 #include "tests/benchmark/stages.hpp"
 
 namespace graincrack::benchmark {

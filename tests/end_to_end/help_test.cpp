@@ -3,8 +3,8 @@
 #include <regex>
 #include <vector>
 
-#include "share/contact_parameters.hpp"
-#include "share/option_variables.hpp"
+#include "share/options/option_variables.hpp"
+#include "share/rock/contact_parameters.hpp"
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -230,7 +230,7 @@ TEST(Help, EveryOptionIsAmongThoseOfAllTools) {
         for (const std::string& name : options_of(help)) {
             const bool exempt = std::count(without_variable.begin(), without_variable.end(), name) > 0;
             EXPECT_TRUE(exempt || std::count(known.begin(), known.end(), name) > 0)
-                << command << " has --" << name << ", which share/option_variables.cpp does not list";
+                << command << " has --" << name << ", which share/options/option_variables.cpp does not list";
         }
     };
     for (const char* tool : {"graincrack-mesh", "graincrack-solve", "graincrack-post"}) check(tool);

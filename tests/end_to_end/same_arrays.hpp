@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "share/h5_file.hpp"
+#include "share/file/h5_file.hpp"
 
 namespace graincrack::test {
 

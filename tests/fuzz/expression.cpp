@@ -1,7 +1,7 @@
 // What `summarize` makes of a table: an expression, and the same text as a template with numbers in it.
 #include "post/summary/expression.hpp"
 #include "post/summary/text_template.hpp"
-#include "share/printable.hpp"
+#include "share/base/printable.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

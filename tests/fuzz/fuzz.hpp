@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::fuzz {
 

@@ -1,9 +1,9 @@
 // Numbers with units: the first byte chooses the quantity, the rest is what a user wrote.
 #include <array>
 
-#include "share/contact_parameters.hpp"
-#include "share/quantities.hpp"
-#include "share/units.hpp"
+#include "share/base/quantities.hpp"
+#include "share/base/units.hpp"
+#include "share/rock/contact_parameters.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

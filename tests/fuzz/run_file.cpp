@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "share/h5_file.hpp"
-#include "share/provenance.hpp"
-#include "share/run_file.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/provenance.hpp"
+#include "share/file/run_file.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/run/saved_state.hpp"
 #include "solver/run/simulation.hpp"

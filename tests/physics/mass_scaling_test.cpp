@@ -10,7 +10,7 @@
 #include <map>
 #include <numeric>
 
-#include "share/h5_file.hpp"
+#include "share/file/h5_file.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "mesher/specimen_maker.hpp"
-#include "share/error.hpp"
-#include "share/h5_file.hpp"
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/phases.hpp"

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "mesher/specimen_maker.hpp"
-#include "share/specimen_validation.hpp"
+#include "share/file/specimen_validation.hpp"
 #include "solver/loading/program_file.hpp"
 #include "solver/loading/standard_tests.hpp"
 #include "solver/model/assemblage.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "share/h5_file.hpp"
+#include "share/file/h5_file.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/phases.hpp"

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack::test {
 

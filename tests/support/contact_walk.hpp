@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "share/material.hpp"
+#include "share/rock/material.hpp"
 #include "solver/law/contact_law.hpp"
 
 namespace graincrack::test {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "share/fabric.hpp"
+#include "share/file/fabric.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/small_run.hpp"
 

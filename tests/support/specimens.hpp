@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "share/specimen.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::test {
 

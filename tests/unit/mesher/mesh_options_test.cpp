@@ -10,8 +10,8 @@
 #include <fstream>
 #include <string>
 
-#include "share/h5_file.hpp"
-#include "share/specimen.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack {
 namespace {

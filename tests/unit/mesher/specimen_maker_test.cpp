@@ -9,8 +9,8 @@
 
 #include "mesher/mesh_report.hpp"
 #include "mesher/seeds/orientation.hpp"
-#include "share/error.hpp"
-#include "share/specimen_validation.hpp"
+#include "share/base/error.hpp"
+#include "share/file/specimen_validation.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {

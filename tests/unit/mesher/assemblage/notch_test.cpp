@@ -8,7 +8,7 @@
 #include <string>
 
 #include "mesher/specimen_maker.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {

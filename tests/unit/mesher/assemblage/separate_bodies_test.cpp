@@ -10,8 +10,8 @@
 #include "mesher/elements/constrained.hpp"
 #include "mesher/elements/lattice.hpp"
 #include "mesher/specimen_maker.hpp"
-#include "share/error.hpp"
-#include "share/specimen_validation.hpp"
+#include "share/base/error.hpp"
+#include "share/file/specimen_validation.hpp"
 
 namespace graincrack::mesher {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {

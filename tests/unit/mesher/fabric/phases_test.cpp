@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "tests/unit/mesher/fabric/test_requests.hpp"
 
 namespace graincrack::mesher {

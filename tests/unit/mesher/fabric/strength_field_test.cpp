@@ -8,7 +8,7 @@
 #include <string>
 
 #include "mesher/plane/random_numbers.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "tests/unit/mesher/fabric/test_requests.hpp"
 
 namespace graincrack::mesher {

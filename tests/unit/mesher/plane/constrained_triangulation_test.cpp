@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {

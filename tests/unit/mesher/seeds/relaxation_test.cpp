@@ -8,7 +8,7 @@
 
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/sampling.hpp"
-#include "share/error.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {

@@ -1,0 +1,173 @@
+#include "post/run/load_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "post/run/mode_counts.hpp"
+#include "share/base/error.hpp"
+#include "share/file/file_checks.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
+
+namespace graincrack {
+
+namespace {
+
+using enum HistoryColumn;
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+    std::vector<double> out(values.size());
+    std::transform(values.begin(), values.end(), out.begin(), [factor](double v) { return factor * v; });
+    return out;
+}
+
+/// 2 F/(π t D), Eq 18, compression positive, with F the mean of the platen forces.
+std::vector<double> brazilian_stress(const History& history, double diameter) {
+    std::vector<double> stress(history.size());
+    for (std::size_t i = 0; i < stress.size(); ++i) {
+        const double force = -(history[force_top][i] + history[force_bottom][i]) / 2;
+        stress[i] = 2 * force / (std::numbers::pi * diameter);
+    }
+    return stress;
+}
+
+/// A NaN in the stress would make the search for the largest stress end there. \throws InputError
+void require_numbers(const LoadCurve& curve, const std::string& name) {
+    for (std::size_t row = 0; row < curve.stress.size(); ++row) {
+        if (std::isfinite(curve.stress[row]) && std::isfinite(curve.axial_strain[row])) continue;
+        throw InputError(name + ": row " + std::to_string(row) +
+                         " of /history has a stress or strain that is no number; the run failed there");
+    }
+}
+
+}  // namespace
+
+SpecimenSummary specimen_summary(const H5Input& file) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    SpecimenSummary summary;
+    summary.width = file.attribute<double>(schema::specimen_group, "width");
+    summary.height = file.attribute<double>(schema::specimen_group, "height");
+    summary.seed = file.attribute_or<std::int64_t>(schema::specimen_group, "seed", 0);
+    summary.mean_edge = file.attribute_or<double>(schema::specimen_group, "mean_edge", unknown);
+    summary.grains = static_cast<std::int64_t>(rows_of(file, schema::grain_phase.path));
+    return summary;
+}
+
+RunData run_data(const RunReader& run, const CrackLabelChoice& label) {
+    RunData data{run.name(), run.header(), run.history(), specimen_summary(run.file()), run.wall_time()};
+    count_in_history(labelled(run.cracks(), label.of(run.header())), data.history);
+    return data;
+}
+
+RunData read_run_data(const std::string& path) { return run_data(RunReader(path)); }
+
+std::vector<RunData> read_runs(const std::vector<std::string>& paths) {
+    std::vector<RunData> runs;
+    runs.reserve(paths.size());
+    for (const std::string& path : paths) runs.push_back(read_run_data(path));
+    return runs;
+}
+
+LoadCurve load_curve(const RunData& run) {
+    const History& history = run.history;
+    if (history.size() < 3) {
+        throw InputError(run.name + ": /history has " + std::to_string(history.size()) + " rows; a curve needs at least 3");
+    }
+    const double sense = run.header.test == "tension" ? 1 : -1;
+    LoadCurve curve;
+    curve.axial_strain = scaled(history[axial_strain], sense);
+    curve.gauge_axial_strain = scaled(history[gauge_axial_strain], sense);
+    curve.lateral_strain = history[lateral_strain];
+    curve.gauge_lateral_strain = history[gauge_lateral_strain];
+    curve.stress =
+        run.header.test == "brazilian" ? brazilian_stress(history, run.specimen.width) : scaled(history[axial_stress], sense);
+
+    require_numbers(curve, run.name);
+
+    const auto& times = history[HistoryColumn::time];
+    const auto begin = std::lower_bound(times.begin(), times.end(), run.header.isotropic_end_time * (1 - 1e-12));
+    curve.start = static_cast<std::size_t>(begin - times.begin());
+    if (curve.start + 2 > history.size()) {
+        throw InputError(run.name + ": the history ends before axial loading begins; run the test further");
+    }
+    const auto from = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.start);
+    const auto peak = std::max_element(from, curve.stress.end());
+    curve.peak = static_cast<std::size_t>(peak - curve.stress.begin());
+    if (!(curve.peak_stress() > 0) || !(curve.peak_stress() > curve.start_stress())) {
+        throw InputError(run.name + ": the stress never rises in the sense of a " + run.header.test +
+                         " test; expected a history of a specimen that was loaded");
+    }
+    return curve;
+}
+
+std::optional<LoadCurve> load_curve_if_any(const RunData& run) {
+    try {
+        return load_curve(run);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+double CurvePoint::of(const std::vector<double>& column) const {
+    if (share == 0) return column[row];
+    return column[row] + share * (column[row + 1] - column[row]);
+}
+
+CurvePoint share_of_peak(const LoadCurve& curve, double share) {
+    const double wanted = curve.start_stress() + (curve.peak_stress() - curve.start_stress()) * share;
+    std::size_t row = curve.start;
+    while (row + 1 < curve.peak && curve.stress[row + 1] < wanted) ++row;
+    return {row, (wanted - curve.stress[row]) / (curve.stress[row + 1] - curve.stress[row])};
+}
+
+RowRange rows_between(const LoadCurve& curve, double low_share, double high_share) {
+    return {share_of_peak(curve, low_share).row, share_of_peak(curve, high_share).row + 2};
+}
+
+std::optional<double> first_yield(const LoadCurve& curve) {
+    const CurvePoint half = half_peak(curve);
+    const double strain_start = curve.axial_strain[curve.start];
+    const double compliance = (half.of(curve.axial_strain) - strain_start) / (half.of(curve.stress) - curve.start_stress());
+    const auto offset = [&](std::size_t row) {
+        return curve.axial_strain[row] - strain_start - compliance * (curve.stress[row] - curve.start_stress());
+    };
+    for (std::size_t row = half.row + 1; row <= curve.peak; ++row) {
+        const double now = offset(row);
+        if (now < yield_offset) continue;
+        const double before = row == half.row + 1 ? 0.0 : offset(row - 1);
+        const double share = now > before ? std::clamp((yield_offset - before) / (now - before), 0.0, 1.0) : 1.0;
+        return curve.stress[row - 1] + share * (curve.stress[row] - curve.stress[row - 1]);
+    }
+    return std::nullopt;
+}
+
+std::optional<double> stress_at_strain(const LoadCurve& curve, double strain) {
+    for (std::size_t row = curve.start; row < curve.stress.size(); ++row) {
+        const double now = curve.axial_strain[row];
+        if (now < strain) continue;
+        if (row == curve.start) return curve.stress[row];
+        const double before = curve.axial_strain[row - 1];
+        return CurvePoint{row - 1, (strain - before) / (now - before)}.of(curve.stress);
+    }
+    return std::nullopt;
+}
+
+bool is_compression(const RunHeader& header) { return header.test == "uniaxial" || header.test == "triaxial"; }
+
+double decisive_drop(const RunHeader& header) {
+    // A test may be continued far beyond the drop that makes its largest stress a peak.
+    constexpr double usual_drop = 0.3;
+    return header.peak_drop > 0 ? std::min(header.peak_drop, usual_drop) : usual_drop;
+}
+
+std::string peak_kind(const RunData& run, const LoadCurve& curve) {
+    if (run.header.stop_reason == "peak drop") return "drop";
+    const auto after = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.peak);
+    const double lowest = *std::min_element(after, curve.stress.end());
+    if (lowest <= (1 - decisive_drop(run.header)) * curve.peak_stress()) return "drop";
+    return run.header.stop_reason == "strain limit" ? "cap" : "";
+}
+
+}  // namespace graincrack

@@ -1,0 +1,95 @@
+// The stress–strain curve of a test with signs in the sense of its loading, and the points that all tables take from it.
+//
+// Here, unlike in files, stress and axial strain are positive in the sense of the test: compression for uniaxial,
+// triaxial and brazilian, tension for tension. For brazilian the stress is 2 F/(π t D) (Eq 18), t = 1 m, F the mean of
+// the two platen forces; for the others it is the axial stress of the history.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/run/crack_label.hpp"
+#include "share/file/run_file.hpp"
+
+namespace graincrack {
+
+/// Attributes of the specimen that tables need, without its arrays; NaN for those that the file does not hold.
+struct SpecimenSummary {
+    double width = 0;   ///< m
+    double height = 0;  ///< m
+    std::int64_t seed = 0;
+    std::int64_t grains = 0;
+    double mean_edge = 0;  ///< m
+};
+SpecimenSummary specimen_summary(const H5Input& file);
+
+/// A finished test without its frames and its crack log.
+struct RunData {
+    std::string name;  ///< file, for messages and tables
+    RunHeader header;
+    History history;
+    SpecimenSummary specimen;
+    double wall_time = 0;  ///< s
+};
+/// \param path a run file or "-" \throws InputError
+RunData read_run_data(const std::string& path);
+/// The same for each of several, in their order.
+std::vector<RunData> read_runs(const std::vector<std::string>& paths);
+/// \param label of the cracks that the history then counts; the file itself counts points past their peak, by the sign of the
+///        opening
+RunData run_data(const RunReader& run, const CrackLabelChoice& label = {});
+
+struct LoadCurve {
+    std::vector<double> axial_strain;    ///< platen approach over height
+    std::vector<double> lateral_strain;  ///< elongation positive, in every test
+    std::vector<double> gauge_axial_strain;
+    std::vector<double> gauge_lateral_strain;
+    std::vector<double> stress;  ///< Pa
+    std::size_t start = 0;       ///< row at which axial loading begins: 0, or the end of the isotropic stage
+    std::size_t peak = 0;        ///< row of the largest stress from `start` on
+    [[nodiscard]] double start_stress() const { return stress[start]; }
+    [[nodiscard]] double peak_stress() const { return stress[peak]; }
+};
+
+/// \throws InputError if the history is too short, or never loads the specimen in the sense of its test
+LoadCurve load_curve(const RunData& run);
+/// Empty for a run that was never loaded along its axis, such as a program of other motions.
+std::optional<LoadCurve> load_curve_if_any(const RunData& run);
+
+/// A point between two rows: share 0 is `row`, share 1 is `row + 1`.
+struct CurvePoint {
+    std::size_t row = 0;
+    double share = 0;
+    [[nodiscard]] double of(const std::vector<double>& column) const;
+};
+/// Where the stress, before the peak, first reaches a share of its way from `start` to the peak. \pre 0 < share ≤ 1
+CurvePoint share_of_peak(const LoadCurve& curve, double share);
+inline CurvePoint half_peak(const LoadCurve& curve) { return share_of_peak(curve, 0.5); }
+/// Rows [begin, end) between two such points; the rows on either side are included, so that there are two at least.
+struct RowRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+RowRange rows_between(const LoadCurve& curve, double low_share, double high_share);
+
+/// Stress at first yield, Pa: where, after half the peak and no later than the peak, the platen strain first exceeds the
+/// chord from the start to half the peak, prolonged, by 0.01 % strain. Empty if it never does (brittle failure).
+std::optional<double> first_yield(const LoadCurve& curve);
+inline constexpr double yield_offset = 1e-4;
+
+/// Stress where the platen strain first reaches a strain, before or after the peak, Pa. Empty if the test ended before.
+std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
+
+/// Uniaxial or triaxial.
+bool is_compression(const RunHeader& header);
+
+/// The fall behind the largest stress, as a share of it, that makes it a peak: that which ends the test, at most 0.3.
+double decisive_drop(const RunHeader& header);
+
+/// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the test was stopped at the strain limit
+/// before that; "" for a test that was stopped otherwise, whose largest stress is no peak.
+std::string peak_kind(const RunData& run, const LoadCurve& curve);
+
+}  // namespace graincrack

@@ -1,0 +1,31 @@
+// Labels of tests and states in titles and tables.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "post/run/load_curve.hpp"
+
+namespace graincrack {
+
+/// "Uniaxial compression, Augig granite"; triaxial names its confinement.
+std::string test_title(const RunHeader& header);
+
+/// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension".
+std::string series_label(const std::string& test, double confining_pressure);
+
+/// "peak", or for a run without one "largest stress".
+std::string peak_label(const RunData& run);
+
+/// A short name for each run of a set: its test, and what else differs between those of one test (seed, mean edge, law, plane,
+/// platen speed); the name of its file where nothing does.
+std::vector<std::string> names_apart(const std::vector<RunData>& runs);
+
+/// Contacts as a whole number: one of whose two points only one has failed counts as one.
+std::string whole_contacts(double contacts);
+
+/// "1 fragment", "2 fragments". \param what in the singular
+std::string counted(std::size_t n, const std::string& what);
+
+}  // namespace graincrack

@@ -1,0 +1,51 @@
+#include "post/statistics/statistics.hpp"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace graincrack {
+
+double student_t_95(int degrees_of_freedom) { return gsl_cdf_tdist_Pinv(0.975, degrees_of_freedom); }
+
+Estimate estimate(double value, double variance, int degrees_of_freedom) {
+    if (degrees_of_freedom < 1) return {value, std::nullopt, std::nullopt};
+    const double half = student_t_95(degrees_of_freedom) * std::sqrt(std::max(variance, 0.0));
+    return {value, value - half, value + half};
+}
+
+Sample sample(std::span<const double> values) {
+    const std::size_t n = values.size();
+    Sample s{n, {gsl_stats_mean(values.data(), 1, n), std::nullopt, std::nullopt}, std::nullopt};
+    if (n < 2) return s;
+    s.deviation = gsl_stats_sd_m(values.data(), 1, n, s.mean.value);
+    s.mean = estimate(s.mean.value, *s.deviation * *s.deviation / static_cast<double>(n), static_cast<int>(n) - 1);
+    return s;
+}
+
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights) {
+    const std::size_t n = x.size();
+    if (n < 2 || std::all_of(x.begin(), x.end(), [&](double value) { return value == x[0]; })) return std::nullopt;
+    Line line;
+    gsl_fit_wlinear(x.data(), 1, weights.data(), 1, y.data(), 1, n, &line.intercept, &line.slope, &line.intercept_variance,
+                    &line.covariance, &line.slope_variance, &line.residual_sum);
+    line.freedom = static_cast<int>(n) - 2;
+    // GSL takes the weights for true variances; only their ratios are meant here.
+    const double unit = line.freedom > 0 ? line.residual_sum / line.freedom : 0;
+    line.intercept_variance *= unit;
+    line.slope_variance *= unit;
+    line.covariance *= unit;
+    const double total = gsl_stats_wtss(weights.data(), 1, y.data(), 1, n);
+    line.r_squared = total > 0 ? 1 - line.residual_sum / total : 1;
+    return line;
+}
+
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
+    return fit_line(x, y, std::vector<double>(x.size(), 1.0));
+}
+
+}  // namespace graincrack

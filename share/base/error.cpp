@@ -1,0 +1,100 @@
+#include "share/base/error.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "share/base/printable.hpp"
+
+namespace graincrack {
+namespace {
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+/// The second signal ends the tool at once; but for SIGHUP, which both the shell and the system send when a terminal is closed.
+void remember_signal(int signal) {
+    if (caught_signal != 0 && signal != SIGHUP) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+    caught_signal = signal;
+}
+
+constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns of a table has some thousand
+
+int report(const std::string& tool, const std::string& message, ExitCode code) {
+    std::string line = message;
+    for (char& c : line) {
+        if (c == '\n') {
+            c = ' ';
+        }
+    }
+    std::fprintf(stderr, "%s: %s\n", tool.c_str(), shortened(printable(line), longest_message).c_str());
+    return static_cast<int>(code);
+}
+
+/// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using it fails.
+void open_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0) {
+            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        }
+    }
+}
+
+/// \throws OutputError if not all that was printed has gone out
+void flush_stdout() {
+    errno = 0;
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw OutputError(std::string("stdout: could not be written whole") + (errno != 0 ? ": " : "") +
+                          (errno != 0 ? std::strerror(errno) : ""));
+    }
+}
+
+}  // namespace
+
+int run_tool(const std::string& tool, const std::function<int()>& body) {
+    open_closed_streams();
+    std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size cannot be written, as on a full disk
+    try {
+        const int code = body();
+        flush_stdout();
+        return code;
+    } catch (const Interrupted& stopped) {
+        std::fprintf(stderr, "%s: stopped by signal %d\n", tool.c_str(), stopped.signal());
+        return 128 + stopped.signal();
+    } catch (const Error& error) {
+        return report(tool, error.what(), error.code());
+    } catch (const std::bad_alloc&) {
+        return report(tool, "out of memory: use a smaller specimen or fewer frames", ExitCode::internal);
+    } catch (const std::exception& error) {
+        return report(tool, std::string("internal error: ") + error.what(), ExitCode::internal);
+    }
+}
+
+void catch_stop_signals() {
+    std::signal(SIGINT, remember_signal);
+    std::signal(SIGTERM, remember_signal);
+    if (std::signal(SIGHUP, remember_signal) == SIG_IGN) {
+        std::signal(SIGHUP, SIG_IGN);  // of nohup
+    }
+}
+
+int stop_signal() noexcept { return caught_signal; }
+
+void throw_if_interrupted() {
+    if (caught_signal != 0) {
+        throw Interrupted(caught_signal);
+    }
+}
+
+}  // namespace graincrack

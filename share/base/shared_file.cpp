@@ -1,0 +1,60 @@
+#include "share/base/shared_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "share/base/error.hpp"
+#include "share/base/toml_file.hpp"
+
+namespace graincrack {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> SharedFolder::places() const {
+    std::vector<fs::path> folders;
+    const char* own = variable != nullptr ? std::getenv(variable) : nullptr;
+    if (own != nullptr && *own != '\0') folders.emplace_back(own);
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    if (!unknown) folders.push_back((program.parent_path() / GRAINCRACK_SHARE_FROM_PROGRAM / folder).lexically_normal());
+    return folders;
+}
+
+fs::path SharedFolder::find(const std::string& name_or_file) const {
+    std::error_code ignored;
+    fs::path path(name_or_file);
+    if (name_or_file.find('/') != std::string::npos || path.extension() == ".toml" || fs::is_regular_file(path, ignored)) {
+        return path;
+    }
+    std::vector<std::string> known;
+    std::vector<std::string> looked_in;
+    for (const fs::path& place : places()) {
+        fs::path file = place / (name_or_file + ".toml");
+        if (fs::is_regular_file(file, ignored)) return file;
+        looked_in.push_back(place.string());
+        for (fs::directory_iterator entry(place, ignored); entry != fs::directory_iterator(); entry.increment(ignored)) {
+            if (ignored) break;
+            if (entry->path().extension() == ".toml") known.push_back(entry->path().stem().string());
+        }
+    }
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    throw InputError(fmt::format("{} {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too", what,
+                                 name_or_file, did_you_mean(name_or_file, known),
+                                 known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(looked_in, ", ")));
+}
+
+const SharedFolder& materials() {
+    static const SharedFolder folder{"material", "materials", "GRAINCRACK_MATERIALS"};
+    return folder;
+}
+
+const SharedFolder& loading_programs() {
+    static const SharedFolder folder{"program", "programs"};
+    return folder;
+}
+
+}  // namespace graincrack

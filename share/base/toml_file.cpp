@@ -1,0 +1,151 @@
+#include "share/base/toml_file.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+
+namespace graincrack {
+namespace {
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+TomlValue value_of(const toml::node& node, const std::string& file, std::string_view key) {
+    if (const auto* text = node.as_string()) return {TomlValue::Kind::text, text->get()};
+    if (const auto* number = node.as_integer()) return {TomlValue::Kind::number, fmt::format("{}", number->get())};
+    if (const auto* number = node.as_floating_point()) return {TomlValue::Kind::number, format_number(number->get())};
+    if (const auto* flag = node.as_boolean()) return {TomlValue::Kind::boolean, flag->get() ? "true" : "false"};
+    throw InputError(fmt::format("{}: line {}: {} is a {}; a text, a number, true, false or an array of these fits", file,
+                                 line_of(node), key,
+                                 node.is_table()   ? "table in an array"
+                                 : node.is_array() ? "nested array"
+                                                   : "date or time"));
+}
+
+constexpr std::size_t max_nesting = 200;  // of keys by dots; ours are three deep
+
+/// The parser nests tables by the dots of a key, and what frees them needs stack for each.
+/// \throws InputError for a key with more dots than that
+void require_shallow_keys(const std::string& text, const std::string& file) {
+    int line = 1;
+    std::size_t dots = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '\n') ++line;
+        if (c == '"' || c == '\'') {  // what stands in quotes has no part in it
+            std::size_t end = at + 1;
+            while (end < text.size() && text[end] != c && text[end] != '\n') end += c == '"' && text[end] == '\\' ? 2 : 1;
+            at = end < text.size() && text[end] == '\n' ? end - 1 : end;
+        } else if (c == '\n' || std::string_view("=,[]{}").find(c) != std::string_view::npos) {
+            dots = 0;
+        } else if (c == '.' && ++dots > max_nesting) {
+            throw InputError(
+                fmt::format("{}: line {}: a key has more than {} dots; none here has more than two", file, line, max_nesting));
+        }
+    }
+}
+
+void flatten(const toml::table& table, const std::vector<std::string>& section, TomlFile& out) {
+    for (const auto& [key, node] : table) {
+        const std::string name(key.str());
+        if (section.size() > max_nesting) {
+            throw InputError(fmt::format("{}: line {}: tables are nested deeper than {}; two are enough for all that is read",
+                                         out.file, line_of(node), max_nesting));
+        }
+        if (const auto* sub = node.as_table()) {
+            std::vector<std::string> below = section;
+            below.push_back(name);
+            out.sections.push_back({below, line_of(node)});
+            flatten(*sub, below, out);
+            continue;
+        }
+        TomlEntry entry{section, name, {}, node.is_array(), line_of(node)};
+        if (const auto* array = node.as_array()) {
+            for (const toml::node& element : *array) entry.values.push_back(value_of(element, out.file, name));
+        } else {
+            entry.values.push_back(value_of(node, out.file, name));
+        }
+        out.entries.push_back(std::move(entry));
+    }
+}
+
+/// Edits (insert, remove, replace) that turn one word into the other.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+TomlFile parse_toml(const std::string& text, const std::string& name) {
+    TomlFile out;
+    out.file = name;
+    require_shallow_keys(text, name);
+    try {
+        const toml::table table = toml::parse(text, name);
+        flatten(table, {}, out);
+    } catch (const toml::parse_error& error) {
+        std::string reason(error.description());
+        std::replace(reason.begin(), reason.end(), '\n', ' ');
+        throw InputError(fmt::format("{}: line {}: not TOML: {}", name, error.source().begin.line, reason));
+    }
+    std::stable_sort(out.entries.begin(), out.entries.end(),
+                     [](const TomlEntry& a, const TomlEntry& b) { return a.line < b.line; });
+    std::stable_sort(out.sections.begin(), out.sections.end(),
+                     [](const TomlSection& a, const TomlSection& b) { return a.line < b.line; });
+    return out;
+}
+
+TomlFile read_toml(const std::string& file) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string text;
+    std::array<char, 4096> block{};
+    while (stream) {
+        stream.read(block.data(), block.size());
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    if (!stream.eof()) {
+        throw InputError(fmt::format("{}: cannot be read ({}); a TOML file is needed", file, std::strerror(errno)));
+    }
+    return parse_toml(text, file);
+}
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+    std::string nearest;
+    std::size_t least = (word.size() < 4 ? 1 : std::max<std::size_t>(word.size() / 3, 2)) +
+                        1;  // one more than the largest distance that counts as near
+    for (const std::string& candidate : known) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < least) {
+            least = distance;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_word(word, known);
+    return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
+}
+
+}  // namespace graincrack

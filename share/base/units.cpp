@@ -1,0 +1,324 @@
+#include "share/base/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "share/base/error.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+constexpr std::array all_dimensions{Dimension::one,     Dimension::length,       Dimension::area,      Dimension::angle,
+                                    Dimension::time,    Dimension::speed,        Dimension::stress,    Dimension::force,
+                                    Dimension::energy,  Dimension::stiffness,    Dimension::toughness, Dimension::fracture_energy,
+                                    Dimension::density, Dimension::acceleration, Dimension::frequency};
+
+/// Alternative spellings, which are read but not listed, and the symbol that each stands for.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{
+    {"\u00b5m", "um"},
+    {"\u03bcm", "um"},
+    {"\u00b5s", "us"},
+    {"\u03bcs", "us"},
+    {"\u00b0", "deg"},
+    {"Pa\u221am", "Pa.m^0.5"},
+    {"kPa\u221am", "kPa.m^0.5"},
+    {"MPa\u221am", "MPa.m^0.5"},
+    {"Pa*m^0.5", "Pa.m^0.5"},
+    {"kPa*m^0.5", "kPa.m^0.5"},
+    {"MPa*m^0.5", "MPa.m^0.5"},
+    {"MPa.sqrt(m)", "MPa.m^0.5"},
+    {"J/m^2", "J/m2"},
+    {"kJ/m^2", "kJ/m2"},
+    {"kg/m^3", "kg/m3"},
+    {"g/cm^3", "g/cm3"},
+    {"m/s^2", "m/s2"},
+}};
+
+/// Units in which values are shown, smallest first.
+struct DisplayUnits {
+    std::array<std::string_view, 5> symbols{};
+};
+constexpr DisplayUnits display_units(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::one: return {{"1"}};
+        case Dimension::length: return {{"um", "mm", "m", "km"}};
+        case Dimension::area: return {{"mm2", "m2"}};
+        case Dimension::angle: return {{"deg"}};
+        case Dimension::time: return {{"us", "ms", "s", "min", "h"}};
+        case Dimension::speed: return {{"mm/s", "m/s"}};
+        case Dimension::stress: return {{"Pa", "kPa", "MPa", "GPa"}};
+        case Dimension::force: return {{"N", "kN", "MN"}};
+        case Dimension::energy: return {{"mJ", "J", "kJ"}};
+        case Dimension::stiffness: return {{"MPa/mm"}};
+        case Dimension::toughness: return {{"MPa.m^0.5"}};
+        case Dimension::fracture_energy: return {{"J/m2"}};
+        case Dimension::density: return {{"kg/m3"}};
+        case Dimension::acceleration: return {{"m/s2"}};
+        case Dimension::frequency: return {{"Hz", "kHz", "MHz"}};
+    }
+    return {};
+}
+
+std::optional<Unit> find_unit(std::string_view symbol, Dimension dimension) {
+    for (const auto& [spelling, meant] : other_spellings) {
+        if (symbol == spelling) symbol = meant;
+    }
+    if (symbol.empty()) return Unit{si_unit(dimension), 1};
+    for (const Unit& unit : units_of(dimension)) {
+        if (unit.symbol == symbol) return unit;
+    }
+    return std::nullopt;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return lower;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// "a length in m, mm, cm, um or km (a bare number is m)"
+std::string what_fits(Dimension dimension) {
+    if (dimension == Dimension::one) return "a pure number, or one in %, fits";
+    std::string list;
+    const auto& units = units_of(dimension);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        if (i > 0) list += i + 1 < units.size() ? ", " : " or ";
+        list += units[i].symbol;
+    }
+    return fmt::format("units that fit: {} (a bare number is in {})", list, si_unit(dimension));
+}
+
+/// Text for a message: in quotes, on one line, at most 60 characters.
+std::string quoted(std::string_view text) {
+    std::string clean;
+    for (const char c : text.substr(0, 60)) clean += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+    return '"' + clean + (text.size() > 60 ? "…\"" : "\"");
+}
+
+[[noreturn]] void refuse(std::string_view where, const std::string& wrong, const std::string& right) {
+    throw UsageError(fmt::format("{}: {}; {}", where, wrong, right));
+}
+
+[[noreturn]] void refuse_unit(std::string_view text, std::string_view symbol, Dimension dimension, std::string_view where) {
+    for (const Dimension other : all_dimensions) {
+        if (other == dimension || !find_unit(symbol, other)) continue;
+        refuse(where, fmt::format("{} has the unit of a {}, a {} is needed", quoted(text), name_of(other), name_of(dimension)),
+               what_fits(dimension));
+    }
+    std::string hint;
+    if (symbol.front() == ',') {
+        hint = "the decimal mark is a point; ";
+    } else {
+        for (const Unit& unit : units_of(dimension)) {
+            if (lower_case(unit.symbol) == lower_case(symbol)) hint = fmt::format("did you mean {}? ", unit.symbol);
+        }
+    }
+    refuse(where, fmt::format("unknown unit {} in {}", quoted(symbol), quoted(text)), hint + what_fits(dimension));
+}
+
+/// The number that `text` spells, times the factor. A power of ten is added to the exponent of the text, to round once only.
+std::optional<double> scaled_number(std::string_view text, double factor) {
+    double value = 0;
+    const double decade = std::round(std::log10(factor));
+    if (std::abs(factor / std::pow(10.0, decade) - 1) < 1e-12 && decade != 0) {
+        int exponent = static_cast<int>(decade);
+        std::string_view mantissa = text;
+        if (const auto e = text.find_first_of("eE"); e != std::string_view::npos) {
+            mantissa = text.substr(0, e);
+            std::string_view digits = text.substr(e + 1);
+            if (digits.front() == '+') digits.remove_prefix(1);
+            int own = 0;
+            if (std::from_chars(digits.data(), digits.data() + digits.size(), own).ec != std::errc{}) return std::nullopt;
+            exponent += own;
+        }
+        const std::string shifted = fmt::format("{}e{}", mantissa, exponent);
+        const auto result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+        if (result.ec != std::errc{}) return std::nullopt;
+        return value;
+    }
+    if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) return std::nullopt;
+    return value * factor;
+}
+
+}  // namespace
+
+const std::vector<Unit>& units_of(Dimension dimension) {
+    static const std::vector<Unit> one{{"1", 1}, {"%", 1e-2}};
+    static const std::vector<Unit> length{{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"km", 1e3}};
+    static const std::vector<Unit> area{{"m2", 1}, {"mm2", 1e-6}, {"cm2", 1e-4}};
+    static const std::vector<Unit> angle{{"rad", 1}, {"deg", degree}};
+    static const std::vector<Unit> time{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
+    static const std::vector<Unit> speed{{"m/s", 1}, {"mm/s", 1e-3}, {"um/s", 1e-6}, {"mm/min", 1e-3 / 60}};
+    static const std::vector<Unit> stress{{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
+    static const std::vector<Unit> force{{"N", 1}, {"kN", 1e3}, {"MN", 1e6}};
+    static const std::vector<Unit> energy{{"J", 1}, {"mJ", 1e-3}, {"kJ", 1e3}};
+    static const std::vector<Unit> stiffness{{"Pa/m", 1}, {"MPa/m", 1e6}, {"GPa/m", 1e9}, {"MPa/mm", 1e9}, {"GPa/mm", 1e12}};
+    static const std::vector<Unit> toughness{{"Pa.m^0.5", 1}, {"kPa.m^0.5", 1e3}, {"MPa.m^0.5", 1e6}};
+    static const std::vector<Unit> fracture_energy{{"J/m2", 1}, {"kJ/m2", 1e3}, {"N/m", 1}};
+    static const std::vector<Unit> density{{"kg/m3", 1}, {"g/cm3", 1e3}, {"t/m3", 1e3}};
+    static const std::vector<Unit> acceleration{{"m/s2", 1}, {"mm/s2", 1e-3}};
+    static const std::vector<Unit> frequency{{"Hz", 1}, {"kHz", 1e3}, {"MHz", 1e6}};
+    switch (dimension) {
+        case Dimension::one: return one;
+        case Dimension::length: return length;
+        case Dimension::area: return area;
+        case Dimension::angle: return angle;
+        case Dimension::time: return time;
+        case Dimension::speed: return speed;
+        case Dimension::stress: return stress;
+        case Dimension::force: return force;
+        case Dimension::energy: return energy;
+        case Dimension::stiffness: return stiffness;
+        case Dimension::toughness: return toughness;
+        case Dimension::fracture_energy: return fracture_energy;
+        case Dimension::density: return density;
+        case Dimension::acceleration: return acceleration;
+        case Dimension::frequency: return frequency;
+    }
+    throw std::invalid_argument("no such dimension");
+}
+
+std::string_view name_of(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::one: return "pure number";
+        case Dimension::length: return "length";
+        case Dimension::area: return "surface";
+        case Dimension::angle: return "plane angle";
+        case Dimension::time: return "time";
+        case Dimension::speed: return "speed";
+        case Dimension::stress: return "stress";
+        case Dimension::force: return "force";
+        case Dimension::energy: return "work";
+        case Dimension::stiffness: return "contact stiffness";
+        case Dimension::toughness: return "fracture toughness";
+        case Dimension::fracture_energy: return "fracture energy";
+        case Dimension::density: return "mass density";
+        case Dimension::acceleration: return "acceleration";
+        case Dimension::frequency: return "frequency";
+    }
+    return "quantity";
+}
+
+double parse_quantity(std::string_view text, const Quantity& quantity, std::string_view where) {
+    const std::string_view whole = trimmed(text);
+    std::string_view digits = whole;
+    if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-' && digits[1] != '+') digits.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::invalid_argument) {
+        refuse(where, whole.empty() ? "no value given" : fmt::format("{} is not a number", quoted(whole)),
+               what_fits(quantity.dimension));
+    }
+    const std::string_view symbol = trimmed(std::string_view(end, static_cast<std::size_t>(digits.data() + digits.size() - end)));
+    digits = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
+    if (error == std::errc::result_out_of_range || !std::isfinite(value)) {
+        refuse(where, fmt::format("{} is not a finite number", quoted(whole)),
+               fmt::format("it must be {}", bounds_text(quantity)));
+    }
+    const auto unit = find_unit(symbol, quantity.dimension);
+    if (!unit) refuse_unit(whole, symbol, quantity.dimension, where);
+    const auto si = scaled_number(digits, unit->to_si);
+    if (!si || !std::isfinite(*si)) {
+        refuse(where, fmt::format("{} is not a finite number", quoted(whole)),
+               fmt::format("it must be {}", bounds_text(quantity)));
+    }
+    if (!quantity.admits(*si)) {
+        refuse(where, fmt::format("{} is out of bounds", quoted(whole)), fmt::format("it must be {}", bounds_text(quantity)));
+    }
+    return *si;
+}
+
+double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
+                         std::string_view where) {
+    const std::string_view whole = trimmed(text);
+    if (whole == word) return word_value;
+    double value = 0;
+    const auto result = std::from_chars(whole.data(), whole.data() + whole.size(), value);
+    if (result.ec == std::errc::invalid_argument && (whole.empty() || whole.front() != '+')) {
+        refuse(where,
+               whole.empty() ? "no value given" : fmt::format("{} is neither a number nor the word {}", quoted(whole), word),
+               what_fits(quantity.dimension));
+    }
+    return parse_quantity(text, quantity, where);
+}
+
+std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where) {
+    if (quantity.dimension != Dimension::length && quantity.dimension != Dimension::stress) return "";
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || rest != end || value == 0) return "";
+    return fmt::format("{}: {} has no unit and was taken for {} {}", where, text, text, quantity.unit());
+}
+
+std::string bounds_text(const Quantity& quantity) {
+    const auto shown = [&](double bound) { return format_quantity(bound, quantity.dimension); };
+    const bool from_below = std::isfinite(quantity.lower);
+    const bool from_above = std::isfinite(quantity.upper);
+    if (from_below && from_above) {
+        return quantity.open_below ? fmt::format("above {} and at most {}", shown(quantity.lower), shown(quantity.upper))
+                                   : fmt::format("from {} to {}", shown(quantity.lower), shown(quantity.upper));
+    }
+    if (from_below) return fmt::format("{} {}", quantity.open_below ? "above" : "at least", shown(quantity.lower));
+    if (from_above) return fmt::format("at most {}", shown(quantity.upper));
+    return "a finite number";
+}
+
+double in_unit(double value, Dimension dimension, std::string_view unit) {
+    const auto found = find_unit(unit, dimension);
+    if (!found) throw std::invalid_argument(fmt::format("no unit {} of a {}", unit, name_of(dimension)));
+    // 1000 is exact and 1e-3 is not: multiplying keeps 0.00513 m at 5.13 mm.
+    const double inverse = std::round(1 / found->to_si);
+    if (found->to_si < 1 && std::abs(inverse * found->to_si - 1) < 1e-12) return value * inverse;
+    return value / found->to_si;
+}
+
+std::string format_number(double value) {
+    if (std::isnan(value)) return "nan";
+    return fmt::format("{}", value);
+}
+
+std::string format_number(double value, int digits) {
+    if (std::isnan(value)) return "nan";
+    return fmt::format("{:.{}g}", value, std::max(digits, 1));
+}
+
+double rounded(double value, int digits) {
+    const std::string text = format_number(value, digits);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+std::string format_quantity(double value, Dimension dimension, int digits) {
+    if (dimension == Dimension::one) return format_number(value, digits);
+    const DisplayUnits shown = display_units(dimension);
+    std::string_view chosen = shown.symbols.front();
+    if (value == 0 || !std::isfinite(value)) {
+        if (dimension != Dimension::angle) chosen = si_unit(dimension);
+    } else {
+        for (const std::string_view symbol : shown.symbols) {
+            if (!symbol.empty() && std::abs(in_unit(value, dimension, symbol)) >= 1) chosen = symbol;
+        }
+    }
+    return fmt::format("{} {}", format_number(in_unit(value, dimension, chosen), digits), chosen);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,58 @@
+// Numbers with units, in the same spelling in every locale: from text to SI and back.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "share/base/quantities.hpp"
+
+namespace graincrack {
+
+/// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
+struct Unit {
+    std::string_view symbol;
+    double to_si;
+};
+/// The units of a dimension, the SI unit first. Symbols are case-sensitive. Other spellings are read but not listed:
+/// "µm", "°", "MPa√m", "MPa*m^0.5", "J/m^2", "kg/m^3".
+const std::vector<Unit>& units_of(Dimension dimension);
+
+/// Name of a dimension for a message: "length", "stress", "pure number" …
+std::string_view name_of(Dimension dimension);
+
+/// Reads "4mm", "4 mm", "48.76deg", "5 mm/s", "1.5MPa.m^0.5", "90J/m2" or a bare SI number.
+/// Decimal units are exact: "5.13mm" and "0.00513" give the same double.
+///
+/// \param where what the message names: an option ("--edge") or file and key ("granite.toml: rock.density")
+/// \throws UsageError if the text is no number, the unit is unknown or of another dimension, the value is not finite or
+///         out of the bounds of `quantity`; the message lists the units that fit.
+double parse_quantity(std::string_view text, const Quantity& quantity, std::string_view where);
+
+/// The same for an option that also takes a word in place of a value: parse_quantity_or(text, "none", 0, quantity::damping,
+/// "--damping").
+double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
+                         std::string_view where);
+
+/// A note on a length or stress other than zero without a unit, of which 80 is meant as 80 mm more often than as the 80 m that it
+/// is:
+/// "--width: 80 has no unit and was taken for 80 m"; "" for other texts. \param where as in parse_quantity
+std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where);
+
+/// The bounds of a quantity in words, in readable units: "above 0 m and at most 1000 m", "from 0 deg to 88.81 deg".
+std::string bounds_text(const Quantity& quantity);
+
+/// Value of an SI number in `unit` (a symbol of `units_of`). \throws std::invalid_argument for an unknown unit.
+double in_unit(double value, Dimension dimension, std::string_view unit);
+
+/// Shortest text that reads back as the same double; "nan" and "inf" for what is not finite.
+std::string format_number(double value);
+/// Text with a given count of significant digits, without locale ("%.{digits}g").
+std::string format_number(double value, int digits);
+/// The number that a text of so many significant digits spells.
+double rounded(double value, int digits);
+
+/// A value in the largest common unit that keeps it readable: 0.004 m → "4 mm", 2.58e10 Pa → "25.8 GPa".
+std::string format_quantity(double value, Dimension dimension, int digits = 4);
+
+}  // namespace graincrack

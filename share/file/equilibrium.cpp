@@ -1,0 +1,75 @@
+#include "share/file/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace graincrack {
+namespace {
+
+/// Row of the largest axial stress of a history with rows.
+std::size_t largest_load(const History& history) {
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    return static_cast<std::size_t>(
+        std::max_element(stress.begin(), stress.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+        stress.begin());
+}
+
+}  // namespace
+
+double load_rise_at_peak(const RunHeader& header, const History& history) {
+    if (header.test == "program" || history.size() == 0) {
+        return 0;
+    }
+    const std::size_t peak = largest_load(history);
+    const double strain = std::abs(history[HistoryColumn::axial_strain][peak]);
+    const double wave_speed = std::sqrt(header.rock.young_modulus / header.rock.density);
+    const double speed = std::abs(history[HistoryColumn::platen_speed][peak]);
+    return strain > 0 && wave_speed > 0 ? 2 * speed / (wave_speed * strain) : 0;
+}
+
+double unbalanced_before_peak(const RunHeader& header, const History& history) {
+    if (header.test == "program" || history.size() == 0) {
+        return 0;
+    }
+    const std::size_t peak = largest_load(history);
+    const std::vector<double>& strain = history[HistoryColumn::axial_strain];
+    double sum = 0;
+    double rows = 0;
+    for (std::size_t i = peak; i > 0 && std::abs(strain[i]) >= 0.9 * std::abs(strain[peak]); --i) {
+        sum += history[HistoryColumn::unbalanced_ratio][i];
+        ++rows;
+    }
+    return rows > 0 ? sum / rows : 0;
+}
+
+std::string equilibrium_warning(const RunHeader& header, const History& history) {
+    const double rise = load_rise_at_peak(header, history);
+    if (rise > trusted_load_rise) {
+        return fmt::format(
+            "the test is far from equilibrium: at the peak the load rises by {:.2g} % of itself while a wave crosses the "
+            "specimen, more than {:.2g} %, and the strength is too high: use a slower --rate or a smaller --rate-tolerance",
+            100 * rise, 100 * trusted_load_rise);
+    }
+    if (header.test != "program" && header.platen_force_difference > trusted_force_difference) {
+        return fmt::format(
+            "the test is far from equilibrium: the platen forces differ by {:.1f} % of their mean before the peak, more than "
+            "{:.0f} %, and the strength is uncertain by as much: use a slower --rate or more --damping",
+            100 * header.platen_force_difference, 100 * trusted_force_difference);
+    }
+    const double unbalanced = unbalanced_before_peak(header, history);
+    if (unbalanced > trusted_unbalanced_ratio) {
+        return fmt::format(
+            "the test is far from equilibrium: the unbalanced ratio is {:.2g} before the peak, more than {:.2g}: waves run "
+            "through "
+            "the specimen, and what they break makes the strength too low: {}",
+            unbalanced, trusted_unbalanced_ratio,
+            header.damping == 0 ? "use --damping" : "use a slower --rate or more --damping");
+    }
+    return "";
+}
+
+}  // namespace graincrack

@@ -1,0 +1,101 @@
+#include "share/file/fabric.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "share/base/error.hpp"
+
+namespace graincrack {
+namespace {
+
+void require_same_phases(const Material& material, const std::vector<std::string>& phase_names) {
+    std::vector<std::string> described;
+    for (const auto& [name, phase] : material.fabric.phases) {
+        described.push_back(name);
+    }
+    std::vector<std::string> present = phase_names;
+    std::sort(present.begin(), present.end());
+    if (present != described) {
+        throw InputError(
+            fmt::format("the specimen has the phases {}, the material {} has {}; make the specimen with "
+                        "graincrack-mesh … --material, or take another material",
+                        fmt::join(present, ", "), material.file.string(), fmt::join(described, ", ")));
+    }
+}
+
+/// What a class is made from.
+struct Sides {
+    const PhaseMaterial& first;
+    const PhaseMaterial& second;
+    double first_modulus, second_modulus;  ///< E of the grains, Pa
+};
+
+double by_rule(SideRule rule, double a, double b) { return rule == SideRule::mean ? 0.5 * (a + b) : std::min(a, b); }
+
+/// Values that a side gives, put together with those of the other side.
+void take_sides(const Sides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
+    const ContactParameters first = derived_contact(overlay(sides.first.contact, given), material.rock, plane);
+    const ContactParameters second = derived_contact(overlay(sides.second.contact, given), material.rock, plane);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (sides.first.contact.*row.given || sides.second.contact.*row.given) {
+            given.*row.given = by_rule(material.fabric.rule, first.*row.value, second.*row.value);
+        }
+    }
+}
+
+void take_stiffness_of_sides(const Sides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
+    const double harmonic = 2 / (1 / sides.first_modulus + 1 / sides.second_modulus);
+    const double ratio = harmonic / material.rock.young_modulus;
+    const ContactParameters of_rock = derived_contact(given, material.rock, plane);
+    if (!given.normal_stiffness) given.normal_stiffness = ratio * of_rock.normal_stiffness;
+    if (!given.shear_stiffness) given.shear_stiffness = ratio * of_rock.shear_stiffness;
+}
+
+void take_factors(const GivenContact& factors, const Material& material, PlaneCondition plane, GivenContact& given) {
+    const ContactParameters before = derived_contact(given, material.rock, plane);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (factors.*row.given) {
+            given.*row.given = *(factors.*row.given) * before.*row.value;
+        }
+    }
+}
+
+}  // namespace
+
+Fabric fabric_of(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
+                 const std::vector<std::string>& phase_names) {
+    const MaterialFabric& fabric = material.fabric;
+    const Rock& rock = material.rock;
+    const GivenContact base = given_contact(material, plane, choice);
+    if (fabric.phases.empty()) {
+        return uniform_fabric(rock, derived_contact(base, rock, plane), phase_names.size());
+    }
+    require_same_phases(material, phase_names);
+    Fabric made;
+    for (const std::string& name : phase_names) {
+        const PhaseMaterial& phase = fabric.phases.at(name);
+        made.phases.push_back({young_modulus_of_grains(phase, fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
+                               phase.density.value_or(rock.density)});
+    }
+    for (std::size_t high = 0; high < phase_names.size(); ++high) {
+        for (std::size_t low = 0; low <= high; ++low) {
+            const std::string& a = phase_names[low];
+            const std::string& b = phase_names[high];
+            const Sides sides{fabric.phases.at(a), fabric.phases.at(b), made.phases[low].young_modulus,
+                              made.phases[high].young_modulus};
+            GivenContact given = base;
+            take_sides(sides, material, plane, given);
+            for (const std::string& pair : {a + "-" + b, b + "-" + a}) {
+                if (const auto own = fabric.pairs.find(pair); own != fabric.pairs.end()) given = overlay(own->second, given);
+            }
+            if (fabric.stiffness == StiffnessRule::sides) take_stiffness_of_sides(sides, material, plane, given);
+            take_factors(low == high ? fabric.homophase : fabric.heterophase, material, plane, given);
+            made.contacts.push_back(derived_contact(given, rock, plane));
+        }
+    }
+    return made;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,42 @@
+// What grains and contacts of each phase are made of.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
+
+namespace graincrack {
+
+/// What the grains of a phase are made of.
+struct Phase {
+    double young_modulus = 0;  ///< Pa
+    double poisson_ratio = 0;
+    double density = 0;  ///< kg/m³
+    friend bool operator==(const Phase&, const Phase&) = default;
+};
+inline Phase phase_of(const Rock& rock) { return {rock.young_modulus, rock.poisson_ratio, rock.density}; }
+
+/// Properties by phase and by class.
+struct Fabric {
+    std::vector<Phase> phases;                ///< in the order of `Specimen::phase_names`
+    std::vector<ContactParameters> contacts;  ///< by `contact_class`
+};
+/// Properties of the phases of a specimen and of their contacts, by the fabric of a material. A contact has the values of
+/// [contact]; where a phase gives its side others, the mean or the least of both sides; then those of its pair; then its factors.
+/// Stiffnesses are those of the rock, or, by `StiffnessRule::sides`, times the harmonic mean of the two moduli over the rock's
+/// unless they are given. Energies never follow moduli.
+/// \param phase_names of the specimen
+/// \throws InputError if the material describes phases and they are not those of the specimen
+Fabric fabric_of(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
+                 const std::vector<std::string>& phase_names);
+
+/// All phases are the rock, all contacts alike.
+inline Fabric uniform_fabric(const Rock& rock, const ContactParameters& contact, std::size_t n_phases) {
+    return {std::vector<Phase>(n_phases, phase_of(rock)), std::vector<ContactParameters>(n_contact_classes(n_phases), contact)};
+}
+
+}  // namespace graincrack

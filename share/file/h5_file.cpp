@@ -1,0 +1,488 @@
+#include "share/file/h5_file.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "share/base/error.hpp"
+#include "share/file/h5_detail.hpp"
+#include "share/file/h5_digest.hpp"
+#include "share/file/h5_open.hpp"
+#include "share/file/h5_structure.hpp"
+#include "share/file/output_file.hpp"
+
+namespace graincrack {
+
+using namespace h5;
+
+namespace {
+
+constexpr std::size_t chunk_bytes = 1 << 18;   // target size of a chunk
+constexpr std::size_t small_bytes = 1 << 12;   // smaller arrays stay contiguous
+constexpr std::size_t image_growth = 1 << 16;  // of a file in memory; what is written on flushing is a multiple of it
+constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and gain nothing
+
+/// Before the first use of HDF5. It reports its errors by return values here; its own printing is switched off for the rest of
+/// the process. At exit it would close files again that could not be closed, as on a full disk, and crash.
+void silence_hdf5() {
+    static const bool done = [] {
+        H5dont_atexit();
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        H5PLset_loading_state(0);  // no file makes the library load code
+        return true;
+    }();
+    static_cast<void>(done);
+}
+
+std::size_t product(const Extents& extents) {
+    std::size_t n = 1;
+    for (const std::size_t e : extents) {
+        n *= e;
+    }
+    return n;
+}
+
+std::vector<hsize_t> to_hsize(const Extents& extents) { return {extents.begin(), extents.end()}; }
+
+/// Creation properties of a dataset: contiguous when small and of fixed size, else chunked along the first extent.
+Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool grows) {
+    Handle properties = property_list(H5P_DATASET_CREATE);
+    H5Pset_obj_track_times(properties.get(), 0);
+    const std::size_t bytes = product(extents) * item_bytes;
+    if (extents.empty() || bytes == 0 || (!grows && bytes <= small_bytes)) {
+        return properties;
+    }
+    const std::size_t row_bytes = std::max<std::size_t>(1, bytes / std::max<std::size_t>(extents[0], 1));
+    std::vector<hsize_t> chunk = to_hsize(extents);
+    chunk[0] = std::max<std::size_t>(1, chunk_bytes / (grows ? 16 : 1) / row_bytes);
+    if (!grows) {
+        chunk[0] = std::min<hsize_t>(chunk[0], extents[0]);
+    }
+    H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(properties.get());
+    H5Pset_deflate(properties.get(), deflate_level);
+    return properties;
+}
+
+}  // namespace
+
+std::string hdf5_version() {
+    silence_hdf5();
+    unsigned major = 0;
+    unsigned minor = 0;
+    unsigned release = 0;
+    H5get_libversion(&major, &minor, &release);
+    return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+// --- reading ---------------------------------------------------------------------------------------------------------
+
+struct H5Input::State {
+    std::string name;
+    std::string kind;
+    Handle file;
+};
+
+H5Input::H5Input() : state_(std::make_unique<State>()) { silence_hdf5(); }
+
+H5Input::H5Input(const std::string& path, std::string_view kind) : H5Input() {
+    if (path == "-") {
+        *this = from_image(read_stdin(), "stdin", kind);
+        return;
+    }
+    state_->name = path;
+    state_->file = open_path(path);
+    if (!state_->file.valid()) throw_unreadable(path, file_has_hdf5_signature(path));
+    require_kind(kind);
+}
+
+H5Input H5Input::from_image(const std::vector<char>& image, const std::string& name, std::string_view kind) {
+    H5Input input;
+    input.state_->name = name;
+    input.state_->file = open_image(image);
+    if (!input.state_->file.valid()) throw_unreadable(name, has_hdf5_signature(image.data(), image.size()));
+    input.require_kind(kind);
+    return input;
+}
+
+void H5Input::require_kind(std::string_view kind) {
+    if (attribute_or<std::string>("/", "format", "") != "graincrack") {
+        throw InputError(
+            fmt::format("{}: an HDF5 file, but not a Graincrack one (no root attribute format = graincrack)", state_->name));
+    }
+    require_tree(state_->file.get(), state_->name);
+    state_->kind = attribute_or<std::string>("/", "kind", "");
+    if (!kind.empty() && state_->kind != kind) {
+        throw InputError(fmt::format("{}: is a {}, a {} is needed (graincrack-{} writes one)", state_->name,
+                                     state_->kind.empty() ? "file of no known kind" : state_->kind, kind,
+                                     kind == "specimen" ? "mesh" : "solve"));
+    }
+    if (const auto version = attribute<std::int64_t>("/", "schema_version"); version != schema_version) {
+        throw SchemaError(
+            fmt::format("{}: has schema version {}, but this build reads {}; {}", state_->name, version, schema_version,
+                        version < schema_version ? "make the file again, or read it with the Graincrack that wrote it"
+                                                 : "use a newer Graincrack"));
+    }
+}
+H5Input::~H5Input() = default;
+H5Input::H5Input(H5Input&&) noexcept = default;
+H5Input& H5Input::operator=(H5Input&&) noexcept = default;
+
+const std::string& H5Input::name() const { return state_->name; }
+const std::string& H5Input::kind() const { return state_->kind; }
+
+bool H5Input::has(const std::string& path) const {
+    // H5Lexists needs every parent to exist.
+    for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+        if (H5Lexists(state_->file.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+            return false;
+        }
+    }
+    return path == "/" || H5Lexists(state_->file.get(), path.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool H5Input::has_attribute(const std::string& object, const std::string& attribute) const {
+    return has(object) && H5Aexists_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
+}
+
+namespace {
+
+Handle open_dataset(hid_t file, const std::string& file_name, const std::string& dataset) {
+    Handle id(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!id.valid()) {
+        throw InputError(fmt::format("{}: dataset {} is missing", file_name, dataset));
+    }
+    return id;
+}
+
+}  // namespace
+
+Extents H5Input::extents(const std::string& dataset) const {
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    return space_extents(space.get());
+}
+
+std::vector<std::string> H5Input::children(const std::string& group) const {
+    return has(group) ? link_names(state_->file.get(), group) : std::vector<std::string>{};
+}
+
+template <class T>
+std::vector<T> H5Input::read(const std::string& dataset) const {
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
+    std::vector<T> values(require_readable(id.get(), state_->name, dataset));
+    if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+        throw InputError(
+            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
+    }
+    return values;
+}
+
+template <class T>
+std::vector<T> H5Input::read(const std::string& dataset, const Extents& shape) const {
+    if (const Extents own = extents(dataset); own != shape) {
+        throw InputError(fmt::format("{}: dataset {} has the shape {}, not {}", state_->name, dataset, extents_text(own),
+                                     extents_text(shape)));
+    }
+    return read<T>(dataset);
+}
+
+template <class T>
+std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
+    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
+    require_readable(id.get(), state_->name, dataset);
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    std::vector<hsize_t> extents = to_hsize(space_extents(space.get()));
+    if (extents.empty() || first > extents[0] || count > extents[0] - first) {
+        throw InputError(fmt::format("{}: dataset {} has no rows {} to {}", state_->name, dataset, first, first + count));
+    }
+    std::vector<hsize_t> offset(extents.size(), 0);
+    offset[0] = first;
+    extents[0] = count;
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr);
+    const Handle memory(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
+    std::vector<T> values(product({extents.begin(), extents.end()}));
+    if (!values.empty() && H5Dread(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
+        throw InputError(
+            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
+    }
+    return values;
+}
+
+template <class T>
+T H5Input::attribute(const std::string& object, const std::string& attribute) const {
+    if (!has_attribute(object, attribute)) {
+        throw InputError(fmt::format("{}: attribute {} of {} is missing", state_->name, attribute, object));
+    }
+    const Handle id(H5Aopen_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (id.valid()) {
+        require_readable_attribute(id.get(), state_->name, object, attribute);
+    }
+    T value{};
+    if (!id.valid() || !read_attribute(id.get(), value)) {
+        throw InputError(fmt::format("{}: attribute {} of {} has an unexpected type", state_->name, attribute, object));
+    }
+    return value;
+}
+
+template <class T>
+T H5Input::attribute_or(const std::string& object, const std::string& name, T fallback) const {
+    return has_attribute(object, name) ? attribute<T>(object, name) : fallback;
+}
+
+std::string H5Input::digest() const { return h5::digest(state_->file.get(), state_->name, "/provenance"); }
+
+void H5Input::check() const { static_cast<void>(h5::digest(state_->file.get(), state_->name, "")); }
+
+std::vector<std::string> H5Input::describe() const { return h5::describe(state_->file.get(), state_->name); }
+
+// --- writing ---------------------------------------------------------------------------------------------------------
+
+struct H5Output::State {
+    std::unique_ptr<OutputFile> place;
+    /// A stream, and a checkpoint: HDF5 1.10.8 crashes where the disk is full as it copies frames from another file (H5Ocopy).
+    bool is_in_memory;
+    Handle file;
+};
+
+namespace {
+
+/// \throws UsageError if an output would replace what is no file of its kind
+void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
+    const std::string replaced = place.replaced();
+    if (replaced.empty()) {
+        return;
+    }
+    try {
+        const H5Input existing(replaced, kind);
+    } catch (const SchemaError&) {  // of this kind, from before
+    } catch (const InputError&) {
+        throw UsageError(
+            fmt::format("{}: exists, and is no {} that could be replaced; give another name, or remove it", place.name(), kind));
+    }
+}
+
+}  // namespace
+
+H5Output::H5Output(const std::string& path, std::string_view kind) : H5Output(std::make_unique<OutputFile>(path), kind) {}
+
+H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
+    : state_(std::make_unique<State>(State{std::move(place), false, {}})) {
+    silence_hdf5();
+    const Handle access = property_list(H5P_FILE_ACCESS);
+    Handle creation = property_list(H5P_FILE_CREATE);
+    H5Pset_obj_track_times(creation.get(), 0);
+    std::string path = "graincrack-image";
+    state_->is_in_memory = is_stream() || state_->place->is_covered();
+    if (state_->is_in_memory) {
+        H5Pset_fapl_core(access.get(), image_growth, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
+    }
+    if (state_->place->is_terminal()) {
+        throw OutputError(name() + ": is a terminal; send the file into a pipe or name one with -o FILE");
+    }
+    if (!is_stream()) {
+        require_kind_of_replaced(*state_->place, kind);
+        path = state_->place->begin();
+    }
+    state_->file = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+    if (!state_->file.valid()) {
+        throw OutputError(name() + ": cannot be created");
+    }
+    attribute("/", "format", std::string("graincrack"));
+    attribute("/", "schema_version", std::int64_t{schema_version});
+    attribute("/", "kind", std::string(kind));
+}
+H5Output::~H5Output() = default;
+H5Output::H5Output(H5Output&&) noexcept = default;
+H5Output& H5Output::operator=(H5Output&&) noexcept = default;
+
+const std::string& H5Output::name() const { return state_->place->name(); }
+bool H5Output::is_stream() const { return state_->place->is_stream(); }
+
+void H5Output::create_group(const std::string& group) {
+    for (std::size_t slash = group.find('/', 1);; slash = group.find('/', slash + 1)) {
+        const std::string path = group.substr(0, slash);
+        if (path.size() > 1 && H5Lexists(state_->file.get(), path.c_str(), H5P_DEFAULT) <= 0) {
+            const Handle properties = property_list(H5P_GROUP_CREATE);
+            H5Pset_obj_track_times(properties.get(), 0);
+            const Handle id(H5Gcreate2(state_->file.get(), path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose);
+            if (!id.valid()) {
+                throw OutputError(fmt::format("{}: group {} cannot be created", name(), path));
+            }
+        }
+        if (slash == std::string::npos) {
+            return;
+        }
+    }
+}
+
+template <class T>
+void H5Output::write(const std::string& dataset, std::span<const T> values, const Extents& extents, std::string_view unit,
+                     std::string_view description) {
+    if (values.size() != product(extents)) {
+        throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
+    }
+    if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
+        create_group(dataset.substr(0, slash));
+    }
+    const std::vector<hsize_t> shape = to_hsize(extents);
+    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const Handle properties = creation_properties(extents, sizeof(T), false);
+    const Handle id(
+        H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+        H5Dclose);
+    if (!id.valid() ||
+        (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)) {
+        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", name(), dataset));
+    }
+    write_attribute(id.get(), "unit", std::string(unit));
+    write_attribute(id.get(), "description", std::string(description));
+}
+
+template <class T>
+void H5Output::append(const std::string& dataset, std::span<const T> values, const Extents& extents, std::string_view unit,
+                      std::string_view description) {
+    if (values.size() != product(extents) || extents.empty()) {
+        throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
+    }
+    if (H5Lexists(state_->file.get(), dataset.c_str(), H5P_DEFAULT) <= 0) {
+        if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
+            create_group(dataset.substr(0, slash));
+        }
+        std::vector<hsize_t> shape = to_hsize(extents);
+        std::vector<hsize_t> limit = shape;
+        shape[0] = 0;
+        limit[0] = H5S_UNLIMITED;
+        Extents row = extents;
+        row[0] = std::max<std::size_t>(row[0], 1);
+        const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limit.data()), H5Sclose);
+        const Handle properties = creation_properties(row, sizeof(T), true);
+        const Handle id(H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT,
+                                   properties.get(), H5P_DEFAULT),
+                        H5Dclose);
+        if (!id.valid()) {
+            throw OutputError(fmt::format("{}: dataset {} cannot be created", name(), dataset));
+        }
+        write_attribute(id.get(), "unit", std::string(unit));
+        write_attribute(id.get(), "description", std::string(description));
+    }
+    const Handle id(H5Dopen2(state_->file.get(), dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    std::vector<hsize_t> offset(extents.size(), 0);
+    {
+        const Handle space(H5Dget_space(id.get()), H5Sclose);
+        std::vector<hsize_t> shape = to_hsize(space_extents(space.get()));
+        offset[0] = shape[0];
+        shape[0] += extents[0];
+        if (H5Dset_extent(id.get(), shape.data()) < 0) {
+            throw OutputError(fmt::format("{}: dataset {} cannot be extended; is the disk full?", name(), dataset));
+        }
+    }
+    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    const std::vector<hsize_t> count = to_hsize(extents);
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
+    const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+    if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
+        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", name(), dataset));
+    }
+}
+
+template <class T>
+void H5Output::attribute(const std::string& object, const std::string& attribute, const T& value) {
+    const Handle id(H5Oopen(state_->file.get(), object.c_str(), H5P_DEFAULT), H5Oclose);
+    if (!id.valid()) {
+        throw std::logic_error("attribute " + attribute + ": no object " + object);
+    }
+    write_attribute(id.get(), attribute, value);
+}
+
+void H5Output::quantity(const std::string& object, const std::string& name, double value, std::string_view unit) {
+    attribute(object, name, value);
+    attribute(object, name + "_unit", std::string(unit));
+}
+
+void H5Output::hard_link(const std::string& existing, const std::string& link) {
+    if (const std::size_t slash = link.rfind('/'); slash > 0 && slash != std::string::npos) {
+        create_group(link.substr(0, slash));
+    }
+    if (H5Lcreate_hard(state_->file.get(), existing.c_str(), state_->file.get(), link.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
+        throw OutputError(fmt::format("{}: {} cannot be linked to {}", name(), link, existing));
+    }
+}
+
+void H5Output::copy(const H5Output& from, const std::string& object, const std::string& to) {
+    if (H5Ocopy(from.state_->file.get(), object.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
+        throw OutputError(fmt::format("{}: {} cannot be written; is the disk full?", name(), to));
+    }
+}
+
+void H5Output::remove(const std::string& object) { H5Ldelete(state_->file.get(), object.c_str(), H5P_DEFAULT); }
+
+void H5Output::move(const std::string& from, const std::string& to) {
+    if (H5Lmove(state_->file.get(), from.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
+        throw OutputError(fmt::format("{}: {} cannot be renamed to {}", name(), from, to));
+    }
+}
+
+void H5Output::flush() {
+    if (!state_->is_in_memory && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
+        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
+    }
+}
+
+void H5Output::commit() {
+    if (H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
+        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
+    }
+    if (is_stream()) {
+        const ssize_t size = H5Fget_file_image(state_->file.get(), nullptr, 0);
+        std::string image(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+        if (size <= 0 || H5Fget_file_image(state_->file.get(), image.data(), image.size()) < 0) {
+            throw OutputError(name() + ": the file image cannot be made");
+        }
+        state_->place->write(image);
+    } else if (!state_->file.reset()) {
+        throw OutputError(fmt::format("{}: cannot be closed; is the disk full?", name()));
+    }
+    state_->place->commit();
+}
+
+// --- instantiations of the templates -----------------------------------------------------------------------------------
+
+#define GRAINCRACK_READ(T)                                                              \
+    template std::vector<T> H5Input::read<T>(const std::string&) const;                 \
+    template std::vector<T> H5Input::read<T>(const std::string&, const Extents&) const; \
+    template std::vector<T> H5Input::read_rows<T>(const std::string&, std::size_t, std::size_t) const;
+GRAINCRACK_READ(double)
+GRAINCRACK_READ(float)
+GRAINCRACK_READ(std::int32_t)
+GRAINCRACK_READ(std::int64_t)
+GRAINCRACK_READ(std::uint8_t)
+#undef GRAINCRACK_READ
+
+#define GRAINCRACK_WRITE(T)                                                                                    \
+    template void H5Output::write<T>(const std::string&, std::span<const T>, const Extents&, std::string_view, \
+                                     std::string_view);                                                        \
+    template void H5Output::append<T>(const std::string&, std::span<const T>, const Extents&, std::string_view, std::string_view);
+GRAINCRACK_WRITE(double)
+GRAINCRACK_WRITE(std::int32_t)
+GRAINCRACK_WRITE(std::int64_t)
+GRAINCRACK_WRITE(std::uint8_t)
+#undef GRAINCRACK_WRITE
+
+#define GRAINCRACK_ATTRIBUTE(T)                                                           \
+    template T H5Input::attribute<T>(const std::string&, const std::string&) const;       \
+    template T H5Input::attribute_or<T>(const std::string&, const std::string&, T) const; \
+    template void H5Output::attribute<T>(const std::string&, const std::string&, const T&);
+GRAINCRACK_ATTRIBUTE(double)
+GRAINCRACK_ATTRIBUTE(std::int64_t)
+GRAINCRACK_ATTRIBUTE(std::string)
+GRAINCRACK_ATTRIBUTE(std::vector<double>)
+GRAINCRACK_ATTRIBUTE(std::vector<std::int64_t>)
+GRAINCRACK_ATTRIBUTE(std::vector<std::string>)
+#undef GRAINCRACK_ATTRIBUTE
+
+}  // namespace graincrack

@@ -1,0 +1,25 @@
+// What a file is held against before anything in it is used: its groups and links, and whether what datasets and attributes
+// declare can be stored in it at all. Included by share/h5_*.cpp only.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "share/file/h5_detail.hpp"
+
+namespace graincrack::h5 {
+
+/// Walks through all groups. \throws InputError for links other than hard ones, for a group that is linked more than once (one in
+/// a circle is), and for groups nested deeper than any of ours
+void require_tree(hid_t file, const std::string& file_name);
+
+/// Number of values of a dataset. \throws InputError unless they are numbers, kept in this file, by filters that ours have, and
+/// as many as its bytes can hold; nothing has been read then
+std::size_t require_readable(hid_t dataset, const std::string& file_name, const std::string& path);
+
+/// \throws InputError for an attribute that declares more than the file has bytes, or for texts of variable length: the
+/// library keeps those apart, in what a damaged file leads it astray
+void require_readable_attribute(hid_t attribute, const std::string& file_name, const std::string& object,
+                                const std::string& name);
+
+}  // namespace graincrack::h5

@@ -1,0 +1,36 @@
+// Probes in a run file: the group /probes/NAME has columns with one row for each row of the history.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "share/base/quantities.hpp"
+
+namespace graincrack {
+
+class H5Input;
+class H5Output;
+
+/// A column of a probe: dataset /probes/NAME/name.
+struct ProbeColumn {
+    std::string name;
+    Dimension dimension;
+    std::string description;
+};
+
+/// Record of a probe: columns as long as those of the history.
+struct ProbeHistory {
+    std::string name;
+    std::vector<ProbeColumn> columns;
+    std::vector<std::vector<double>> values;  ///< by column
+};
+
+/// Appends rows [first, …) of every probe.
+void append_probes(H5Output& file, const std::vector<ProbeHistory>& probes, std::size_t first);
+
+/// Names of the probes of a run, sorted; none in a run without a program.
+std::vector<std::string> probe_names(const H5Input& file);
+/// \throws InputError if there is no probe of this name, naming those there are
+ProbeHistory read_probe(const H5Input& file, const std::string& name);
+
+}  // namespace graincrack

@@ -1,0 +1,28 @@
+// Sensitivity of a test's result to rate, time step, damping, mass scaling and mesh: the group /sensitivity of a run made with
+// --sensitivity.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "share/file/h5_file.hpp"
+
+namespace graincrack {
+
+/// Result of a test with one setting changed. The first row of a table is the unchanged test.
+struct SensitivityRow {
+    std::string changed;           ///< "as it is", "half the rate", …
+    double peak_axial_stress = 0;  ///< as in the header, Pa; NaN if the test cannot be run with this setting
+    double strain_at_peak = 0;     ///< platen travel over height, positive
+    /// From the peak to the end of the test, stress over strain, Pa; NaN if the test did not end by its drop below the peak.
+    double post_peak_slope = std::numeric_limits<double>::quiet_NaN();
+    double tensile_cracks = 0;  ///< failed contacts at the peak; with a finer mesh, in contacts of the unchanged mesh
+    double shear_cracks = 0;
+};
+
+void write_sensitivity(H5Output& file, const std::vector<SensitivityRow>& rows);
+/// Empty if the run was made without --sensitivity.
+std::vector<SensitivityRow> read_sensitivity(const H5Input& file);
+
+}  // namespace graincrack

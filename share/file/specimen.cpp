@@ -1,0 +1,217 @@
+#include "share/file/specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "share/base/error.hpp"
+#include "share/base/quantities.hpp"
+#include "share/file/file_checks.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
+#include "share/file/specimen_validation.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Rows of an array of arrays as one flat span, as HDF5 needs them.
+template <class T, std::size_t n>
+std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
+    return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
+}
+
+template <class T, std::size_t n>
+std::vector<std::array<T, n>> table_of(const H5Input& file, const schema::Dataset& dataset) {
+    const Extents extents = file.extents(dataset.path);
+    if (extents.size() != 2 || extents[1] != n) {
+        throw InputError(fmt::format("{}: dataset {} needs {} columns", file.name(), dataset.path, n));
+    }
+    const std::vector<T> values = file.read<T>(dataset.path);
+    std::vector<std::array<T, n>> rows(extents[0]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * n), n, rows[i].begin());
+    }
+    return rows;
+}
+
+template <class T, std::size_t n>
+void write_rows(H5Output& file, const schema::Dataset& dataset, const std::vector<std::array<T, n>>& rows) {
+    file.write<T>(dataset.path, flat(rows), {rows.size(), n}, dataset.unit, dataset.description);
+}
+
+template <class T>
+void write_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values) {
+    file.write<T>(dataset.path, std::span<const T>(values), {values.size()}, dataset.unit, dataset.description);
+}
+
+struct StatisticAttribute {
+    const char* name;
+    double MeshStatistics::*member;
+    Dimension dimension;
+};
+constexpr StatisticAttribute statistic_attributes[] = {
+    {"mean_edge", &MeshStatistics::mean_edge, Dimension::length},
+    {"edge_variation", &MeshStatistics::edge_variation, Dimension::one},
+    {"min_edge", &MeshStatistics::min_edge, Dimension::length},
+    {"max_edge", &MeshStatistics::max_edge, Dimension::length},
+    {"mean_diameter", &MeshStatistics::mean_diameter, Dimension::length},
+    {"diameter_variation", &MeshStatistics::diameter_variation, Dimension::one},
+    {"min_diameter", &MeshStatistics::min_diameter, Dimension::length},
+    {"max_diameter", &MeshStatistics::max_diameter, Dimension::length},
+    {"min_angle", &MeshStatistics::min_angle, Dimension::angle},
+    {"psi6", &MeshStatistics::psi6, Dimension::one},
+    {"area_error", &MeshStatistics::area_error, Dimension::one},
+};
+
+/// Static VTKHDF 1.0: readers refuse 2D points and connectivity that is not a flat int64 list, so these are copies.
+void write_vtk_view(H5Output& file, const Specimen& s) {
+    const std::string group = schema::vtk_group;
+    const std::int64_t n_nodes = static_cast<std::int64_t>(s.n_nodes());
+    const std::int64_t n_elements = static_cast<std::int64_t>(s.n_elements());
+    std::vector<std::array<double, 3>> points(s.n_nodes());
+    std::transform(s.node_position.begin(), s.node_position.end(), points.begin(), [](const std::array<double, 2>& p) {
+        return std::array<double, 3>{p[0], p[1], 0.0};
+    });
+    std::vector<std::int64_t> connectivity(flat(s.element_nodes).begin(), flat(s.element_nodes).end());
+    std::vector<std::int64_t> offsets(s.n_elements() + 1);
+    for (std::size_t e = 0; e < offsets.size(); ++e) {
+        offsets[e] = static_cast<std::int64_t>(3 * e);
+    }
+    constexpr std::uint8_t vtk_triangle = 5;
+    const std::vector<std::uint8_t> types(s.n_elements(), vtk_triangle);
+    const auto scalar = [&](const char* name, std::int64_t value, std::string_view description) {
+        file.write<std::int64_t>(group + "/" + name, std::span<const std::int64_t>(&value, 1), {1}, "1", description);
+    };
+    file.create_group(group);
+    file.attribute(group, "Version", std::vector<std::int64_t>{1, 0});
+    file.attribute(group, "Type", std::string("UnstructuredGrid"));
+    scalar("NumberOfPoints", n_nodes, "number of points");
+    scalar("NumberOfCells", n_elements, "number of cells");
+    scalar("NumberOfConnectivityIds", 3 * n_elements, "length of Connectivity");
+    file.write<double>(group + "/Points", flat(points), {points.size(), 3}, "m", "reference position x y 0");
+    file.write<std::int64_t>(group + "/Connectivity", connectivity, {connectivity.size()}, "1", "nodes of the cells");
+    file.write<std::int64_t>(group + "/Offsets", offsets, {offsets.size()}, "1", "first entry of each cell in Connectivity");
+    file.write<std::uint8_t>(group + "/Types", types, {types.size()}, "1", "VTK cell type");
+    file.hard_link(schema::element_grain.path, group + "/CellData/grain");
+}
+
+}  // namespace
+
+std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
+    std::vector<std::int32_t> grain(s.n_nodes(), -1);
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        for (const std::int32_t node : s.element_nodes[e]) {
+            grain[node] = s.element_grain[e];
+        }
+    }
+    return grain;
+}
+
+std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names) {
+    std::vector<std::string> names;
+    for (std::size_t high = 0; high < phase_names.size(); ++high) {
+        for (std::size_t low = 0; low <= high; ++low) {
+            names.push_back(phase_names[low] + "-" + phase_names[high]);
+        }
+    }
+    return names;
+}
+
+std::vector<double> phase_fractions(const Specimen& s) {
+    std::vector<double> fractions(s.phase_names.size());
+    double whole = 0;
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        fractions[s.grain_phase[g]] += s.grain_area[g];
+        whole += s.grain_area[g];
+    }
+    for (double& fraction : fractions) fraction /= whole;
+    return fractions;
+}
+
+std::vector<std::uint8_t> contact_classes(const Specimen& s) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    std::vector<std::uint8_t> classes;
+    for (const auto& nodes : s.contact_nodes) {
+        classes.push_back(
+            static_cast<std::uint8_t>(contact_class(s.grain_phase[grain[nodes[0]]], s.grain_phase[grain[nodes[2]]])));
+    }
+    return classes;
+}
+
+void write_specimen(H5Output& file, const Specimen& s) {
+    const std::string group = schema::specimen_group;
+    file.create_group(group);
+    file.attribute(group, "shape", s.shape);
+    file.quantity(group, "width", s.width, "m");
+    file.quantity(group, "height", s.height, "m");
+    file.attribute(group, "tessellation", s.tessellation);
+    file.attribute(group, "seed", static_cast<std::int64_t>(s.seed));
+    file.attribute(group, "elements_per_edge", std::int64_t{s.elements_per_edge});
+    file.quantity(group, "loading_arc", s.loading_arc, "rad");
+    file.attribute(group, "grains", static_cast<std::int64_t>(s.n_grains()));
+    for (const StatisticAttribute& a : statistic_attributes) {
+        file.quantity(group, a.name, s.statistics.*a.member, si_unit(a.dimension));
+    }
+    write_rows(file, schema::node_position, s.node_position);
+    write_rows(file, schema::element_nodes, s.element_nodes);
+    write_column(file, schema::element_grain, s.element_grain);
+    write_column(file, schema::grain_phase, s.grain_phase);
+    file.attribute(schema::grain_phase.path, "names", s.phase_names);
+    if (s.phase_names.size() > 1) file.attribute(schema::grain_phase.path, "fractions", phase_fractions(s));
+    write_column(file, schema::grain_area, s.grain_area);
+    write_rows(file, schema::contact_nodes, s.contact_nodes);
+    write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
+    write_column(file, schema::contact_kind, s.contact_kind);
+    file.attribute(schema::contact_kind.path, "names", std::vector<std::string>{"grain boundary", "pre-existing crack"});
+    if (s.phase_names.size() > 1) {
+        write_column(file, schema::contact_class, contact_classes(s));
+        file.attribute(schema::contact_class.path, "names", contact_class_names(s.phase_names));
+    }
+    if (!s.contact_strength_factor.empty()) {
+        write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
+    }
+    write_rows(file, schema::boundary_edges, s.boundary_edges);
+    write_column(file, schema::boundary_part, s.boundary_part);
+    file.attribute(schema::boundary_part.path, "names", s.part_names);
+    write_vtk_view(file, s);
+}
+
+Specimen read_specimen(const H5Input& file) {
+    const std::string group = schema::specimen_group;
+    Specimen s;
+    s.shape = file.attribute<std::string>(group, "shape");
+    s.width = file.attribute<double>(group, "width");
+    s.height = file.attribute<double>(group, "height");
+    s.tessellation = file.attribute_or<std::string>(group, "tessellation", "unknown");
+    s.seed = static_cast<std::uint64_t>(file.attribute_or<std::int64_t>(group, "seed", 0));
+    s.elements_per_edge = static_cast<int>(file.attribute_or<std::int64_t>(group, "elements_per_edge", 1));
+    s.loading_arc = file.attribute_or<double>(group, "loading_arc", 0);
+    for (const StatisticAttribute& a : statistic_attributes) {
+        s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
+    }
+    s.node_position = table_of<double, 2>(file, schema::node_position);
+    s.element_nodes = table_of<std::int32_t, 3>(file, schema::element_nodes);
+    s.element_grain = file.read<std::int32_t>(schema::element_grain.path, {s.n_elements()});
+    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path, {rows_of(file, schema::grain_phase.path)});
+    s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
+    s.grain_area = file.read<double>(schema::grain_area.path, {s.n_grains()});
+    s.contact_nodes = table_of<std::int32_t, 4>(file, schema::contact_nodes);
+    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path, {s.n_contacts()});
+    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path, {s.n_contacts()});
+    s.boundary_edges = table_of<std::int32_t, 2>(file, schema::boundary_edges);
+    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path, {s.n_boundary_edges()});
+    s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
+    if (file.has(schema::contact_strength_factor.path)) {
+        s.contact_strength_factor = file.read<double>(schema::contact_strength_factor.path, {s.n_contacts()});
+    }
+    validate(s, file.name());
+    if (file.has(schema::contact_class.path) &&
+        file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()}) != contact_classes(s)) {
+        throw InputError(fmt::format("{}: {} is not the pair of the phases of the two grains of each contact", file.name(),
+                                     schema::contact_class.path));
+    }
+    return s;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,520 @@
+#include "share/options/command_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "share/base/processors.hpp"
+#include "share/base/units.hpp"
+#include "share/file/provenance.hpp"
+#include "share/options/completion.hpp"
+#include "share/options/configuration_file.hpp"
+#include "share/options/option_names.hpp"
+#include "share/options/option_variables.hpp"
+
+namespace graincrack {
+namespace {
+
+/// The name of an option in a message: "--edge".
+std::string shown_name(const CLI::Option& option) {
+    return option.get_lnames().empty() ? option.get_name(option.get_positional()) : "--" + option.get_lnames().front();
+}
+
+bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
+
+/// Text as part of a one-line message.
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+    return text;
+}
+
+/// What to type for help on the subcommand that runs.
+std::string help_command(CLI::App& app) {
+    std::string command;
+    for (const CLI::App* each : running(app)) command += each->get_name() + " ";
+    return command + "--help";
+}
+
+/// Gives the options of an application, not of its subcommands, their environment variables: --max-strain:
+/// GRAINCRACK_MAX_STRAIN.
+void name_variables(CLI::App& app) {
+    for (CLI::Option* option : app.get_options()) {
+        if (!option->get_configurable() || option->get_lnames().empty() || !option->get_envname().empty()) continue;
+        option->envname(variable_of(option->get_lnames().front()));
+    }
+}
+
+void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
+    action(app);
+    for (CLI::App* sub : app.get_subcommands({})) for_each_app(*sub, action);
+}
+
+// --- help ------------------------------------------------------------------------------------------------------------
+
+/// Help without the names of environment variables; help of a subcommand also shows the options of the tool.
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
+        std::string text;
+        for (const CLI::App* parent = app->get_parent(); parent != nullptr && mode == CLI::AppFormatMode::Normal;
+             parent = parent->get_parent()) {
+            const auto options = parent->get_options([parent](const CLI::Option* option) {
+                return !option->get_group().empty() && option->nonpositional() && option != parent->get_help_ptr();
+            });
+            if (!options.empty()) text += make_group("Options of " + parent->get_name(), false, options);
+        }
+        return text + CLI::Formatter::make_subcommands(app, mode);
+    }
+
+    /// Descriptions in lines of a readable length.
+    std::string make_option_desc(const CLI::Option* option) const override {
+        constexpr std::size_t width = 88;
+        std::istringstream words(CLI::Formatter::make_option_desc(option));
+        std::string text;
+        std::size_t length = 0;
+        for (std::string word; words >> word; length += word.size()) {
+            if (length > 0 && length + 1 + word.size() > width) {
+                text += '\n';
+                length = 0;
+            } else if (length > 0) {
+                text += ' ';
+                ++length;
+            }
+            text += word;
+        }
+        return text;
+    }
+
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string text;
+        if (option->get_type_size() != 0) {
+            if (!option->get_type_name().empty()) text += " " + option->get_type_name();
+            if (option->get_required()) {
+                text += " REQUIRED";
+            } else if (!option->get_default_str().empty()) {
+                text += " = " + option->get_default_str();
+            }
+            if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
+        }
+        return text;
+    }
+};
+
+std::string type_name(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::one: return "NUMBER";
+        case Dimension::length: return "LENGTH";
+        case Dimension::area: return "AREA";
+        case Dimension::angle: return "ANGLE";
+        case Dimension::time: return "TIME";
+        case Dimension::speed: return "SPEED";
+        case Dimension::stress: return "STRESS";
+        case Dimension::force: return "FORCE";
+        case Dimension::energy: return "ENERGY";
+        case Dimension::stiffness: return "STIFFNESS";
+        case Dimension::toughness: return "TOUGHNESS";
+        case Dimension::fracture_energy: return "ENERGY/AREA";
+        case Dimension::density: return "DENSITY";
+        case Dimension::acceleration: return "ACCELERATION";
+        case Dimension::frequency: return "FREQUENCY";
+    }
+    return "VALUE";
+}
+
+/// "mean edge [above 0 m and at most 1 km; m, mm, cm, um, km]"
+std::string help_of(const std::string& help, const Quantity& quantity) {
+    std::vector<std::string_view> symbols;
+    for (const Unit& unit : units_of(quantity.dimension)) {
+        if (unit.symbol != "1") symbols.push_back(unit.symbol);
+    }
+    return fmt::format("{} [{}; {}]", help, bounds_text(quantity), fmt::join(symbols, ", "));
+}
+
+// --- notes -----------------------------------------------------------------------------------------------------------
+
+/// What bare numbers were taken for, as the options are read.
+std::vector<std::string>& bare_numbers() {
+    static std::vector<std::string> notes;
+    return notes;
+}
+
+void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
+    const std::string note = bare_number_note(text, quantity, where);
+    const bool is_known = std::find(bare_numbers().begin(), bare_numbers().end(), note) != bare_numbers().end();
+    if (!note.empty() && !is_known) bare_numbers().push_back(note);
+}
+
+double read_quantity(const std::string& text, const Quantity& quantity, const std::string& where) {
+    const double value = parse_quantity(text, quantity, where);
+    note_bare_number(text, quantity, where);
+    return value;
+}
+
+/// What the user may have meant otherwise, and with --verbose the options that hold; nothing with --quiet.
+void print_notes(const CLI::App& app) {
+    if (app.count("--quiet") > 0) return;
+    for (const auto& notes : {bare_numbers(), misspelt_variables()}) {
+        for (const std::string& note : notes) std::cerr << app.get_name() << ": note: " << note << '\n';
+    }
+    if (app.count("--verbose") > 0) std::cerr << effective_configuration(app);
+}
+
+// --- errors ----------------------------------------------------------------------------------------------------------
+
+/// What was parsed, for the messages.
+struct Call {
+    CLI::App& app;
+    std::vector<std::string> arguments;
+};
+
+CLI::Option* find_option(const Call& call, const std::string& name) {
+    for (CLI::App* each : running(call.app)) {
+        if (CLI::Option* option = each->get_option_no_throw(name); option != nullptr) return option;
+    }
+    return nullptr;
+}
+
+bool on_command_line(const Call& call, const CLI::Option& option) {
+    const auto given = [&](const std::string& argument) {
+        return std::any_of(option.get_lnames().begin(), option.get_lnames().end(),
+                           [&](const std::string& name) {
+                               return argument == "--" + name || argument.compare(0, name.size() + 3, "--" + name + "=") == 0;
+                           }) ||
+               std::any_of(option.get_snames().begin(), option.get_snames().end(),
+                           [&](const std::string& name) { return argument.compare(0, name.size() + 1, "-" + name) == 0; });
+    };
+    return std::any_of(call.arguments.begin(), call.arguments.end(), given);
+}
+
+/// "--edge" or, if the value was not on the command line, "--edge (from run.toml, line 3)".
+std::string with_origin(const Call& call, const CLI::Option& option) {
+    std::string name = shown_name(option);
+    if (on_command_line(call, option)) return name;
+    if (in_environment(option.get_envname())) return fmt::format("{} (from {})", name, option.get_envname());
+    const ConfigurationFile* file = configuration_file(call.app);
+    const std::string origin = file == nullptr ? "" : file->origin(&option);
+    return origin.empty() ? name : fmt::format("{} (from {})", name, origin);
+}
+
+/// A UsageError that starts "--option: …", with the origin of the value after the option.
+std::string with_origin_in(const Call& call, const std::string& message) {
+    const auto end = message.find(": ");
+    if (end == std::string::npos || message.find(' ') < end) return message;
+    const CLI::Option* option = find_option(call, message.substr(0, end));
+    return option == nullptr ? message : with_origin(call, *option) + message.substr(end);
+}
+
+std::string subcommand_message(const CLI::App& app, const std::string& wrong) {
+    const std::vector<std::string> names = subcommand_names(app);
+    const std::string given =
+        wrong.empty() ? "no subcommand given" : fmt::format("unknown subcommand \"{}\"{}", wrong, did_you_mean(wrong, names));
+    return fmt::format("{}; one of {} fits", given, fmt::join(names, ", "));
+}
+
+/// What is left over: unknown options and arguments too many.
+std::string leftover_message(const Call& call, const std::vector<std::string>& left) {
+    const CLI::App* last = running(call.app).back();
+    const bool wants_subcommand = !last->get_subcommands({}).empty();
+    if (wants_subcommand && left.front().front() != '-') return subcommand_message(*last, left.front());
+    for (const std::string& argument : left) {
+        if (argument.size() < 2 || argument.front() != '-') continue;
+        const std::string name = argument.substr(0, argument.find('='));
+        std::vector<std::string> known;
+        for (const CLI::App* each : running(call.app)) {
+            for (const CLI::Option* option : each->get_options()) {
+                for (const std::string& other : option->get_lnames()) known.push_back("--" + other);
+            }
+        }
+        for (const CLI::App* sub : call.app.get_subcommands({})) {
+            if (sub->get_option_no_throw(name) != nullptr) {
+                return fmt::format("{}: no option of {}, but of {}; see {}", name, running(call.app).back()->get_name(),
+                                   sub->get_name(), help_command(call.app));
+            }
+        }
+        return fmt::format("{}: unknown option{}; see {}", name, did_you_mean(name, known), help_command(call.app));
+    }
+    if (wants_subcommand) return subcommand_message(*last, left.front());
+    return fmt::format("unexpected argument \"{}\"; see {}", left.front(), help_command(call.app));
+}
+
+// The type of an exception of CLI11 says what kind of error it is; the option it concerns is only in its English text. Each
+// function below therefore finds the option by the state of all options. It returns the message, or "" without such an option.
+
+/// The first option of what runs, from the top, that fits; nullptr if there is none.
+const CLI::Option* first_option(const Call& call, const std::function<bool(const CLI::Option&)>& fits) {
+    for (const CLI::App* each : running(call.app)) {
+        for (const CLI::Option* option : each->get_options()) {
+            if (fits(*option)) return option;
+        }
+    }
+    return nullptr;
+}
+
+std::string missing_message(const Call& call) {
+    for (const CLI::App* each : running(call.app)) {
+        for (const CLI::Option* option : each->get_options()) {
+            if (!option->get_required() || option->count() > 0) continue;
+            return fmt::format("{}: missing; give the {}", shown_name(*option), option->get_description());
+        }
+        if (each->get_subcommands().size() < each->get_require_subcommand_min()) return subcommand_message(*each, "");
+    }
+    return "";
+}
+
+/// An option with more values than it takes, or one at the end of the command line without its value.
+std::string mismatch_message(const Call& call) {
+    const CLI::Option* repeated = first_option(call, [](const CLI::Option& option) {
+        return option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
+               option.count() > static_cast<std::size_t>(std::max(option.get_items_expected_max(), 1));
+    });
+    if (repeated != nullptr) return fmt::format("{}: given more than once; give it once", with_origin(call, *repeated));
+    if (call.arguments.empty()) return "";
+    const std::string& last = call.arguments.back();
+    const bool is_short = last.size() > 1 && last[0] == '-' && last[1] != '-';  // "-o", or "-qo" for "-q -o"
+    const CLI::Option* bare = find_option(call, is_short ? std::string("-") + last.back() : last);
+    if (bare == nullptr || is_flag(*bare)) return "";
+    return fmt::format("{}: no value given; write {} {}", shown_name(*bare), shown_name(*bare), bare->get_type_name());
+}
+
+bool reads_as_flag(const CLI::Option& option) {
+    try {
+        (void)option.as<bool>();
+        return true;
+    } catch (const CLI::ConversionError&) {
+        return false;
+    }
+}
+
+/// A flag with a value that is neither true nor false; the values of other options are read by functions of ours.
+std::string conversion_message(const Call& call) {
+    const CLI::Option* flag = first_option(
+        call, [](const CLI::Option& option) { return is_flag(option) && option.count() > 0 && !reads_as_flag(option); });
+    if (flag == nullptr) return "";
+    const std::string name = shown_name(*flag);
+    return fmt::format("{}: \"{}\" does not fit; write {} alone, or {}=true or {}=false", with_origin(call, *flag),
+                       flag->results().back(), name, name, name);
+}
+
+/// The first of some options that was given (or not); nullptr if there is none.
+const CLI::Option* first_of(const std::set<CLI::Option*>& options, bool given) {
+    const auto found = std::find_if(options.begin(), options.end(), [given](auto* o) { return (o->count() > 0) == given; });
+    return found == options.end() ? nullptr : *found;
+}
+
+std::string exclusion_message(const Call& call) {
+    const CLI::Option* one = first_option(
+        call, [](const CLI::Option& option) { return option.count() > 0 && first_of(option.get_excludes(), true) != nullptr; });
+    if (one == nullptr) return "";
+    return fmt::format("{} and {}: only one of them can be given; leave one out", with_origin(call, *one),
+                       with_origin(call, *first_of(one->get_excludes(), true)));
+}
+
+std::string requirement_message(const Call& call) {
+    const CLI::Option* one = first_option(
+        call, [](const CLI::Option& option) { return option.count() > 0 && first_of(option.get_needs(), false) != nullptr; });
+    if (one == nullptr) return "";
+    return fmt::format("{}: not alone; give {} as well", with_origin(call, *one), shown_name(*first_of(one->get_needs(), false)));
+}
+
+std::string file_message(const Call& call) {
+    const CLI::Option* config = call.app.get_config_ptr();
+    return config == nullptr || config->count() == 0
+               ? ""
+               : fmt::format("{}: {} cannot be read; a TOML file is needed", shown_name(*config), config->results().back());
+}
+
+template <class Kind>
+bool is(const CLI::ParseError& error) {
+    return dynamic_cast<const Kind*>(&error) != nullptr;
+}
+
+/// The error as one line for the user.
+std::string message_of(const Call& call, const CLI::ParseError& error) {
+    std::string message;
+    if (is<CLI::ExtrasError>(error) || is<CLI::RequiredError>(error)) {
+        const std::vector<std::string> left = call.app.remaining(true);
+        message = left.empty() ? missing_message(call) : leftover_message(call, left);
+    } else if (is<CLI::ArgumentMismatch>(error)) {
+        message = mismatch_message(call);
+    } else if (is<CLI::ConversionError>(error)) {
+        message = conversion_message(call);
+    } else if (is<CLI::ExcludesError>(error)) {
+        message = exclusion_message(call);
+    } else if (is<CLI::RequiresError>(error)) {
+        message = requirement_message(call);
+    } else if (is<CLI::FileError>(error)) {
+        message = file_message(call);
+    }
+    return message.empty() ? fmt::format("{}; see {}", one_line(error.what()), help_command(call.app)) : message;
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string long_name(const std::string& option) {
+    const auto dashes = option.find("--");
+    if (dashes == std::string::npos) return option.substr(0, option.find(','));
+    return option.substr(dashes, option.find(',', dashes) - dashes);
+}
+
+CLI::Option* add_value(CLI::App& app, const std::string& option, const std::function<void(const std::string&)>& read,
+                       const std::string& help, const std::string& type_name, const std::string& default_text) {
+    CLI::callback_t callback = [read](const CLI::results_t& results) {
+        read(results.front());
+        return true;
+    };
+    if (!default_text.empty()) read(default_text);
+    CLI::Option* added = app.add_option(option, std::move(callback), help);
+    added->type_name(type_name);
+    added->default_str(default_text);
+    if (auto* file = configuration_file(app); file != nullptr) file->remember(added, read);
+    return added;
+}
+
+}  // namespace detail
+
+CLI::Option* add_quantity(CLI::App& app, const std::string& option, double& target, const Quantity& quantity,
+                          const std::string& help, const std::string& default_text) {
+    const std::string where = detail::long_name(option);
+    return detail::add_value(
+        app, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
+        help_of(help, quantity), type_name(quantity.dimension), default_text);
+}
+
+CLI::Option* add_quantity(CLI::App& app, const std::string& option, std::optional<double>& target, const Quantity& quantity,
+                          const std::string& help) {
+    const std::string where = detail::long_name(option);
+    return detail::add_value(
+        app, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
+        help_of(help, quantity), type_name(quantity.dimension), "");
+}
+
+CLI::Option* add_quantity_or(CLI::App& app, const std::string& option, double& target, const Quantity& quantity,
+                             const std::string& word, double word_value, const std::string& help,
+                             const std::string& default_text) {
+    const std::string where = detail::long_name(option);
+    return detail::add_value(
+        app, option,
+        [&target, quantity, where, word, word_value](const std::string& text) {
+            target = parse_quantity_or(text, word, word_value, quantity, where);
+        },
+        help_of(help, quantity), type_name(quantity.dimension) + "|" + word, default_text);
+}
+
+CLI::Option* add_fracture_energy(CLI::App& app, std::optional<FractureEnergyChoice>& target, const std::string& help) {
+    return detail::add_value(
+        app, "--fracture-energy",
+        [&target](const std::string& text) { target = parse_fracture_energy(text, "--fracture-energy"); },
+        help_of(help, contact_parameter(&ContactParameters::fracture_energy).quantity), "mixed|mode-i|ENERGY/AREA", "");
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& target, const std::vector<std::string>& choices,
+                        const std::string& help) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    pairs.reserve(choices.size());
+    for (const std::string& choice : choices) pairs.emplace_back(choice, choice);
+    return add_choice<std::string>(app, option, target, pairs, help);
+}
+
+CLI::Option* add_threads(CLI::App& app, int& threads) {
+    threads = available_processors();
+    return add_integer<int>(app, "--threads", threads, "threads; default: the processors this process may use", 1, 4096);
+}
+
+CLI::Option* add_dry_run(CLI::App& app, CommonOptions& options, const std::string& help) {
+    return app.add_flag("--dry-run", options.dry_run, help);
+}
+
+void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& options, const std::string& examples,
+                        const std::vector<std::string>& libraries) {
+    app.name(tool);
+    app.option_defaults()->always_capture_default();
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.get_formatter()->column_width(40);
+    app.get_formatter()->label("OPTIONS", "options");
+    app.get_formatter()->label("SUBCOMMAND", "subcommand");
+    app.footer(
+        "Numbers take units (4mm, 24.15MPa, 48.76deg); a bare number is SI. Any option may stand in the file of --config\n"
+        "(TOML, by its name) or in the environment (GRAINCRACK_MAX_STRAIN for --max-strain); flags win over the\n"
+        "environment, which wins over the file.\n\nExamples:\n" +
+        examples);
+    app.set_help_flag("-h,--help", "print this and exit");
+    app.set_version_flag(
+        "--version",
+        [tool, libraries] {
+            const std::string commit = project_commit();
+            std::string text =
+                fmt::format("{} {}{}", tool, project_version(), commit.empty() ? "" : fmt::format(" ({})", commit));
+            for (const std::string& library : library_versions()) text += "\n" + library;
+            for (const std::string& library : libraries) text += "\n" + library;
+            return text + "\nCLI11 " CLI11_VERSION;
+        },
+        "print version, commit and libraries and exit");
+    app.add_option_function<std::string>(
+           "--completion", [&app](const std::string& shell) { throw CLI::CallForVersion(completion_script(app, shell), 0); },
+           "print a script that completes command lines and exit")
+        ->type_name("bash|zsh")
+        ->configurable(false);
+    app.config_formatter(std::make_shared<ConfigurationFile>(app));
+    app.allow_config_extras(CLI::config_extras_mode::error);
+    app.set_config("--config", "", "TOML file with options by their names")->type_name("FILE")->configurable(false);
+    app.add_flag("--print-config", options.print_config, "print the effective options as TOML for --config and exit")
+        ->configurable(false);
+    const auto say = [&options](Verbosity verbosity) { return [&options, verbosity] { options.verbosity = verbosity; }; };
+    CLI::Option* quiet = app.add_flag_callback("-q,--quiet", say(Verbosity::quiet), "print errors only");
+    CLI::Option* verbose =
+        app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "print more: the effective options, as TOML");
+    quiet->excludes(verbose);
+}
+
+bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
+    Call call{app, {argv + std::min(argc, 1), argv + argc}};
+    const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
+    const bool print_config = std::find(call.arguments.begin(), ends, "--print-config") != ends;
+    std::vector<CLI::Option*> required;
+    name_variables(app);
+    for_each_app(app, [&](CLI::App& each) {
+        if (each.get_parent() != nullptr) {
+            each.fallthrough();
+            // only for subcommands that run: the variables do not apply to others
+            each.preparse_callback([&each](std::size_t) { name_variables(each); });
+        }
+        for (CLI::Option* option : each.get_options()) {
+            if (print_config && option->get_required()) {
+                required.push_back(option);
+                option->required(false);
+            }
+        }
+    });
+    bare_numbers().clear();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        app.exit(success, std::cout, std::cerr);
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(message_of(call, error));
+    } catch (const UsageError& error) {
+        throw UsageError(with_origin_in(call, error.what()));
+    }
+    if (const ConfigurationFile* file = configuration_file(app); file != nullptr) {
+        for (CLI::App* each : running(app)) {
+            for (const CLI::Option* option : each->get_options()) file->apply_default(option);
+        }
+    }
+    if (!print_config) {
+        print_notes(app);
+        return true;
+    }
+    for (CLI::Option* option : required) option->required();
+    std::cout << effective_configuration(app);
+    return false;
+}
+
+}  // namespace graincrack

@@ -1,0 +1,42 @@
+// Configuration files of the command line: TOML with the names of options as keys, by the rules of command_line.hpp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "share/base/toml_file.hpp"
+
+namespace graincrack {
+
+/// Reads configuration files for CLI11.
+class ConfigurationFile : public CLI::Config {
+public:
+    explicit ConfigurationFile(CLI::App& app) : app_(app) {}
+
+    std::vector<CLI::ConfigItem> from_config(std::istream& stream) const override;
+    std::string to_config(const CLI::App*, bool, bool, std::string) const override;
+
+    /// "file, line n" of an option whose value a configuration file gave, else "".
+    [[nodiscard]] std::string origin(const CLI::Option* option) const;
+
+    /// Keeps the function that reads the value of an option: its default is applied once it is known which subcommand runs.
+    void remember(const CLI::Option* option, const std::function<void(const std::string&)>& read) { readers_[option] = read; }
+    void apply_default(const CLI::Option* option) const;
+
+private:
+    void check_section(const TomlFile& toml, const TomlSection& section) const;
+    void add_item(const TomlFile& toml, const TomlEntry& entry, std::vector<CLI::ConfigItem>& loaded) const;
+    [[noreturn]] void refuse_key(const TomlFile& toml, const TomlEntry& entry, const std::vector<CLI::App*>& owners) const;
+
+    CLI::App& app_;
+    mutable std::map<const CLI::Option*, std::string> origins_;
+    std::map<const CLI::Option*, std::function<void(const std::string&)>> readers_;
+};
+
+/// The configuration file of an application; nullptr if it has none.
+ConfigurationFile* configuration_file(const CLI::App& app);
+
+}  // namespace graincrack

@@ -1,0 +1,74 @@
+// Materials: TOML files with the rock, its contacts and its laboratory values.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "share/base/quantities.hpp"
+#include "share/rock/contact_parameters.hpp"
+#include "share/rock/fracture_process_zone.hpp"
+#include "share/rock/material_fabric.hpp"
+
+namespace graincrack {
+
+/// [laboratory]: measured values, by key, in SI; not read by the solver.
+using LaboratoryValues = std::map<std::string, double>;
+
+/// [fitted] of a calibrated material: properties of the assemblage that were fitted, by key (as in [laboratory], or
+/// "confined_strength_8MPa"), and to what, in words.
+using FittedProperties = std::map<std::string, std::string>;
+
+struct Material {
+    std::string name;
+    std::filesystem::path file;  ///< where it was read from
+    Rock rock;
+    GivenContact contact;              ///< [contact]; what is unset is derived from [rock]
+    std::string law;                   ///< [contact] law: name of its contact law; "": that of the program
+    MaterialFabric fabric;             ///< [phases], [pairs], [strength]
+    double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
+    LaboratoryValues laboratory;
+    FittedProperties fitted;
+    std::vector<std::string>
+        notes;  ///< on its values, for `write_notes`: "note: …" without a unit, "warning: …" far off any rock's
+};
+
+/// Keys [laboratory] may hold: young_modulus, poisson_ratio, tensile_strength, compressive_strength, cohesion,
+/// friction_angle, grain_size, min_grain_size, max_grain_size.
+const std::vector<Quantity>& laboratory_quantities();
+
+/// Reads a material, a name or a file as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
+/// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
+///         message names file and key and says what would be right.
+Material read_material(const std::string& name_or_file);
+
+/// Writes the notes on the values of a material, a line each: "PROGRAM: note: …".
+void write_notes(std::ostream& out, std::string_view program, const Material& material);
+
+/// How the fracture energy of a contact is chosen (--fracture-energy).
+struct FractureEnergyChoice {
+    enum class Kind { mixed, mode_i, value } kind = Kind::mode_i;
+    double value = 0;  ///< J/m², for Kind::value
+};
+
+/// Reads "mixed", "mode-i" or a value such as "90J/m2". \throws UsageError naming `where`
+FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where);
+/// "mixed", "mode-i" or "value".
+std::string_view name_of(FractureEnergyChoice::Kind kind);
+
+/// The choice `contact_parameters` makes: `choice`; else the material's own value; else mode-i.
+FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice);
+
+/// What a material gives of its contacts, with an explicit choice of the fracture energy in place of its own.
+GivenContact given_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice);
+
+/// The contact parameters of a material, as `derived_contact` has them. An explicit `choice` takes precedence over the material's
+/// own fracture energy; without either the choice is mode-i.
+ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
+                                     const std::optional<FractureEnergyChoice>& choice);
+
+}  // namespace graincrack

@@ -1,0 +1,157 @@
+#include "share/rock/material_edit.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "share/base/error.hpp"
+#include "share/base/toml_file.hpp"
+#include "share/base/units.hpp"
+#include "share/rock/incomplete_material.hpp"
+
+namespace graincrack {
+
+namespace {
+
+std::vector<std::string> lines_of(std::istream& stream) {
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// "phases.quartz" and "fraction"; the name of the material is in no table.
+std::pair<std::string, std::string> parts_of(const std::string& key) {
+    const std::size_t dot = key.rfind('.');
+    return dot == std::string::npos ? std::pair(std::string(), key) : std::pair(key.substr(0, dot), key.substr(dot + 1));
+}
+
+/// \throws UsageError
+void check(const MaterialSetting& setting) {
+    const auto& [key, value] = setting;
+    if (key == "name") {
+        if (value.empty() || value.find_first_of("\"\\\n") != std::string::npos)
+            throw UsageError(fmt::format("name={}: a name without quotes is needed", value));
+        return;
+    }
+    const TomlKey found = material_key(key);
+    if (found.is_word()) return found.require_word(value, key);
+    static_cast<void>(parse_quantity(value, found.quantity, key));
+}
+
+/// A line of a TOML file, with a comment if it has one.
+std::string line_of(const std::string& key, const std::string& value, const std::string& comment) {
+    const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos;
+    const std::string line = bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value);
+    return comment.empty() ? line : fmt::format("{:<39} # {}", line, comment);
+}
+
+/// What a template says behind the example of a key: `E` of `# young_modulus = "25.8 GPa"    # E`.
+std::string comment_of_example(const std::string& line) {
+    const std::size_t at = line.find("  # ");
+    return at == std::string::npos ? "" : line.substr(at + 4);
+}
+
+bool is_in(const TomlEntry& entry, const std::string& table) { return fmt::format("{}", fmt::join(entry.section, ".")) == table; }
+
+/// Lines of a file, and those to add behind some of them.
+class Edit {
+public:
+    Edit(TomlFile toml, std::vector<std::string> lines) : toml_(std::move(toml)), lines_(std::move(lines)) {}
+    /// \throws InputError
+    void set(const MaterialSetting& setting) {
+        const auto [table, key] = parts_of(setting.first);
+        const auto same = [&, t = table, k = key](const TomlEntry& entry) { return is_in(entry, t) && entry.key == k; };
+        const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), same);
+        if (found == toml_.entries.end()) {
+            if (const auto example = example_of(table, key); example != lines_.end()) {
+                *example = line_of(key, setting.second, comment_of_example(*example));
+                return;
+            }
+            return add(table, line_of(key, setting.second, "added"));
+        }
+        const auto on_line = [&](const TomlEntry& entry) { return entry.line == found->line; };
+        if (std::count_if(toml_.entries.begin(), toml_.entries.end(), on_line) > 1 || found->values.empty()) {
+            throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own",
+                                         toml_.file, found->line, setting.first));
+        }
+        lines_[static_cast<std::size_t>(found->line) - 1] = line_of(key, setting.second, "was " + found->values[0].text);
+    }
+    [[nodiscard]] std::string text() const {
+        std::string text;
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            text += lines_[i] + "\n";
+            const auto [from, to] = added_.equal_range(static_cast<int>(i) + 1);
+            for (auto line = from; line != to; ++line) text += line->second + "\n";
+        }
+        for (const auto& [table, lines] : new_tables_) {
+            text += fmt::format("\n[{}]\n", table);
+            for (const std::string& line : lines) text += line + "\n";
+        }
+        return text;
+    }
+
+private:
+    /// The line of a template that has the key of a table with an example as a comment; the end if there is none.
+    std::vector<std::string>::iterator example_of(const std::string& table, const std::string& key) {
+        auto from = lines_.end();
+        auto to = lines_.end();
+        for (const TomlSection& section : toml_.sections) {
+            const auto header = lines_.begin() + section.line - 1;
+            if (from != lines_.end() && header > from) to = std::min(to, header);
+            if (fmt::format("{}", fmt::join(section.name, ".")) == table) from = header;
+        }
+        const auto found = std::find_if(from, to, [&](const std::string& line) { return line.starts_with("# " + key + " = "); });
+        return found == to ? lines_.end() : found;
+    }
+    void add(const std::string& table, const std::string& line) {
+        int last = 0;
+        for (const TomlSection& section : toml_.sections) {
+            if (fmt::format("{}", fmt::join(section.name, ".")) == table) last = section.line;
+        }
+        if (last == 0) {
+            new_tables_[table].push_back(line);
+            return;
+        }
+        for (const TomlEntry& entry : toml_.entries) {
+            if (is_in(entry, table)) last = std::max(last, entry.line);
+        }
+        added_.emplace(last, line);
+    }
+
+    TomlFile toml_;
+    std::vector<std::string> lines_;
+    std::multimap<int, std::string> added_;  ///< by the number of the line before
+    std::map<std::string, std::vector<std::string>> new_tables_;
+};
+
+}  // namespace
+
+namespace {
+
+std::string with_settings(Edit edit, const std::vector<MaterialSetting>& settings) {
+    for (const MaterialSetting& setting : settings) {
+        check(setting);
+        edit.set(setting);
+    }
+    return edit.text();
+}
+
+}  // namespace
+
+std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
+    const std::string file = read_incomplete_material(name_or_file).material.file.string();
+    std::ifstream stream(file, std::ios::binary);
+    return with_settings(Edit(read_toml(file), lines_of(stream)), settings);
+}
+
+std::string material_template(const std::string& name, const std::vector<MaterialSetting>& settings) {
+    const std::string text = material_template(name);
+    std::istringstream stream(text);
+    return with_settings(Edit(parse_toml(text, name), lines_of(stream)), settings);
+}
+
+}  // namespace graincrack

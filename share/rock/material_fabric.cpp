@@ -1,0 +1,202 @@
+#include "share/rock/material_fabric.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "share/base/error.hpp"
+
+namespace graincrack {
+namespace {
+
+constexpr double whole = 1e-6;  // by how much fractions may miss 1
+constexpr Quantity fraction{"fraction", Dimension::one, 0, 1, "share of the area of a phase", true};
+constexpr Quantity relative_modulus{
+    "relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's", true};
+constexpr Quantity contrast{"contrast", Dimension::one, 0, 10, "share of the contrast of stiffness that grains have"};
+constexpr Quantity factor{"factor", Dimension::one, 0, 1000, "factor on a contact parameter", true};
+constexpr Quantity modulus{"modulus", Dimension::one, 0, 1000, "Weibull modulus of the strengths of grain boundaries", true};
+constexpr Quantity correlation{"correlation", Dimension::length, 0, 1e3, "distance over which strengths are alike"};
+
+auto to(double& target) {
+    return [&target](double value) { target = value; };
+}
+auto to(std::optional<double>& target) {
+    return [&target](double value) { target = value; };
+}
+
+/// Contact parameters of which none is needed.
+std::vector<TomlKey> optional_contact_keys(GivenContact& given) {
+    std::vector<TomlKey> keys = contact_keys(given);
+    for (TomlKey& key : keys) {
+        key.needed = false;
+    }
+    return keys;
+}
+std::vector<TomlKey> factor_keys(GivenContact& given) {
+    std::vector<TomlKey> keys = optional_contact_keys(given);
+    for (TomlKey& key : keys) {
+        key.quantity = factor;
+    }
+    return keys;
+}
+
+std::vector<TomlKey> phase_keys(PhaseMaterial& phase) {
+    return {{"fraction", fraction, to(phase.fraction), true},
+            {"young_modulus", quantity::young_modulus, to(phase.young_modulus)},
+            {"relative_young_modulus", relative_modulus, to(phase.relative_young_modulus)},
+            {"poisson_ratio", quantity::poisson_ratio, to(phase.poisson_ratio)},
+            {"density", quantity::density, to(phase.density)}};
+}
+
+std::vector<TomlKey> rule_keys(MaterialFabric& fabric) {
+    TomlKey rule{"rule", {}, {}};
+    rule.words = {"mean", "minimum"};
+    rule.set_word = [&fabric](const std::string& word) { fabric.rule = word == "mean" ? SideRule::mean : SideRule::minimum; };
+    TomlKey stiffness{"stiffness", {}, {}};
+    stiffness.words = {"rock", "sides"};
+    stiffness.set_word = [&fabric](const std::string& word) {
+        fabric.stiffness = word == "rock" ? StiffnessRule::rock : StiffnessRule::sides;
+    };
+    return {rule, stiffness};
+}
+
+std::vector<std::string> names_of(const std::map<std::string, PhaseMaterial>& phases) {
+    std::vector<std::string> names;
+    for (const auto& [name, phase] : phases) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+/// The two phases of the name of a pair.
+std::pair<std::string, std::string> sides_of(const std::string& pair) {
+    const std::size_t dash = pair.find('-');
+    return dash == std::string::npos ? std::pair(pair, std::string()) : std::pair(pair.substr(0, dash), pair.substr(dash + 1));
+}
+
+void require_pairs(const MaterialFabric& fabric, const std::string& where) {
+    const std::vector<std::string> phases = names_of(fabric.phases);
+    for (const auto& [pair, given] : fabric.pairs) {
+        const auto [first, second] = sides_of(pair);
+        for (const std::string& side : {first, second}) {
+            if (fabric.phases.find(side) == fabric.phases.end()) {
+                throw InputError(fmt::format("{}: [pairs.\"{}\"]: {} is no phase{}; two of {} joined by - fit", where, pair,
+                                             side.empty() ? "nothing" : side, did_you_mean(side, phases),
+                                             fmt::join(phases, ", ")));
+            }
+        }
+        if (first != second && fabric.pairs.find(second + "-" + first) != fabric.pairs.end()) {
+            throw InputError(
+                fmt::format("{}: the pair of {} and {} is given twice; leave one of the tables out", where, first, second));
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<std::string>& path) {
+    const std::string name = fmt::format("{}", fmt::join(path, "."));
+    const std::string& first = path.front();
+    if (first == "strength" && path.size() == 1) {
+        return TomlKeys{
+            name,
+            {{"modulus", modulus, to(fabric.strength_modulus)}, {"correlation", correlation, to(fabric.strength_correlation)}}};
+    }
+    if (first == "phases" && path.size() == 1) {
+        TomlKey from{"from", {}, {}};
+        from.set_word = [&fabric](const std::string& word) { fabric.from = word; };
+        return TomlKeys{name, {{"contrast", contrast, to(fabric.contrast)}, from}};
+    }
+    if (first == "phases" && path.size() == 2) return TomlKeys{name, phase_keys(fabric.phases[path[1]])};
+    if (first == "phases" && path.size() == 3 && path[2] == "contact") {
+        return TomlKeys{name, optional_contact_keys(fabric.phases[path[1]].contact)};
+    }
+    if (first == "pairs" && path.size() == 1) return TomlKeys{name, rule_keys(fabric)};
+    if (first == "pairs" && path.size() == 2) {
+        if (path[1] == "homophase") return TomlKeys{name, factor_keys(fabric.homophase)};
+        if (path[1] == "heterophase") return TomlKeys{name, factor_keys(fabric.heterophase)};
+        return TomlKeys{name, optional_contact_keys(fabric.pairs[path[1]])};
+    }
+    return std::nullopt;
+}
+
+double relative_young_modulus(const PhaseMaterial& phase, const Rock& rock) {
+    return phase.young_modulus ? *phase.young_modulus / rock.young_modulus : phase.relative_young_modulus.value_or(1);
+}
+
+double young_modulus_of_grains(const PhaseMaterial& phase, const MaterialFabric& fabric, const Rock& rock) {
+    return rock.young_modulus * (1 + fabric.contrast * (relative_young_modulus(phase, rock) - 1));
+}
+
+namespace {
+
+std::string line_of(const std::string& key, double value) { return fmt::format("{} = {:.17g}\n", key, value); }
+std::string contact_table(const std::string& name, const GivenContact& given) {
+    std::string lines;
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (given.*row.given) lines += line_of(row.key(), *(given.*row.given));
+    }
+    return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
+}
+
+}  // namespace
+
+std::string fabric_text(const MaterialFabric& fabric) {
+    std::string text;
+    if (!fabric.phases.empty()) text += "\n[phases]\n" + line_of("contrast", fabric.contrast);
+    for (const auto& [name, phase] : fabric.phases) {
+        text += fmt::format("\n[phases.{}]\n{}", name, line_of("fraction", phase.fraction));
+        const auto add = [&](const char* key, const std::optional<double>& value) {
+            if (value) text += line_of(key, *value);
+        };
+        add("young_modulus", phase.young_modulus);
+        add("relative_young_modulus", phase.relative_young_modulus);
+        add("poisson_ratio", phase.poisson_ratio);
+        add("density", phase.density);
+        text += contact_table(fmt::format("phases.{}.contact", name), phase.contact);
+    }
+    if (!fabric.phases.empty()) {
+        text += fmt::format("\n[pairs]\nrule = \"{}\"\nstiffness = \"{}\"\n", fabric.rule == SideRule::mean ? "mean" : "minimum",
+                            fabric.stiffness == StiffnessRule::rock ? "rock" : "sides");
+    }
+    text += contact_table("pairs.homophase", fabric.homophase) + contact_table("pairs.heterophase", fabric.heterophase);
+    for (const auto& [pair, given] : fabric.pairs) text += contact_table(fmt::format("pairs.\"{}\"", pair), given);
+    if (fabric.strength_modulus) {
+        text += "\n[strength]\n" + line_of("modulus", *fabric.strength_modulus);
+        if (fabric.strength_correlation > 0) text += line_of("correlation", fabric.strength_correlation);
+    }
+    return text;
+}
+
+void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where) {
+    double sum = 0;
+    for (const auto& [name, phase] : fabric.phases) {
+        const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+        if (!std::all_of(name.begin(), name.end(), is_letter)) {
+            throw InputError(fmt::format("{}: [phases.{}]: a name of small letters, digits and _ is needed", where, name));
+        }
+        if (phase.young_modulus && phase.relative_young_modulus) {
+            throw InputError(
+                fmt::format("{}: [phases.{}] has young_modulus and relative_young_modulus; give one of them", where, name));
+        }
+        if (rock.young_modulus > 0 && !(young_modulus_of_grains(phase, fabric, rock) > 0)) {
+            throw InputError(
+                fmt::format("{}: the grains of {} would have a modulus of {} times the rock's; a smaller contrast than "
+                            "{} fits",
+                            where, name, young_modulus_of_grains(phase, fabric, rock) / rock.young_modulus, fabric.contrast));
+        }
+        sum += phase.fraction;
+    }
+    if (!fabric.phases.empty() && std::abs(sum - 1) > whole) {
+        throw InputError(fmt::format("{}: the fractions of the phases sum up to {}; 1 is needed", where, sum));
+    }
+    require_pairs(fabric, where);
+    if (fabric.strength_correlation > 0 && !fabric.strength_modulus) {
+        throw InputError(fmt::format("{}: [strength] has a correlation and no modulus; give both, or the modulus alone", where));
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,57 @@
+// The fabric of a material: its minerals, what the contacts between them are made of, and how their strengths scatter.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/base/toml_keys.hpp"
+#include "share/rock/contact_parameters.hpp"
+
+namespace graincrack {
+
+/// [phases.NAME]: a mineral. What is unset is the rock's.
+struct PhaseMaterial {
+    double fraction = 0;                           ///< of the area
+    std::optional<double> young_modulus;           ///< Pa
+    std::optional<double> relative_young_modulus;  ///< r, over the rock's; one of the two at most
+    std::optional<double> poisson_ratio;
+    std::optional<double> density;  ///< kg/m³
+    GivenContact contact;           ///< [phases.NAME.contact]: of its side of a contact
+};
+
+/// How a value of a contact follows from those of its two sides.
+enum class SideRule { mean, minimum };
+/// Where the stiffnesses of contacts come from: from the rock for all alike, or from the moduli of the two grains.
+enum class StiffnessRule { rock, sides };
+
+struct MaterialFabric {
+    std::string from;  ///< [phases] from: file of share/materials/phases whose phases it has, unless it gives them itself
+    std::map<std::string, PhaseMaterial> phases;
+    double contrast = 1;                        ///< h: E of a grain = E of the rock × (1 + h (r − 1))
+    std::map<std::string, GivenContact> pairs;  ///< [pairs.A-B]
+    GivenContact homophase;                     ///< [pairs.homophase]: factors on the contacts of a phase with itself
+    GivenContact heterophase;                   ///< [pairs.heterophase]: on the others
+    SideRule rule = SideRule::mean;
+    StiffnessRule stiffness = StiffnessRule::rock;
+    std::optional<double> strength_modulus;  ///< [strength]: Weibull modulus of the strengths of grain boundaries
+    double strength_correlation = 0;         ///< distance at which their autocorrelation is 1/e, m; 0: none
+};
+
+/// The keys of a table of the fabric, bound to `fabric`, which must stay where it is; nothing if it is none of its tables.
+/// \param path {"phases", "quartz", "contact"} for [phases.quartz.contact]
+std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<std::string>& path);
+
+/// Checks what the keys of a fabric mean together. \param where names the file \throws InputError
+void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where);
+
+/// The tables of a fabric, as a material file has them, values in SI; "" if there are none.
+std::string fabric_text(const MaterialFabric& fabric);
+
+/// r of a phase: its modulus over the rock's; 1 where it has none of its own.
+double relative_young_modulus(const PhaseMaterial& phase, const Rock& rock);
+/// E of the grains of a phase: E of the rock × (1 + h (r − 1)), Pa.
+double young_modulus_of_grains(const PhaseMaterial& phase, const MaterialFabric& fabric, const Rock& rock);
+
+}  // namespace graincrack

@@ -1,0 +1,301 @@
+// Runs with known answers, made without a solver: a grid of triangular grains and a history of straight lines.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "share/file/h5_file.hpp"
+#include "share/file/provenance.hpp"
+#include "share/file/run_file.hpp"
+
+namespace graincrack::test {
+
+/// A folder of its own for a test, removed with it.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "graincrack-post-XXXXXX").string();
+        path_ = ::mkdtemp(name.data());
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// columns × rows rectangles, each cut along its rising diagonal into two grains of one triangle.
+inline Specimen grid_specimen(int columns, int rows, double width, double height) {
+    Specimen s;
+    s.shape = "rectangle";
+    s.width = width;
+    s.height = height;
+    s.tessellation = "grid";
+    s.seed = 7;
+    std::map<std::pair<std::pair<int, int>, std::pair<int, int>>, std::array<std::int32_t, 2>> open_edges;
+    const auto add_grain = [&](std::array<std::pair<int, int>, 3> corners) {
+        const auto first = static_cast<std::int32_t>(s.n_nodes());
+        for (const auto& [i, j] : corners)
+            s.node_position.push_back({width * (i / double(columns) - 0.5), height * (j / double(rows) - 0.5)});
+        s.element_nodes.push_back({first, first + 1, first + 2});
+        s.element_grain.push_back(static_cast<std::int32_t>(s.n_grains()));
+        s.grain_phase.push_back(0);
+        s.grain_area.push_back(width * height / (2.0 * columns * rows));
+        for (int k = 0; k < 3; ++k) {
+            const auto from = corners[k];
+            const auto to = corners[(k + 1) % 3];
+            const std::array<std::int32_t, 2> nodes{first + k, first + (k + 1) % 3};
+            const auto facing = open_edges.find({to, from});
+            if (facing == open_edges.end()) {
+                open_edges[{from, to}] = nodes;
+                continue;
+            }
+            const auto& a = facing->second;  // a1 → a2 around the earlier grain; b runs the other way
+            s.contact_nodes.push_back({a[0], a[1], nodes[1], nodes[0]});
+            s.contact_grain_boundary.push_back(static_cast<std::int32_t>(s.n_contacts()) - 1);
+            s.contact_kind.push_back(0);
+            open_edges.erase(facing);
+        }
+    };
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            add_grain({{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
+            add_grain({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
+        }
+    }
+    for (const auto& [edge, nodes] : open_edges) {
+        s.boundary_edges.push_back(nodes);
+        const auto& [from, to] = edge;
+        const bool level = from.second == to.second;
+        s.boundary_part.push_back(level ? (from.second == 0 ? 0 : 2) : (from.first == 0 ? 3 : 1));
+    }
+    const double dx = width / columns;
+    const double dy = height / rows;
+    const double level = columns * (rows + 1.0);
+    const double upright = rows * (columns + 1.0);
+    const double inclined = double(columns) * rows;
+    s.statistics.mean_edge = (level * dx + upright * dy + inclined * std::hypot(dx, dy)) / (level + upright + inclined);
+    return s;
+}
+
+/// What a synthetic run is made of. Slopes are those of the plane: stress over gauge strain.
+struct Recipe {
+    std::string test = "uniaxial";
+    PlaneCondition plane = PlaneCondition::strain;
+    double plane_young_modulus = 26e9;  ///< Pa
+    double plane_poisson_ratio = 0.3;
+    double platen_compliance = 1.02;  ///< platen strain over gauge strain
+    double confining_pressure = 0;    ///< Pa
+    double peak = 125e6;              ///< axial stress (brazilian: 2 F/(π D)), positive, Pa
+    double drop = 0.5;                ///< share of the peak lost at the end; 0: the curve ends at the peak
+    std::string stop_reason = "peak drop";
+    double yield_share = 2;  ///< from this share of the peak on the tangent is halved; > 1: never
+    Specimen specimen = grid_specimen(8, 16, 0.08, 0.16);
+    int rows = 101;
+    CrackEvent crack_event = CrackEvent::failed;
+    double platen_speed = 0.005;  ///< m/s
+};
+
+/// Elastic loading in equal steps of stress up to the peak at time 1 s, then a straight fall until 1.25 s. A triaxial
+/// test begins with an isotropic stage of ten rows up to 0 s, whose strains are not those of axial loading.
+inline History synthetic_history(const Recipe& r) {
+    using enum HistoryColumn;
+    History h;
+    const double sense = r.test == "tension" ? 1 : -1;
+    const bool triaxial = r.confining_pressure > 0;
+    const auto add = [&](double time, double stress, double strain) {
+        const double lateral = -sense * r.plane_poisson_ratio * std::abs(strain);
+        for (auto& column : h.columns) column.push_back(0);
+        const auto set = [&](HistoryColumn c, double v) { h[c].back() = v; };
+        set(HistoryColumn::time, time);
+        set(step, std::round(1000 * (time + 1)));
+        set(gauge_axial_strain, sense * strain);
+        set(gauge_lateral_strain, lateral);
+        set(axial_strain, sense * strain * r.platen_compliance);
+        set(lateral_strain, 1.1 * lateral);
+        const double force =
+            r.test == "brazilian" ? stress * 3.14159265358979323846 * r.specimen.width / 2 : stress * r.specimen.width;
+        set(axial_stress, sense * force / r.specimen.width);
+        set(force_top, sense * force * 1.001);
+        set(force_bottom, sense * force * 0.999);
+        set(tensile_cracks, time <= 0.5 ? 0 : std::floor(40 * (time - 0.5)));
+        set(shear_cracks, time <= 0.75 ? 0 : std::floor(20 * (time - 0.75)));
+    };
+    double strain0 = 0;
+    if (triaxial) {
+        for (int i = 0; i < 10; ++i) add(-1 + i * 0.1, r.confining_pressure * i / 10.0, 1e-4 * i / 10.0);
+        strain0 = 1e-4;
+    }
+    const double from = r.confining_pressure;
+    double strain = strain0;
+    double before = from;
+    for (int i = 0; i < r.rows; ++i) {
+        const double share = i / (r.rows - 1.0);
+        const double stress = from + share * (r.peak - from);
+        const double stiffness = r.plane_young_modulus * (share > r.yield_share ? 0.5 : 1.0);
+        strain += (stress - before) / stiffness;
+        before = stress;
+        add(share, stress, strain);
+    }
+    const double peak_strain = strain;
+    for (int i = 1; i <= 10 && r.drop > 0; ++i) {
+        add(1 + 0.025 * i, r.peak * (1 - r.drop * i / 10.0), peak_strain * (1 + 0.02 * i));
+    }
+    if (triaxial) {
+        for (double& t : h[HistoryColumn::time]) t += 1;  // time starts at 0
+    }
+    return h;
+}
+
+inline RunHeader synthetic_header(const Recipe& r) {
+    RunHeader header;
+    header.test = r.test;
+    header.material = "Augig granite";
+    header.contact_law = "scaled";
+    header.crack_event = r.crack_event;
+    header.coupling = "full";
+    header.fracture_energy_choice = "mode-i";
+    header.plane = r.plane;
+    header.rock = {25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};
+    header.contact.normal_stiffness = 6.87e14;
+    header.contact.shear_stiffness = 6.98e13;
+    header.contact.tensile_strength = 24.15e6;
+    header.contact.cohesion = 74.57e6;
+    header.contact.friction_angle = 0.851;
+    header.contact.fracture_energy = 82.6;
+    header.confining_pressure = r.confining_pressure;
+    header.platen_speed = r.platen_speed;
+    header.peak_drop = 0.3;
+    header.max_strain = 0.015;
+    header.time_step = 5e-8;
+    header.stop_reason = r.stop_reason;
+    header.steps = 200000;
+    header.integrations = header.steps;
+    header.isotropic_end_time = r.confining_pressure > 0 ? 1.0 : 0.0;
+    header.energy_balance_error = 0.002;
+    header.platen_force_difference = 0.01;
+    return header;
+}
+
+/// Uniform compression by `strain` with a ratio of 0.3, and a band of grains above the diagonal pushed aside.
+inline Frame synthetic_frame(const Specimen& s, double time, double strain, double slip) {
+    Frame f;
+    f.time = time;
+    f.step = static_cast<std::int64_t>(1000 * time);
+    f.displacement.resize(s.n_nodes());
+    f.velocity.assign(s.n_nodes(), {0.001, -0.005});
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    for (std::size_t i = 0; i < s.n_nodes(); ++i) {
+        const auto& [x, y] = s.node_position[i];
+        const auto& element = s.element_nodes[static_cast<std::size_t>(grain[i])];
+        double middle = 0;
+        for (std::int32_t node : element) middle += (s.node_position[node][1] - s.node_position[node][0]) / 3;
+        const double push = middle > 0 ? slip : 0;
+        f.displacement[i] = {0.3 * strain * x - push, -strain * y + 0.5 * push};
+    }
+    f.element_stress.assign(s.n_elements(), {1e6, -100e6, 5e6, -20e6});
+    f.opening.assign(s.n_contacts(), {1e-6, 2e-6});
+    f.sliding.assign(s.n_contacts(), {0, 0});
+    f.traction.assign(s.n_contacts(), {0, 0, 0, 0});
+    f.damage.assign(s.n_contacts(), {0, 0});
+    f.state.assign(s.n_contacts(), {0, 0});
+    return f;
+}
+
+/// Both points of the contacts across the line y = x: upright facets tensile, inclined ones shear, others tensile; at even
+/// times between 0.5 s and 1.2 s. Every second one separates at once.
+inline std::vector<Crack> synthetic_cracks(const Specimen& s) {
+    std::vector<Crack> cracks;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& a = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& b = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        if (std::abs((a[0] + b[0]) / 2 - (a[1] + b[1]) / 2) > 0.01) continue;
+        const double angle = std::atan2(b[1] - a[1], b[0] - a[0]);
+        for (std::uint8_t point = 0; point < 2; ++point) {
+            const double share = point == 0 ? 0.25 : 0.75;
+            Crack crack;
+            crack.contact = static_cast<std::int32_t>(c);
+            crack.point = point;
+            crack.orientation = angle < 0 ? angle + 3.14159265358979323846 : angle;
+            if (crack.orientation >= 3.14159265358979323846) crack.orientation = 0;
+            const bool inclined = std::abs(std::sin(2 * angle)) > 0.5;
+            crack.mode = inclined ? CrackMode::shear : CrackMode::tensile;
+            crack.mode_angle = inclined ? 2.5 : 0.2;
+            crack.position = {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
+            crack.length = std::hypot(b[0] - a[0], b[1] - a[1]) / 2;
+            crack.opening = 2e-6;
+            crack.sliding = 1e-6;
+            crack.energy_released = 0.1;
+            cracks.push_back(crack);
+        }
+    }
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+        cracks[i].time = 0.5 + 0.7 * static_cast<double>(i) / static_cast<double>(cracks.size());
+        cracks[i].step = static_cast<std::int64_t>(1000 * cracks[i].time);
+        if (i % 2 == 0) cracks[i].separated.time = cracks[i].time;
+    }
+    return cracks;
+}
+
+/// Writes a run with frames at 0, 1 (peak) and 1.25 s.
+inline void write_run(const std::string& path, const Recipe& recipe, const std::vector<Crack>& cracks) {
+    RunWriter writer(H5Output(path, "run"), recipe.specimen, synthetic_header(recipe));
+    writer.append_history(synthetic_history(recipe));
+    writer.add_frame(synthetic_frame(recipe.specimen, 0, 0, 0), FrameRole::regular);
+    writer.add_frame(synthetic_frame(recipe.specimen, 1, 0.005, 0), FrameRole::kept);
+    writer.add_frame(synthetic_frame(recipe.specimen, 1.25, 0.006, 0.001), FrameRole::kept);
+    Provenance provenance;
+    provenance.tool = "synthetic";
+    provenance.command_line = {"synthetic"};
+    provenance.libraries = {"none"};
+    provenance.wall_time = 12.8;
+    writer.finish(synthetic_header(recipe), cracks, provenance);
+}
+inline void write_run(const std::string& path, const Recipe& recipe) {
+    write_run(path, recipe, synthetic_cracks(recipe.specimen));
+}
+
+/// A TSV as rows of fields, the header first.
+inline std::vector<std::vector<std::string>> parse_tsv(const std::string& text) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        rows.emplace_back();
+        std::size_t from = 0;
+        for (std::size_t tab = line.find('\t'); tab != std::string::npos; tab = line.find('\t', from)) {
+            rows.back().push_back(line.substr(from, tab - from));
+            from = tab + 1;
+        }
+        rows.back().push_back(line.substr(from));
+    }
+    return rows;
+}
+
+/// Field of a named column in a data row (0 is the first below the header); "(no such column)" if there is none.
+inline std::string field(const std::string& tsv, const std::string& column, std::size_t row = 0) {
+    const auto rows = parse_tsv(tsv);
+    for (std::size_t c = 0; c < rows.at(0).size(); ++c) {
+        if (rows[0][c] == column) return rows.at(row + 1).at(c);
+    }
+    return "(no such column)";
+}
+
+inline std::string read_text(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace graincrack::test

@@ -1,0 +1,198 @@
+// What a calibration decides, on a synthetic rock whose parameters are known.
+#include "post/calibrate/decide.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "tests/support/synthetic_rock.hpp"
+
+namespace graincrack::calibrate {
+namespace {
+
+using test::Laboratory;
+using test::Normal;
+using test::SyntheticRock;
+
+const char* const cohesion = "contact.cohesion";
+const char* const friction = "contact.friction_angle";
+
+std::map<std::string, double> nothing_planted(const SyntheticRock& rock) {
+    std::map<std::string, double> logs;
+    for (const auto& [key, value] : rock.reference) logs[key] = 0;
+    return logs;
+}
+
+// 200 rocks, whose laboratory values scatter by their deviations: the 95 % interval of each parameter has the planted value in 90
+// to 98 % of them (for 95 %, three standard deviations of a count of 200 are 4.6 %).
+TEST(Calibration, IntervalsHoldThePlantedValues) {
+    Normal normal(20261125);
+    std::map<std::string, int> covered;
+    std::map<std::string, int> told;
+    for (std::uint32_t trial = 0; trial < 200; ++trial) {
+        SyntheticRock rock = SyntheticRock::usual();
+        rock.stream = trial + 1;
+        std::map<std::string, double> planted;
+        for (const auto& [key, value] : rock.reference)
+            planted[key] = (key.ends_with("angle") ? 0.15 : 0.35) * (2 * normal.uniform() - 1);
+        const Problem problem = rock.problem(planted, &normal);
+        Laboratory laboratory(rock);
+        const Decision decision = decide(problem, laboratory.find());
+        ASSERT_TRUE(decision.fit.has_value());
+        const Optimum& optimum = decision.fit->optimum;
+        for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
+            const auto i = static_cast<Eigen::Index>(k);
+            const Parameter& p = problem.parameters[k];
+            if (optimum.kept_share(i) > 0.1) continue;
+            ++told[p.key];
+            const double off = optimum.place(i) - p.coordinate(rock.reference.at(p.key) * std::exp(planted[p.key]));
+            if (std::abs(off) <= optimum.half_interval(i)) ++covered[p.key];
+        }
+    }
+    for (const auto& [key, n] : told) {
+        EXPECT_GT(n, 180) << key;
+        EXPECT_GE(covered[key], 0.90 * n) << key;
+        EXPECT_LE(covered[key], 0.98 * n) << key;
+    }
+    EXPECT_EQ(told.size(), 5U);
+}
+
+TEST(Calibration, ARockThatIsInReachIsCalibrated) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = 0.3;
+    auto planted = nothing_planted(rock);
+    planted[cohesion] = 0.3;
+    planted[friction] = -0.1;
+    const Problem problem = rock.problem(planted);
+    Laboratory laboratory(rock);
+    const Decision decision = decide(problem, laboratory.find());
+    ASSERT_EQ(decision.ending, Ending::calibrated) << decision.reason;
+    for (const auto& [key, value] : decision.point) {
+        const auto to = rock.reference.find(key);
+        if (to != rock.reference.end()) {
+            EXPECT_NEAR(std::log(value / to->second), planted[key], 0.05) << key;
+        }
+    }
+    EXPECT_TRUE(decision.fit->optimum.kept.empty());
+    // E of the grains, of which assemblages have 95 %.
+    EXPECT_NEAR(decision.point[0].second, 25.8e9 / 0.95, 0.01e9);
+    EXPECT_NEAR(decision.point[1].second, 0.22, 1e-6);
+    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles, twice; 10 discs and 5 times 6 rectangles.
+    EXPECT_EQ(laboratory.n_runs(), 4U + 2 * 28 * 8 + 40);
+}
+
+TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {
+    SyntheticRock rock = SyntheticRock::usual();
+    Problem problem = rock.problem(nothing_planted(rock));
+    for (Target& t : problem.targets) {
+        if (t.name() == "brazilian") t.value *= 4;
+        if (t.name() == "brazilian") t.deviation *= 4;
+    }
+    Laboratory laboratory(rock);
+    const Decision decision = decide(problem, laboratory.find());
+    EXPECT_EQ(decision.ending, Ending::not_reached) << decision.reason;
+    EXPECT_NE(decision.reason.find("Brazilian strength"), std::string::npos);
+    EXPECT_NE(decision.next.find("Brazilian strength alone would need contact."), std::string::npos) << decision.next;
+}
+
+// Two strengths that follow one parameter in the same way and that are wanted in another proportion.
+TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
+    SyntheticRock rock = SyntheticRock::usual();
+    for (const char* name : {"triaxial4MPa first_peak_MPa", "triaxial8MPa first_peak_MPa", "triaxial20MPa first_peak_MPa",
+                             "uniaxial first_peak_MPa"})
+        rock.responses[name].exponents = {{cohesion, 0.8}};
+    Problem problem = rock.problem(nothing_planted(rock));
+    for (Target& t : problem.targets) {
+        if (t.name() == "first_peak_20MPa") {
+            t.value *= 1.4;
+            t.deviation *= 1.4;
+        }
+    }
+    Laboratory laboratory(rock);
+    const Decision decision = decide(problem, laboratory.find());
+    EXPECT_EQ(decision.ending, Ending::contradictory) << decision.reason;
+    EXPECT_NE(decision.reason.find("first peak at 20 MPa"), std::string::npos);
+    // Nothing tells the friction angle here.
+    EXPECT_FALSE(decision.fit->optimum.kept.empty());
+}
+
+TEST(Calibration, TestsThatScatterTooMuchAreUndecided) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = 6;
+    Laboratory laboratory(rock);
+    const Decision decision = decide(rock.problem(nothing_planted(rock)), laboratory.find());
+    EXPECT_EQ(decision.ending, Ending::undecided) << decision.reason;
+    EXPECT_NE(decision.next.find("confirmation_discs=N"), std::string::npos) << decision.next;
+}
+
+// No response follows the residual friction angle: it is named, stays at the first guess, and prevents nothing.
+TEST(Calibration, WhatTheDataDoNotTellIsKept) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = 0.3;
+    rock.responses["triaxial8MPa residual_MPa"].exponents = {{friction, 1.2}};
+    Laboratory laboratory(rock);
+    const Problem problem = rock.problem(nothing_planted(rock));
+    const Decision decision = decide(problem, laboratory.find());
+    EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
+    ASSERT_EQ(decision.fit->optimum.kept.size(), 1U);
+    for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
+        const bool residual = problem.parameters[k].key == "contact.residual_friction_angle";
+        EXPECT_NEAR(decision.fit->optimum.kept_share(static_cast<Eigen::Index>(k)), residual ? 1 : 0, 0.05)
+            << problem.parameters[k].key;
+        if (residual) {
+            EXPECT_NEAR(decision.fit->optimum.place(static_cast<Eigen::Index>(k)), problem.parameters[k].coordinate(0.6), 0.02);
+        }
+    }
+}
+
+// Above a friction angle tests have no first peak: the optimum keeps away from there, and what is wanted there is not reached.
+TEST(Calibration, TheShareOfTestsWithAFirstPeakIsKept) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = 0.3;
+    rock.has_peak = [](const WantedRun& run) {
+        for (const auto& [key, value] : run.point) {
+            if (key == friction) return value < 0.75;
+        }
+        return true;
+    };
+    auto planted = nothing_planted(rock);
+    planted[friction] = 0.2;
+    Laboratory laboratory(rock);
+    const Problem problem = rock.problem(planted);
+    const Decision decision = decide(problem, laboratory.find());
+    EXPECT_NE(decision.ending, Ending::calibrated);
+    for (const auto& [key, value] : decision.point) {
+        if (key == friction) {
+            EXPECT_LT(value, 0.80);
+        }
+    }
+}
+
+TEST(Calibration, ABoxMovesToAnOptimumOutsideOfIt) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = 0.3;
+    auto planted = nothing_planted(rock);
+    planted[cohesion] = 0.9;  // beyond ln 1.8 = 0.588
+    Laboratory laboratory(rock);
+    const Decision decision = decide(rock.problem(planted), laboratory.find());
+    EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
+    bool moved = false;
+    for (const Step& step : decision.steps)
+        moved = moved || (step.stage == "move" && step.what.find(cohesion) != std::string::npos);
+    EXPECT_TRUE(moved);
+}
+
+TEST(Calibration, GrainsThatCannotMakeTheModulusEndIt) {
+    SyntheticRock rock = SyntheticRock::usual();
+    Problem problem = rock.problem(nothing_planted(rock));
+    problem.targets[0].value = 80e9;
+    Laboratory laboratory(rock);
+    const Decision decision = decide(problem, laboratory.find());
+    EXPECT_EQ(decision.ending, Ending::not_reached);
+    EXPECT_NE(decision.reason.find("E 80 GPa"), std::string::npos) << decision.reason;
+    EXPECT_FALSE(decision.fit.has_value());
+}
+
+}  // namespace
+}  // namespace graincrack::calibrate

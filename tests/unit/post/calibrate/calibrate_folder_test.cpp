@@ -1,0 +1,318 @@
+// A calibration by its files: the same decisions as in memory, from tables as `strength` and `moduli` write them.
+#include "post/calibrate/folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "post/table/table_file.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/rock/incomplete_material.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/synthetic_rock.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack::calibrate {
+namespace {
+
+using test::expect_one_line;
+using test::SyntheticRock;
+
+std::string text_of(const std::string& file) {
+    std::ifstream stream(file);
+    std::ostringstream out;
+    out << stream.rdbuf();
+    return out.str();
+}
+
+std::string granite() { return text_of(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml"); }
+
+class CalibrateFolder : public ::testing::Test {
+protected:
+    void SetUp() override { write_material(""); }
+    void write_material(const std::string& more) { std::ofstream(folder_.file("material.toml")) << granite() << "\n" << more; }
+    [[nodiscard]] Material material() const { return read_material(folder_.file("material.toml")); }
+    [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(folder_.file(name)); }
+    [[nodiscard]] std::string text(const std::string& name) const { return text_of(folder_.file(name)); }
+    [[nodiscard]] std::string folder() const { return std::filesystem::path(folder_.file("x")).parent_path().string(); }
+    [[nodiscard]] FolderDecision ask() const {
+        std::ostringstream notes;
+        return calibrate_folder(folder(), "", {}, notes);
+    }
+
+    /// The words behind each `flag` in the options of a tool.
+    static std::vector<std::string> values_of(const std::string& options, const std::string& flag) {
+        std::vector<std::string> values;
+        std::istringstream words(options);
+        for (std::string word; words >> word;) {
+            if (word == flag && words >> word) values.push_back(word);
+        }
+        return values;
+    }
+    /// "Runs" at most so many rows of wanted.tsv, from the options of the tools in them alone; adds them to the tables.
+    void run_wanted(const SyntheticRock& synthetic, std::size_t most) {
+        const TableFile wanted(folder_.file("wanted.tsv"));
+        const auto files = wanted.texts("file");
+        const auto meshes = wanted.texts("mesh");
+        const auto materials = wanted.texts("material");
+        const auto solves = wanted.texts("solve");
+        for (std::size_t i = 0; i < std::min(wanted.n_rows(), most); ++i) {
+            EXPECT_TRUE(made_.insert(files[i]).second) << files[i] << " is wanted twice";
+            WantedRun run;
+            run.test.name = solves[i].substr(0, solves[i].find(' '));
+            run.seed = std::stoll(values_of(meshes[i], "--seed").at(0));
+            for (const std::string& pressure : values_of(solves[i], "--confining-pressure"))
+                run.test.confining_pressure = parse_quantity(pressure, quantity::confining_pressure, "pressure");
+            for (const std::string& setting : values_of(materials[i], "--set")) {
+                const std::string key = setting.substr(0, setting.find('='));
+                run.point.emplace_back(key, parse_quantity(setting.substr(key.size() + 1), material_quantity(key), key));
+            }
+            const Measures measures = synthetic.measure(run);
+            const auto row = [&](const std::vector<std::string>& columns) {
+                std::string line = "augig-granite.1234/" + files[i];
+                for (const std::string& column : columns)
+                    line += measures.contains(column) ? fmt::format("\t{:.7g}", measures.at(column)) : "\t";
+                return line + "\n";
+            };
+            strength_ += row(strength_columns);
+            if (run.test.is_compression()) moduli_ += row(moduli_columns);
+        }
+        std::ofstream(folder_.file("strength.tsv")) << strength_;
+        std::ofstream(folder_.file("moduli.tsv")) << moduli_;
+    }
+    /// Asks and runs until the end. \param share of the wanted runs that are made before the next interruption
+    FolderDecision to_the_end(const SyntheticRock& synthetic, double share) {
+        FolderDecision out = ask();
+        for (int calls = 1; out.decision.ending == Ending::wanted && calls < 200; ++calls) {
+            EXPECT_FALSE(has("report.md"));
+            const std::size_t n = out.decision.wanted.size();
+            run_wanted(synthetic, static_cast<std::size_t>(std::ceil(share * static_cast<double>(n))));
+            out = ask();
+        }
+        return out;
+    }
+    static SyntheticRock rock() {
+        SyntheticRock rock = SyntheticRock::usual();
+        rock.scatter = 0.3;
+        rock.reference = {{"contact.tensile_strength", 20e6}, {"contact.cohesion", 55e6}, {"contact.friction_angle", 0.65}};
+        for (auto& [name, response] : rock.responses) {
+            response.exponents.erase("contact.fracture_energy");
+            response.exponents.erase("contact.residual_friction_angle");
+        }
+        return rock;
+    }
+
+    static inline const std::vector<std::string> strength_columns{"tensile_strength_MPa", "first_peak_MPa", "residual_MPa",
+                                                                  "wall_time_s"};
+    static inline const std::vector<std::string> moduli_columns{"young_modulus_GPa", "poisson_ratio",
+                                                                "crack_initiation_count_MPa"};
+    test::TemporaryFolder folder_;
+    std::set<std::string> made_;
+    std::string strength_ = "file\ttensile_strength_MPa\tfirst_peak_MPa\tresidual_MPa\twall_time_s\n";
+    std::string moduli_ = "file\tyoung_modulus_GPa\tpoisson_ratio\tcrack_initiation_count_MPa\n";
+};
+
+TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
+    const FolderDecision first = ask();
+    EXPECT_EQ(first.decision.ending, Ending::wanted);
+    EXPECT_EQ(first.wanted_time, 0);
+    run_wanted(rock(), 100);
+    run_wanted(rock(), 0);
+    EXPECT_EQ(ask().wanted_time, 2 * 6);  // two uniaxial tests at 6 s each
+    const FolderDecision out = to_the_end(rock(), 1);
+    ASSERT_EQ(out.decision.ending, Ending::calibrated) << out.decision.reason;
+    EXPECT_FALSE(has("wanted.tsv"));
+    EXPECT_FALSE(has("nearest.toml"));
+    const Material calibrated = read_material(folder_.file("calibrated.toml"));  // a material like any other
+    EXPECT_EQ(calibrated.name, "Augig granite, calibrated");
+    EXPECT_NEAR(calibrated.contact.cohesion.value(), 55e6, 3e6);
+    EXPECT_NEAR(calibrated.rock.young_modulus, 25.8e9 / 0.95, 0.02e9);
+    EXPECT_EQ(calibrated.rock.mode_i_toughness, 1.5e6);
+    ASSERT_EQ(calibrated.fitted.size(), 5U);
+    EXPECT_EQ(calibrated.fitted.at("confined_strength_8MPa").find("193.5 MPa; "), 0U);
+    EXPECT_EQ(calibrated.fitted.count("tensile_strength"), 1U);
+    const std::string report = text("report.md");
+    for (const char* part :
+         {"# Augig granite: calibrated",
+          "- 3 free parameters: contact.tensile_strength, contact.cohesion, contact.friction_angle\n",
+          "- 5 fitted targets: E, ν, Brazilian strength, UCS, first peak at 8 MPa\n",
+          "- 5 predicted targets: first peak at 4 MPa", "- K_IC was not tested", "√(Ẽ G_I) = 1.5 MPa √m",
+          "contact.fracture_energy 78.", "J/m2 (derived)",
+          "- first peaks: UCS in 40 of 40 tests; first peak at 8 MPa in 40 of 40 tests", "## Targets", "## Values", "## Surfaces",
+          "## What tells what", "## Steps", "| crack damage, MPa | predicted |  |  | 0 of 6 |"}) {
+        EXPECT_NE(report.find(part), std::string::npos) << part;
+    }
+    // d ln UCS / d ln cc = 0.6 and twice the curvature times ln(cc/55 MPa), which is nearly 0.
+    const TableFile identify(folder_.file("identify.tsv"));
+    const auto responses = identify.texts("response");
+    const auto parameters = identify.texts("parameter");
+    const auto exponents = identify.numbers("exponent");
+    int found = 0;
+    for (std::size_t i = 0; i < identify.n_rows(); ++i) {
+        if (responses[i] != "UCS" || parameters[i] != "contact.cohesion") continue;
+        ++found;
+        EXPECT_NEAR(exponents[i], 0.6, 0.06);
+    }
+    EXPECT_EQ(found, 1);
+    // Asked again it answers the same.
+    EXPECT_EQ(ask().decision.ending, Ending::calibrated);
+    EXPECT_EQ(text("report.md"), report);
+    // Interrupted many times, with no run made twice, it comes to the same end.
+    for (const char* name : {"strength.tsv", "moduli.tsv"}) std::filesystem::remove(folder_.file(name));
+    strength_.resize(strength_.find('\n') + 1);
+    moduli_.resize(moduli_.find('\n') + 1);
+    const std::size_t all = made_.size();
+    made_.clear();
+    EXPECT_EQ(to_the_end(rock(), 0.4).decision.ending, Ending::calibrated);
+    EXPECT_EQ(made_.size(), all);
+    EXPECT_EQ(text("report.md"), report);
+}
+
+TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
+    SyntheticRock weak = rock();
+    weak.responses["brazilian tensile_strength_MPa"].exponents.clear();
+    weak.responses["brazilian tensile_strength_MPa"].reference = 4;
+    const FolderDecision out = to_the_end(weak, 1);
+    ASSERT_EQ(out.decision.ending, Ending::not_reached) << out.decision.reason;
+    EXPECT_FALSE(has("calibrated.toml"));
+    const Material nearest = read_material(folder_.file("nearest.toml"));
+    EXPECT_EQ(nearest.name, "Augig granite, nearest point");
+    EXPECT_FALSE(out.sensitivities.empty());
+}
+
+TEST_F(CalibrateFolder, TargetsAndParametersAreRows) {
+    write_material(R"([targets]
+young_modulus = {value = "25.8 GPa"}
+brazilian = {value = "8.8 MPa", deviation = "0.5 MPa"}
+first_peak_4MPa = {value = "157 MPa", deviation = "3 %"}
+residual_8MPa = {value = "150 MPa", use = "predict"}
+direct_tension = {use = "predict"}
+[parameters]
+"contact.cohesion" = {low = "20 MPa", high = "80 MPa"}
+"contact.friction_angle" = {low = "20 deg", high = "50 deg", scale = "linear", first = "30 deg"}
+"contact.fracture_energy" = {}
+"contact.shear_stiffness" = {low = "1e13", high = "1e15"}
+)");
+    const Problem problem = read_problem(material());
+    ASSERT_EQ(problem.targets.size(), 5U);
+    EXPECT_EQ(problem.targets[1].deviation, 0.5e6);
+    EXPECT_NEAR(problem.targets[2].deviation, 0.03 * 157e6, 1);
+    EXPECT_EQ(problem.targets[2].confining_pressure, 4e6);
+    EXPECT_EQ(problem.targets[3].use, Use::predict);
+    ASSERT_EQ(problem.parameters.size(), 4U);
+    EXPECT_NEAR(problem.parameters[0].value(0), 40e6, 1);  // logarithmic
+    EXPECT_NEAR(problem.parameters[1].first, std::numbers::pi / 6, 1e-12);
+    // K_IC²/Ẽ in plane strain is 82.6 J/m²: G_I stays between half of it and all of it.
+    EXPECT_NEAR(problem.parameters[2].least, 41.3, 0.1);
+    EXPECT_NEAR(problem.parameters[2].most, 82.6, 0.1);
+    // Tests end behind the first peak, unless a target asks for what comes after: that of a prediction in the end only.
+    const std::string wanted = row_of(material(), problem.study, {tests_of(problem.targets)[0], 1, {}, {}, "x", ""}).solve;
+    EXPECT_EQ(wanted, "triaxial --confining-pressure 8MPa --max-strain 0.015 --peak-drop none --rate-tolerance 0.006");
+    const std::string behind = row_of(material(), problem.study, {tests_of(problem.targets)[1], 1, {}, {}, "x", ""}).solve;
+    EXPECT_EQ(behind, "triaxial --confining-pressure 4MPa --max-strain 0.015 --peak-drop 0.1 --rate-tolerance 0.006");
+    const auto refused = [&](const std::string& more, const std::vector<std::string>& parts) {
+        write_material(more);
+        expect_one_line<InputError>([&] { read_problem(material()); }, parts);
+    };
+    refused("[targets]\nbrasilian = {value = \"8 MPa\"}\n", {"targets.brasilian", "did you mean brazilian?"});
+    refused("[targets]\nfirst_peak = {value = \"8 MPa\"}\n", {"unknown target", "first_peak_8MPa"});
+    refused("[targets]\nbrazilian = {deviation = \"1 MPa\"}\n", {"targets.brazilian", "value is missing"});
+    refused("[targets]\nbrazilian = {use = \"predict\"}\n", {"none to be fitted"});
+    refused("[targets]\nbrazilian = {value = \"8 MPa\", use = \"maybe\"}\n", {"neither fit nor predict"});
+    refused("[targets]\nbrazilian = \"8 MPa\"\n", {"targets.brazilian: a row is needed"});
+    refused("[parameters]\n\"contact.cohesions\" = {}\n", {"parameters.\"contact.cohesions\"", "unknown key"});
+    refused("[parameters]\n\"contact.shear_stiffness\" = {low = \"1e13\"}\n", {"no default bounds", "give low and high"});
+    refused("[parameters]\n\"contact.cohesion\" = {low = \"80 MPa\", high = \"20 MPa\"}\n", {"low must be below high"});
+    refused("[parameters]\n\"contact.cohesion\" = {middle = \"80 MPa\"}\n", {"unknown key", "low, high, scale, first"});
+}
+
+// Each of these is one row of its table in the sources, and nothing else knows it.
+TEST_F(CalibrateFolder, ARowIsAllThatATargetOrAParameterNeeds) {
+    write_material("[targets]\nstrain_at_peak_8MPa = {value = \"0.9 %\"}\n[parameters]\n\"contact.normal_stiffness\" = {}\n");
+    const Problem problem = read_problem(material());
+    const auto tests = tests_of(problem.targets);
+    ASSERT_EQ(tests.size(), 1U);
+    EXPECT_EQ(tests[0].label(), "triaxial8MPa");
+    EXPECT_EQ(problem.targets[0].kind.read({{"strain_at_peak", 0.0081}}), 0.0081);
+    EXPECT_NEAR(problem.parameters.at(0).first, 6.87e14, 1e12);  // Table 3
+    const WantedRun run{tests[0], 1, point_at(problem.parameters, first_guess(problem.parameters)), {}, "d1p01", ""};
+    EXPECT_EQ(row_of(material(), problem.study, run).material.find("--set contact.normal_stiffness=6.87"), 0U);
+}
+
+TEST_F(CalibrateFolder, TheLawHasItsParametersAndSpecimensTheMinerals) {
+    std::string text = granite();
+    text.replace(text.find("[platen]"), 8, "law = \"cohesive-frictional\"\n[phases]\nfrom = \"granite\"\n[platen]");
+    std::ofstream(folder_.file("material.toml")) << text;
+    const Problem problem = read_problem(material());
+    ASSERT_EQ(problem.parameters.size(), 4U);
+    EXPECT_EQ(problem.parameters[3].key, "contact.residual_friction_angle");
+    const RunRow row =
+        row_of(material(), problem.study, {{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""});
+    EXPECT_EQ(row.mesh,
+              "disc --diameter 80mm --grains 452 --phases k_feldspar=0.33,mica=0.06,plagioclase=0.29,quartz=0.32 --seed 7");
+    EXPECT_EQ(row.specimen, "disc80g452k_33mi6pl29qu32-s7");
+    EXPECT_EQ(row.material, "--set contact.cohesion=40MPa");
+    EXPECT_EQ(row.solve, "brazilian");
+    // A name changes with what the rock is made of, not with what the laboratory has.
+    Material other = material();
+    other.laboratory["tensile_strength"] = 1;
+    EXPECT_EQ(row_of(other, problem.study, {{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""}).file,
+              row.file);
+    other.fabric.contrast = 0.5;
+    EXPECT_NE(row_of(other, problem.study, {{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""}).file,
+              row.file);
+    // The contrast of the modal table may vary within what is published: its coefficient of variation is 0.214.
+    std::ofstream(folder_.file("material.toml"), std::ios::app) << "\n[parameters]\n\"phases.contrast\" = {}\n";
+    const Parameter contrast = read_problem(material()).parameters.at(0);
+    EXPECT_NEAR(contrast.low, 0.17 / 0.214, 0.01);
+    EXPECT_NEAR(contrast.high, 0.32 / 0.214, 0.01);
+}
+
+TEST_F(CalibrateFolder, StudyIsReadAndChecked) {
+    write_material("[study]\nconfirmation_discs = 12\nmax_strain = 0.01\nmean_edge = \"3 mm\"\n");
+    const Study study = read_problem(material()).study;
+    EXPECT_EQ(study.confirmation_discs, 12U);
+    EXPECT_EQ(study.max_strain, 0.01);
+    EXPECT_NEAR(study.specimens.mean_edge(), 3e-3, 1e-15);
+    const Study set = read_problem(material(), {"points=14", "width=40mm", "predicted_pressures=3 MPa,5 MPa"}).study;
+    EXPECT_EQ(set.points, 14U);
+    EXPECT_EQ(set.specimens.width, 0.04);
+    EXPECT_EQ(set.predicted_pressures, (std::vector<double>{3e6, 5e6}));
+    EXPECT_EQ(set.max_strain, 0.01);  // of the file
+    expect_one_line<UsageError>([&] { read_problem(material(), {"disks=3"}); }, {"--set disks=3", "did you mean discs?"});
+    expect_one_line<UsageError>([&] { read_problem(material(), {"discs"}); }, {"--set discs", "KEY=VALUE"});
+    expect_one_line<UsageError>([&] { read_problem(material(), {"width=-1mm"}); }, {"--set width=-1mm"});
+    write_material("");
+    EXPECT_EQ(read_problem(material()).study.max_strain, 0.015);  // UCS/E as of Augig granite
+    write_material("[study]\npoints = [10, 20]\n");
+    expect_one_line<InputError>([&] { read_problem(material()); }, {"study.points", "one value"});
+}
+
+TEST_F(CalibrateFolder, ContactsThatAreFoundNeedNotBeGiven) {
+    std::string text = granite();
+    const std::size_t contact = text.find("[contact]");
+    text.erase(contact, text.find("[platen]") - contact);
+    std::ofstream(folder_.file("material.toml")) << text;
+    EXPECT_EQ(ask().decision.ending, Ending::wanted);
+    std::ofstream(folder_.file("material.toml")) << text << "\n[parameters]\n\"contact.cohesion\" = {}\n";
+    expect_one_line<InputError>([&] { (void)ask(); }, {"contact.tensile_strength is neither given nor a row of [parameters]"});
+    std::ofstream(folder_.file("material.toml")) << text.replace(text.find("density ="), 9, "#");
+    expect_one_line<InputError>([&] { (void)ask(); }, {"material.toml: missing: rock.density;", "all of [rock]"});
+}
+
+TEST_F(CalibrateFolder, WhatTheTablesLackIsOneLine) {
+    (void)ask();
+    run_wanted(rock(), 100);
+    std::filesystem::remove(folder_.file("moduli.tsv"));
+    expect_one_line<InputError>([&] { (void)ask(); }, {"uniaxial runs have no young_modulus", "moduli"});
+    std::ofstream(folder_.file("strength.tsv")) << "test\nuniaxial\n";
+    expect_one_line<InputError>([&] { (void)ask(); }, {"strength.tsv", "no column file"});
+}
+
+}  // namespace
+}  // namespace graincrack::calibrate

@@ -1,0 +1,155 @@
+// Pages as they are printed, in a column and over two: no text covers another or is cut, letters can be read.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "post/chart/font.hpp"
+#include "post/chart/page.hpp"
+#include "post/plot/counts.hpp"
+#include "post/plot/cracks.hpp"
+#include "post/plot/curve.hpp"
+#include "post/plot/emission.hpp"
+#include "post/plot/energy.hpp"
+#include "post/plot/envelope.hpp"
+#include "post/plot/fragments.hpp"
+#include "post/plot/law.hpp"
+#include "post/plot/rosette.hpp"
+#include "post/plot/size_effect.hpp"
+#include "post/plot/specimen.hpp"
+#include "post/plot/strength.hpp"
+#include "post/plot/surface.hpp"
+#include "post/plot/table.hpp"
+#include "post/plot/thresholds.hpp"
+#include "post/plot/trend.hpp"
+#include "post/run/run_state.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+std::vector<Text> texts_of(const Drawing& drawing) {
+    std::vector<Text> texts;
+    for (const Drawing::Shape& shape : drawing.shapes()) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (text != nullptr && !text->label.empty()) texts.push_back(*text);
+    }
+    return texts;
+}
+
+class Layout : public ::testing::TestWithParam<double> {
+protected:
+    void SetUp() override {
+        style_.page_width = page_width_on_paper(GetParam());
+        test::write_run(path("run.h5"), recipe_);
+    }
+    std::string path(const std::string& name) const { return folder_.file(name); }
+    RunData run_of(const std::string& test, double peak, double confining, const std::string& name) const {
+        test::Recipe recipe;
+        recipe.test = test;
+        recipe.peak = peak;
+        recipe.confining_pressure = confining;
+        if (test == "brazilian") recipe.plane = PlaneCondition::stress;
+        test::write_run(path(name), recipe);
+        return read_run_data(path(name));
+    }
+    void expect_fit_to_print(const Drawing& drawing, const std::string& what) const {
+        const std::vector<Text> texts = texts_of(drawing);
+        const double points = GetParam() / 0.0254 * 72 / drawing.width();
+        EXPECT_EQ(drawing.width(), static_cast<int>(style_.page_width)) << what;
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            const TextBox box = box_of(texts[i]);
+            EXPECT_TRUE(box.left >= 0 && box.top >= 0 && box.right <= drawing.width() && box.bottom <= drawing.height())
+                << what << ": \"" << texts[i].label << "\" is cut";
+            EXPECT_GE(texts[i].size * points, 6) << what << ": " << texts[i].label;
+            EXPECT_LE(texts[i].size * points, 10) << what << ": " << texts[i].label;
+            for (std::size_t k = 0; k < i; ++k) {
+                EXPECT_FALSE(box.overlaps(box_of(texts[k])))
+                    << what << ": \"" << texts[i].label << "\" covers \"" << texts[k].label << "\"";
+            }
+        }
+    }
+    test::Recipe recipe_;
+    test::TemporaryFolder folder_;
+    PictureStyle style_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Widths, Layout, ::testing::Values(0.084, 0.174));
+
+TEST_P(Layout, PicturesOfOneRun) {
+    const RunReader run(path("run.h5"));
+    const RunData data = run_data(run);
+    const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
+    const std::string definition = definition_of({});
+    expect_fit_to_print(draw_specimen(recipe_.specimen, "run.h5", SpecimenColour::phase, style_), "specimen");
+    expect_fit_to_print(draw_curves({data}, {}, definition, {}, style_), "curve");
+    expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "cracks");
+    expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");
+    expect_fit_to_print(draw_fragments(run, {"last", std::nullopt, 1}, style_), "fragments");
+    expect_fit_to_print(draw_rosette(crack_rosette(all, recipe_.specimen), "Uniaxial compression", "run.h5", definition, style_),
+                        "rosette");
+    expect_fit_to_print(
+        draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, definition, Abscissa::time, style_),
+        "counts");
+    expect_fit_to_print(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5", style_), "emission");
+    expect_fit_to_print(draw_energy(data, Abscissa::time, style_), "energy");
+    expect_fit_to_print(draw_thresholds(data, style_), "thresholds");
+    expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", {}, style_), "law");
+    expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
+}
+
+TEST_P(Layout, PicturesOfSeveralRuns) {
+    const std::vector<RunData> runs{run_of("brazilian", 9e6, 0, "b.h5"),
+                                    run_of("tension", 8e6, 0, "t.h5"),
+                                    run_of("uniaxial", 120e6, 0, "u.h5"),
+                                    run_of("triaxial", 150e6, 4e6, "t4.h5"),
+                                    run_of("triaxial", 180e6, 8e6, "t8.h5"),
+                                    run_of("triaxial", 200e6, 12e6, "t12.h5"),
+                                    run_of("uniaxial", 125e6, 0, "a-long-name-of-a-file-with-words-that-never-end-and-end.h5")};
+    const Material material = read_material(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+    expect_fit_to_print(
+        draw_strengths(runs, material, {"Brazilian: first cracks outside 0.5 R (9 of 9 runs); look at them"}, style_),
+        "strength");
+    expect_fit_to_print(draw_curves({runs[2], runs[3], runs[4], runs[6]}, {}, "", {"σ3 = 4 MPa: no peak (1 of 1 run)"}, style_),
+                        "curves");
+    EnvelopeTests tests;
+    for (const double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
+    tests.brazilian = {8e6};
+    tests.direct_tension = {7e6};
+    expect_fit_to_print(draw_envelope(tests, "Augig granite", {}, style_), "envelope");
+    std::vector<RunData> coarse{runs[0], runs[2]};
+    for (RunData& run : coarse) run.specimen.mean_edge *= 2;
+    const auto sizes = collect_sizes({runs[0], runs[2], coarse[0], coarse[1]}, StrainLimitRuns::accept);
+    expect_fit_to_print(draw_size_effect(sizes, style_), "size effect");
+}
+
+TEST_P(Layout, PicturesOfTables) {
+    std::ofstream(path("small.tsv"))
+        << "time_s\topening_m\tsliding_m\n1e-5\t1e-14\t3e-13\n2e-5\t2e-14\t4e-13\n3e-5\t2e-14\t4.5e-13\n";
+    expect_fit_to_print(draw_tables({path("small.tsv")}, {"time_s", {"opening_m", "sliding_m"}, false}, style_), "table");
+    const std::string label = draw_tables({path("small.tsv")}, {"time_s", {"opening_m"}, false}, style_).words();
+    EXPECT_NE(label.find("opening, 10⁻¹⁵ m"), std::string::npos) << label;
+    std::ostringstream ignored;
+    TrendOptions trend;
+    trend.x = "time_s";
+    trend.y = "opening_m";
+    trend.power = true;
+    expect_fit_to_print(draw_trend(collect_trends({path("small.tsv")}, trend, ignored), trend, style_), "trend");
+    ccd::SolveOptions problem;
+    problem.goals.targets = {"C_MPa=21", "phi_deg=53"};
+    const ccd::Problem solved = ccd::solve_problem(std::string(GRAINCRACK_SOURCE) + "/tests/data/table7.csv", problem);
+    expect_fit_to_print(draw_surface(solved, style_), "surface");
+}
+
+TEST_P(Layout, ALongTitleIsBrokenIntoLines) {
+    style_.title =
+        "A title that somebody gave, with many words, and then some more, so that no page is wide enough for all of them, "
+        "however small its letters are";
+    const RunReader run(path("run.h5"));
+    expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");
+    expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "map");
+    expect_fit_to_print(draw_energy(run_data(run), Abscissa::time, style_), "energy");
+    expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,189 @@
+// What is computed from the crack log: fragments, counts, events, balance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "post/cracks/crack_counts.hpp"
+#include "post/cracks/crack_summary.hpp"
+#include "post/cracks/emission.hpp"
+#include "post/cracks/fragments.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using State = std::vector<std::array<std::uint8_t, 2>>;
+constexpr auto separated = static_cast<std::uint8_t>(PointState::separated);
+constexpr auto failed = static_cast<std::uint8_t>(PointState::failed_shear);
+
+/// Both points of all contacts whose middle is chosen, in a state.
+template <class Choose>
+State state_where(const Specimen& s, std::uint8_t value, const Choose& choose) {
+    State state(s.n_contacts(), {0, 0});
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& a = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& b = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        if (choose((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)) state[c] = {value, value};
+    }
+    return state;
+}
+
+TEST(Fragments, ACutThroughMakesTwo) {
+    const Specimen s = test::grid_specimen(4, 4, 0.04, 0.04);
+    const auto cut = [](double /*x*/, double y) { return std::abs(y - 0.01) < 1e-9; };  // one quarter above
+    EXPECT_EQ(find_fragments(s, state_where(s, failed, cut)).all.size(), 1U);           // failed, not separated
+    const Fragments two = find_fragments(s, state_where(s, separated, cut));
+    ASSERT_EQ(two.all.size(), 2U);
+    EXPECT_EQ(two.all[0].grains, 24U);
+    EXPECT_EQ(two.all[1].grains, 8U);
+    EXPECT_NEAR(two.all[0].area, 0.75 * 0.04 * 0.04, 1e-15);
+    EXPECT_NEAR(two.all[1].centre[1], 0.015, 1e-12);
+    EXPECT_NEAR(two.all[1].centre[0], 0, 1e-12);
+    EXPECT_NEAR(two.all[0].diameter(), 2 * std::sqrt(0.0012 / std::numbers::pi), 1e-12);
+    EXPECT_EQ(two.single_grains(), 0U);
+    std::ostringstream out;
+    write_fragments(out, two, TableFormat::tsv);
+    EXPECT_EQ(test::field(out.str(), "share_of_area"), "0.75");
+    for (std::size_t g = 0; g < s.n_grains(); ++g) EXPECT_EQ(two.of_grain[g], g >= 24 ? 1U : 0U);
+}
+
+TEST(Fragments, HalfAContactStillHolds) {
+    const Specimen s = test::grid_specimen(1, 1, 0.01, 0.01);  // two grains, one contact
+    EXPECT_EQ(find_fragments(s, {{separated, failed}}).all.size(), 1U);
+    const Fragments apart = find_fragments(s, {{separated, separated}});
+    EXPECT_EQ(apart.all.size(), 2U);
+    EXPECT_EQ(apart.single_grains(), 2U);
+    EXPECT_DOUBLE_EQ(count_fragments(apart, 1).largest_share, 0.5);
+}
+
+/// Quartz below the diagonal of each cell, feldspar above.
+Specimen two_minerals() {
+    Specimen s = test::grid_specimen(4, 4, 0.04, 0.04);
+    s.phase_names = {"quartz", "feldspar"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = g % 2;
+    return s;
+}
+
+TEST(CrackCounts, GoByModeAndPairOfMinerals) {
+    test::Recipe recipe;
+    recipe.specimen = two_minerals();
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    const LoadCurve curve = load_curve(run);
+    std::vector<Crack> cracks(4);
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+        cracks[i].contact = 0;  // inside the first cell: quartz on feldspar
+        cracks[i].time = 0.25 * static_cast<double>(i + 1);
+        cracks[i].mode = i < 3 ? CrackMode::tensile : CrackMode::shear;
+    }
+    const CrackCounts counts = count_cracks(run, curve, recipe.specimen, cracks, 20);
+    ASSERT_EQ(counts.classes, (std::vector<std::string>{"quartz-feldspar"}));  // the grid has no others
+    EXPECT_DOUBLE_EQ(counts.moments.front().all.tensile, 0);
+    EXPECT_DOUBLE_EQ(counts.moments.back().all.tensile, 1.5);
+    EXPECT_DOUBLE_EQ(counts.moments.back().by_class[0].shear, 0.5);
+    std::size_t peaks = 0;
+    for (const auto& m : counts.moments) {
+        EXPECT_DOUBLE_EQ(m.all.tensile, 0.5 * std::min(3.0, std::floor(m.time / 0.25 + 1e-9)));
+        peaks += m.is_peak ? 1U : 0U;
+    }
+    EXPECT_EQ(peaks, 1U);
+    std::ostringstream out;
+    write_crack_counts(out, counts, TableFormat::tsv);
+    EXPECT_EQ(test::field(out.str(), "tensile_cracks_quartz-feldspar", counts.moments.size() - 1), "1.5");
+}
+
+const Rock rock{25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};
+const double shear_modulus = 25.8e9 / (2 * 1.23);
+
+Crack crack_at(double x, double time, double opening = 3e-6, double sliding = 4e-6) {
+    Crack crack;
+    crack.position = {x, 0};
+    crack.time = time;
+    crack.length = 0.002;
+    crack.opening = opening;
+    crack.sliding = sliding;
+    crack.energy_released = 0.1;
+    return crack;
+}
+
+TEST(Emission, PointsNearInSpaceAndTimeAreOneEvent) {
+    const EmissionWindow window{0.01, 1e-5};
+    const auto count = [&](const std::vector<Crack>& cracks) { return find_events(cracks, rock, window).size(); };
+    EXPECT_EQ(count({crack_at(0, 0), crack_at(0.009, 9e-6)}), 1U);
+    EXPECT_EQ(count({crack_at(0, 0), crack_at(0.011, 0)}), 2U);
+    EXPECT_EQ(count({crack_at(0, 0), crack_at(0, 1.1e-5)}), 2U);
+    // A chain is one event however long it is; the order of the rows does not matter.
+    const auto chain = find_events({crack_at(0.018, 1.8e-5), crack_at(0, 0), crack_at(0.009, 9e-6)}, rock, window);
+    ASSERT_EQ(chain.size(), 1U);
+    EXPECT_DOUBLE_EQ(chain[0].time, 0);
+    EXPECT_DOUBLE_EQ(chain[0].duration, 1.8e-5);
+    EXPECT_DOUBLE_EQ(chain[0].contacts, 1.5);
+    EXPECT_NEAR(chain[0].position[0], 0.009, 1e-15);
+}
+
+TEST(Emission, MomentIsModulusTimesLengthTimesJump) {
+    std::vector<Crack> cracks{crack_at(0, 0), crack_at(0.001, 0)};
+    cracks[1].mode = CrackMode::shear;
+    const auto events = find_events(cracks, rock, {0.01, 1e-5});
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_NEAR(events[0].moment, 2 * shear_modulus * 0.002 * 5e-6, 1e-6);  // √(3² + 4²) µm
+    EXPECT_NEAR(events[0].magnitude(), 2.0 / 3 * std::log10(events[0].moment) - 6.07, 1e-12);
+    EXPECT_DOUBLE_EQ(events[0].tensile_share, 0.5);
+    EXPECT_DOUBLE_EQ(events[0].energy, 0.2);
+    EXPECT_DOUBLE_EQ(events[0].length, 0.004);
+}
+
+TEST(Emission, DefaultWindowIsTwoEdgesAtHalfTheShearSpeed) {
+    const EmissionWindow window = default_window(rock, 0.004);
+    EXPECT_DOUBLE_EQ(window.distance, 0.008);
+    EXPECT_NEAR(window.time, 0.008 / (1989.39 / 2), 1e-9);  // √(G/ρ) of Augig granite, 1989.39 m/s
+}
+
+TEST(Emission, GutenbergRichterByHand) {
+    std::vector<double> magnitudes{-9, -8.5};  // below the completeness: not counted
+    for (int i = 0; i < 10; ++i) magnitudes.push_back(-5 + 0.1 * i);
+    const auto fit = fit_gutenberg_richter(magnitudes, -5);
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_EQ(fit->events, 10U);
+    EXPECT_NEAR(fit->b, std::log10(std::numbers::e) / 0.45, 1e-12);  // Aki: log10(e)/(mean − completeness)
+    EXPECT_NEAR(fit->error, fit->b / std::sqrt(10.0), 1e-12);
+    EXPECT_FALSE(fit_gutenberg_richter({1, 2, 3}, 0).has_value());
+}
+
+TEST(Emission, ALineThatMissesItsDataIsKnown) {
+    const auto fit_of = [](const auto& magnitude_of) {
+        std::vector<double> magnitudes;
+        for (int i = 0; i < 100; ++i) magnitudes.push_back(magnitude_of((i + 0.5) / 100));
+        return fit_gutenberg_richter(magnitudes, -5).value();
+    };
+    // Magnitudes of the exponential distribution at their own shares; and half of them at one place, half far away.
+    const auto line = fit_of([](double share) { return -5 - 0.5 * std::log(1 - share); });
+    EXPECT_LT(line.distance, 0.02);
+    EXPECT_TRUE(line.follows_line());
+    const auto two = fit_of([](double share) { return share < 0.5 ? -4.95 : -3.5; });
+    EXPECT_FALSE(two.follows_line());
+    EXPECT_NEAR(two.distance_by_chance(), 1.094 / (10 + 0.26 + 0.05) + 0.002, 1e-12);  // Stephens (1974), 100 events
+}
+
+TEST(Emission, CompletenessIsTheMostFrequentMagnitude) { EXPECT_NEAR(completeness_of({-6, -5, -5.01, -5.02, -4}), -5.05, 1e-12); }
+
+TEST(CrackBalance, SeparatesModesAndCountsWhatIsSeparated) {
+    std::vector<Crack> cracks{crack_at(0, 1, 1e-6, 2e-6), crack_at(0, 1, 2e-6, -1e-6), crack_at(0, 2, 1e-6, -2e-6),
+                              crack_at(0, 2, 0, 1e-6)};
+    cracks[3].mode = CrackMode::shear;
+    cracks[0].separated.time = 1.5;
+    cracks[2].separated.time = 9;
+    const CrackBalance early = balance_cracks(cracks, 1);
+    EXPECT_DOUBLE_EQ(early.tensile, 1);
+    EXPECT_DOUBLE_EQ(early.separated, 0);
+    const CrackBalance late = balance_cracks(cracks, 3);
+    EXPECT_DOUBLE_EQ(late.tensile, 1.5);
+    EXPECT_DOUBLE_EQ(late.shear, 0.5);
+    EXPECT_DOUBLE_EQ(late.separated, 0.5);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,120 @@
+#include "post/fit/size_effect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "post/chart/picture.hpp"
+#include "post/plot/size_effect.hpp"
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+const std::vector<double> edges{2e-3, 3e-3, 5e-3, 7.5e-3};
+
+RunData run_of(double edge, double strength, const std::string& test = "brazilian") {
+    test::Recipe recipe;
+    recipe.test = test;
+    recipe.plane = PlaneCondition::stress;
+    recipe.peak = strength;
+    RunData run;
+    run.name = "run.h5";
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    run.specimen = {0.08, 0.08, 1, 100, edge};
+    return run;
+}
+
+TEST(SizeEffect, ExactPowerLawIsRecoveredByBothFits) {
+    std::vector<double> strength;
+    for (double edge : edges) strength.push_back(5e6 * std::pow(edge * 1e3, 0.39));
+    for (const auto& law : {fit_power_law_log(edges, strength), fit_power_law(edges, strength)}) {
+        ASSERT_TRUE(law.has_value());
+        EXPECT_NEAR(law->exponent.value, 0.39, 1e-9);
+        EXPECT_NEAR(*law->exponent.high, 0.39, 1e-6);
+        EXPECT_NEAR(law->coefficient, 5e6, 1);
+    }
+    EXPECT_FALSE(fit_power_law_log({1e-3, 1e-3}, {1, 2}).has_value());
+}
+
+TEST(SizeEffect, ASizeWeighsAsItsSeeds) {
+    // Two sizes: the line goes through the means of the logarithms, however many runs each has.
+    const auto law = fit_power_law_log({2e-3, 2e-3, 2e-3, 8e-3}, {1e6, 2e6, 4e6, 4e6});
+    EXPECT_NEAR(law->exponent.value, std::log(2.0) / std::log(4.0), 1e-12);
+    EXPECT_TRUE(law->exponent.low.has_value());
+}
+
+TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
+    std::vector<RunData> runs;
+    for (double edge : edges) {
+        runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.39)));
+        runs.push_back(run_of(edge, 120e6, "uniaxial"));
+    }
+    std::ostringstream out;
+    std::ostringstream notes;
+    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
+    EXPECT_EQ(notes.str(), "");
+    const std::string table = out.str();
+    EXPECT_EQ(test::parse_tsv(table).size(), 5U);
+    EXPECT_EQ(test::field(table, "test"), "brazilian");
+    EXPECT_EQ(test::field(table, "exponent"), "0.39");
+    EXPECT_EQ(test::field(table, "coefficient"), "5");
+    EXPECT_EQ(test::field(table, "paper_exponent"), "0.39");
+    EXPECT_EQ(test::field(table, "theory_exponent"), "0.5");
+    // (9π/32) E Gf/tc² over the edge, plane stress
+    const double zone = 9 * std::numbers::pi / 32 * 25.8e9 * 82.6 / (24.15e6 * 24.15e6);
+    EXPECT_NEAR(std::stod(test::field(table, "zone_over_smallest_edge")), zone / 2e-3, 1e-5);
+    EXPECT_NEAR(std::stod(test::field(table, "exponent", 2)), 0, 1e-9);
+    EXPECT_EQ(test::field(table, "paper_exponent", 2), "");
+    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)));
+    EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
+    EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
+    EXPECT_NE(svg.find("Kazerani &amp; Zhao (2014), n = 0.39"), std::string::npos);
+}
+
+TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {
+    std::vector<RunData> runs;
+    for (const double edge : edges) runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.3)));
+    for (RunData& run : runs) run.header.material = "Carrara marble";
+    std::ostringstream out;
+    std::ostringstream notes;
+    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
+    EXPECT_EQ(test::field(out.str(), "exponent"), "0.3");
+    EXPECT_EQ(test::field(out.str(), "paper_exponent"), "");
+    const std::string words = draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)).words();
+    EXPECT_NE(words.find("theory, n = 0.5"), std::string::npos);
+    EXPECT_EQ(words.find("0.39"), std::string::npos);
+    EXPECT_EQ(words.find("Kazerani"), std::string::npos);
+}
+
+TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
+    std::ostringstream out;
+    std::ostringstream notes;
+    // Seeds of one size differ by half a percent in their mean edge: no line goes through them.
+    const std::vector<RunData> one{run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)};
+    test::expect_one_line<InputError>(
+        [&] { write_size_effect_table(out, one, TableFormat::tsv, StrainLimitRuns::refuse, notes); }, {"one mean edge (2 mm)"});
+    std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
+    at_strain_limit[1].header.stop_reason = "strain limit";
+    at_strain_limit[1].history = [] {
+        test::Recipe recipe;
+        recipe.test = "brazilian";
+        recipe.drop = 0;
+        return test::synthetic_history(recipe);
+    }();
+    test::expect_one_line<InputError>(
+        [&] { write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::refuse, notes); },
+        {"strain limit"});
+    EXPECT_EQ(out.str(), "");
+    write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::accept, notes);
+    EXPECT_EQ(test::field(out.str(), "runs_at_strain_limit"), "1");
+    EXPECT_NE(notes.str().find("size-effect: 1 of 2 runs were stopped at the strain limit"), std::string::npos) << notes.str();
+}
+
+}  // namespace
+}  // namespace graincrack

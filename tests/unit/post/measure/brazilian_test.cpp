@@ -1,0 +1,201 @@
+#include "post/measure/brazilian.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "post/cracks/crack_network.hpp"
+#include "post/measure/strength.hpp"
+#include "post/measure/strength_summary.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+constexpr int rows = 10;
+
+/// Both points of the upright facets on x = 0 of a 6 × 10 grid, from the middle outwards, one facet every 0.1 s.
+std::vector<Crack> split(const Specimen& s, int facets) {
+    std::vector<Crack> cracks;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& a = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& b = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        if (std::abs(a[0]) > 1e-9 || std::abs(b[0]) > 1e-9) continue;
+        for (std::uint8_t point = 0; point < 2; ++point) {
+            Crack crack;
+            crack.contact = static_cast<std::int32_t>(c);
+            crack.point = point;
+            crack.position = {0, (point == 0 ? 0.75 : 0.25) * a[1] + (point == 0 ? 0.25 : 0.75) * b[1]};
+            crack.time = 0.1 * std::floor(1 + std::abs(a[1] + b[1]) / 2 / (s.height / rows));
+            cracks.push_back(crack);
+        }
+    }
+    std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
+    cracks.resize(static_cast<std::size_t>(2 * facets));
+    return cracks;
+}
+
+Recipe disc() {
+    Recipe recipe;
+    recipe.test = "brazilian";
+    recipe.plane = PlaneCondition::stress;
+    recipe.peak = 10e6;
+    recipe.specimen = test::grid_specimen(6, rows, 0.08, 0.08);
+    recipe.specimen.loading_arc = 0.1;
+    return recipe;
+}
+
+TEST(CrackNetwork, NodesAtOnePlaceShareACorner) {
+    const Specimen s = test::grid_specimen(4, 4, 0.04, 0.04);
+    const std::vector<std::size_t> corners = corners_of_nodes(s);
+    for (std::size_t i = 0; i < s.n_nodes(); ++i) {
+        for (std::size_t j = 0; j < s.n_nodes(); ++j) {
+            const bool same =
+                std::hypot(s.node_position[i][0] - s.node_position[j][0], s.node_position[i][1] - s.node_position[j][1]) < 1e-9;
+            EXPECT_EQ(corners[i] == corners[j], same) << i << " " << j;
+        }
+    }
+}
+
+TEST(CrackNetwork, ReachesAlongTheLoadAsItGrows) {
+    const Recipe recipe = disc();
+    CrackNetwork network(recipe.specimen);
+    double reach = 0;
+    for (const Crack& crack : split(recipe.specimen, 8)) reach = network.add(crack);
+    EXPECT_NEAR(reach, 0.8 * 0.08, 1e-12);  // eight facets of ten hang together
+}
+
+TEST(CrackNetwork, ShearCracksLinkButDoNotCountAsReach) {
+    const Recipe recipe = disc();
+    std::vector<Crack> cracks = split(recipe.specimen, 8);
+    for (Crack& crack : cracks) {
+        if (std::abs(crack.position[1]) > 0.02) crack.mode = CrackMode::shear;
+    }
+    CrackNetwork network(recipe.specimen);
+    double reach = 0;
+    for (const Crack& crack : cracks) reach = std::max(reach, network.add(crack));
+    EXPECT_GT(reach, 0.03);
+    EXPECT_LT(reach, 0.05);
+}
+
+TEST(Brazilian, LoadAtTheSpanIsThatOfItsTime) {
+    const Recipe recipe = disc();
+    test::TemporaryFolder folder;
+    const auto warning_of = [&](const std::vector<Crack>& cracks, const std::string& column) {
+        test::write_run(folder.file("run.h5"), recipe, cracks);
+        std::ostringstream out;
+        std::ostringstream notes;
+        write_strength_table(out, {folder.file("run.h5")}, TableFormat::tsv, notes);
+        return field(out.str(), column);
+    };
+    // The curve rises evenly to 10 MPa at 1 s. Eight facets hang together at 0.4 s.
+    EXPECT_NEAR(std::stod(warning_of(split(recipe.specimen, 8), "spanning_strength_MPa")), 4, 1e-3);
+    EXPECT_EQ(warning_of(split(recipe.specimen, 8), "warning"),
+              "when open cracks spanned the disc, the load was 60 % below the largest load, which may be the load of the halves");
+    EXPECT_EQ(warning_of(split(recipe.specimen, 6), "spanning_strength_MPa"), "");
+    EXPECT_EQ(warning_of(split(recipe.specimen, 6), "warning"),
+              "the disc did not split: its open cracks never span 0.8 of the diameter");
+    EXPECT_NEAR(std::stod(warning_of(split(recipe.specimen, 8), "loading_arc_deg")), 0.1 * 180 / 3.14159265358979, 1e-5);
+}
+
+TEST(Brazilian, WhatOpensSplitsWhateverTractionItBeganWith) {
+    const Recipe recipe = disc();
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    run.specimen.width = run.specimen.height = 0.08;
+    const LoadCurve curve = load_curve(run);
+    std::vector<Crack> cracks = split(recipe.specimen, 8);
+    for (Crack& crack : cracks) crack.mode_angle = 1.2;  // more shear than tension: open cracks of shear by their traction
+    EXPECT_TRUE(measure_split(run, curve, recipe.specimen, cracks).spanning_stress);
+    for (Crack& crack : cracks) crack.opening = -1e-6;
+    EXPECT_FALSE(measure_split(run, curve, recipe.specimen, cracks).spanning_stress);
+}
+
+TEST(Brazilian, NoWarningWhenTheSplitIsThePeakAndBeginsInside) {
+    const Recipe recipe = disc();
+    std::vector<Crack> cracks = split(recipe.specimen, 8);
+    for (Crack& crack : cracks) crack.time = 0.6 + crack.time;  // the span at 1 s
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    run.specimen.width = run.specimen.height = 0.08;
+    const LoadCurve curve = load_curve(run);
+    const BrazilianSplit inside = measure_split(run, curve, recipe.specimen, cracks);
+    EXPECT_EQ(inside.warning(), "");
+    EXPECT_LT(*inside.first_crack_radius, 0.2);
+    for (Crack& crack : cracks) crack.position[0] = 0.035;  // the same times and network, but by the rim
+    const BrazilianSplit outside = measure_split(run, curve, recipe.specimen, cracks);
+    EXPECT_NEAR(*outside.first_crack_radius, 0.875, 0.03);
+    EXPECT_NE(outside.warning().find("0.88 radii from the centre"), std::string::npos) << outside.warning();
+}
+
+struct Peak {
+    std::string test;
+    double stress = 0;
+    double confining_pressure = 0;
+    std::optional<double> mean_edge = std::nullopt;
+};
+/// `strength --summary` of runs with these peaks, as TSV.
+std::string summary_of(const std::vector<Peak>& peaks) {
+    test::TemporaryFolder folder;
+    std::vector<std::string> files;
+    for (const Peak& peak : peaks) {
+        Recipe recipe;
+        recipe.test = peak.test;
+        recipe.peak = peak.stress;
+        recipe.confining_pressure = peak.confining_pressure;
+        if (peak.test == "brazilian") recipe.plane = PlaneCondition::stress;
+        if (peak.mean_edge) recipe.specimen.statistics.mean_edge = *peak.mean_edge;
+        files.push_back(folder.file(std::to_string(files.size())));
+        test::write_run(files.back(), recipe);
+    }
+    std::ostringstream out;
+    std::ostringstream notes;
+    write_strength_summary(out, files, TableFormat::tsv, notes);
+    return out.str();
+}
+
+TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
+    const std::string table = summary_of({{"uniaxial", 120e6},
+                                          {"uniaxial", 130e6},
+                                          {"brazilian", 8e6},
+                                          {"brazilian", 9e6},
+                                          {"brazilian", 13e6},
+                                          {"tension", 6e6},
+                                          {"triaxial", 200e6, 8e6},
+                                          {"triaxial", 150e6, 4e6}});
+    EXPECT_EQ(test::parse_tsv(table).size(), 6U);
+    EXPECT_EQ(field(table, "strength_MPa", 0), "10");
+    // s = √7 MPa; t(0.975, 2) = 4.302653
+    EXPECT_NEAR(std::stod(field(table, "strength_deviation_MPa", 0)), std::sqrt(7.0), 1e-6);
+    EXPECT_NEAR(std::stod(field(table, "strength_high_MPa", 0)), 10 + 4.302653 * std::sqrt(7.0 / 3), 1e-4);
+    EXPECT_EQ(field(table, "ratio_to_brazilian", 0), "");
+    EXPECT_EQ(field(table, "test", 1), "tension");
+    EXPECT_EQ(field(table, "ratio_to_brazilian", 1), "0.6");
+    EXPECT_EQ(field(table, "strength_deviation_MPa", 1), "");
+    EXPECT_EQ(field(table, "ratio_to_brazilian", 2), "12.5");
+    EXPECT_EQ(field(table, "confining_pressure_MPa", 3), "4");
+    EXPECT_EQ(field(table, "confining_pressure_MPa", 4), "8");
+}
+
+TEST(StrengthSummary, GrainSizesAreNotPooled) {
+    const std::string table = summary_of(
+        {{"uniaxial", 120e6, 0, 4e-3}, {"uniaxial", 140e6, 0, 7e-3}, {"uniaxial", 130e6, 0, 4.1e-3}, {"tension", 6e6, 0, 7e-3}});
+    ASSERT_EQ(test::parse_tsv(table).size(), 4U);
+    EXPECT_EQ(field(table, "test", 0), "tension");
+    EXPECT_EQ(field(table, "strength_MPa", 1), "125");
+    EXPECT_EQ(field(table, "runs", 1), "2");
+    EXPECT_EQ(field(table, "mean_edge_mm", 1), "4.05");
+    EXPECT_EQ(field(table, "strength_MPa", 2), "140");
+    EXPECT_EQ(field(table, "mean_edge_mm", 2), "7");
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,173 @@
+#include "post/measure/moduli.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+std::string table_of(const Recipe& recipe) {
+    const test::TemporaryFolder folder;
+    test::write_run(folder.file("run.h5"), recipe);
+    std::ostringstream out;
+    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv);
+    return out.str();
+}
+double value(const std::string& table, const std::string& column) { return std::stod(field(table, column)); }
+
+TEST(Moduli, HasTheColumnsScriptsRelyOn) {
+    const std::string table = table_of({});
+    const std::string fixed =
+        "file\tyoung_modulus_GPa\tpoisson_ratio\tplane_young_modulus_GPa\tplane_poisson_ratio\tplaten_young_modulus_GPa\t"
+        "predicted_young_modulus_GPa\tpredicted_poisson_ratio\t";
+    EXPECT_EQ(table.substr(0, fixed.size()), fixed);
+}
+
+TEST(Moduli, ForPeopleHasUnitsAndThePlaneCondition) {
+    const test::TemporaryFolder folder;
+    test::write_run(folder.file("run.h5"), {});
+    std::ostringstream out;
+    write_moduli_table(out, {folder.file("run.h5")}, std::nullopt);
+    EXPECT_NE(out.str().find("\nplane strain: E and ν are material values"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("GPa"), std::string::npos);
+    EXPECT_NE(out.str().find(" 24.62 "), std::string::npos) << out.str();  // 26 (1 − (0.3/1.3)²)
+    EXPECT_EQ(out.str().find('\t'), std::string::npos);
+    EXPECT_EQ(field(table_of({}), "plane"), "strain");
+}
+
+TEST(Moduli, PlaneStrainIsConverted) {
+    Recipe recipe;
+    recipe.yield_share = 0.6;  // what happens beyond half the peak does not matter
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+    EXPECT_NEAR(value(table, "poisson_ratio"), 0.3 / 1.3, 1e-6);                              // ν = ν'/(1+ν')
+    EXPECT_NEAR(value(table, "young_modulus_GPa"), 26 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);  // E = E'(1−ν²)
+    EXPECT_NEAR(value(table, "platen_young_modulus_GPa"), 26 / 1.02 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);
+}
+
+TEST(Moduli, WhatSpeaksAgainstThemStandsInTheRow) {
+    Recipe recipe;
+    EXPECT_EQ(field(table_of(recipe), "warning"), "");  // the platens see 2 % more strain
+    recipe.platen_compliance = 1.1;
+    recipe.drop = 0;
+    recipe.stop_reason = "strain limit";
+    EXPECT_EQ(field(table_of(recipe), "warning"),
+              "no peak: fractions are of the largest stress; E from the gauges is 10 % larger than E from the platens: the "
+              "specimen is not in equilibrium, or its strain is not uniform");
+    recipe.test = "brazilian";
+    EXPECT_EQ(field(table_of(recipe), "warning"), "");  // no moduli
+}
+
+TEST(Moduli, ConventionsTakeTheirPartOfTheCurve) {
+    Recipe recipe;
+    recipe.rows = 1001;
+    recipe.yield_share = 0.5;  // beyond half the peak the tangent is half of 26 GPa
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-4);
+    // Rows are even in stress y ∈ [−1, 1] about the bend, strain x = y before and 2y after it: cov(x, y) = 1/2,
+    // var(x) = 5/6 − 1/16.
+    const double expected = 26 * 0.5 / (5.0 / 6 - 1.0 / 16);
+    EXPECT_NEAR(value(table, "plane_tangent_young_modulus_GPa"), expected, 0.05);
+    EXPECT_NEAR(value(table, "plane_average_young_modulus_GPa"), expected, 0.05);
+    EXPECT_NEAR(value(table, "plane_secant_young_modulus_GPa"), 26 / 1.5, 1e-3);
+    EXPECT_NEAR(value(table, "plane_secant_poisson_ratio"), 0.3, 1e-6);
+    EXPECT_NEAR(value(table, "secant_young_modulus_GPa"), 26 / 1.5 * (1 - std::pow(0.3 / 1.3, 2)), 1e-3);
+}
+
+TEST(Moduli, BrittlenessIsTheFallOverTheChord) {
+    const Recipe recipe;  // falls by half its 125 MPa while the strain grows by 0.2 of that at the peak
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "peak_kind"), "drop");
+    // Both slopes are by the platens: (0.5 · 125)/(0.2 · ε_peak) over 125/ε_peak
+    EXPECT_NEAR(value(table, "post_peak_slope_over_young_modulus"), 2.5, 1e-6);
+    Recipe at_strain_limit;
+    at_strain_limit.drop = 0.1;
+    at_strain_limit.stop_reason = "strain limit";
+    EXPECT_EQ(field(table_of(at_strain_limit), "post_peak_slope_over_young_modulus"), "");
+}
+
+TEST(Moduli, PlaneStressIsNot) {
+    Recipe recipe;
+    recipe.plane = PlaneCondition::stress;
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "young_modulus_GPa"), field(table, "plane_young_modulus_GPa"));
+    EXPECT_EQ(field(table, "poisson_ratio"), field(table, "plane_poisson_ratio"));
+}
+
+TEST(Moduli, TriaxialLeavesTheIsotropicStageOut) {
+    Recipe recipe;
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 20e6;  // its isotropic stage has another slope: 20 MPa over 1e-4
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+}
+
+TEST(Moduli, TensionHasPositiveModuli) {
+    Recipe recipe;
+    recipe.test = "tension";
+    recipe.peak = 6e6;
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+}
+
+TEST(Moduli, VoigtAndReussAreMeansByAreaOfThePhases) {
+    Specimen specimen = test::grid_specimen(2, 5, 0.02, 0.05);  // 20 grains of equal areas
+    specimen.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < 20; ++g) specimen.grain_phase[g] = g < 6 ? 0 : g < 18 ? 1 : 2;
+    RunHeader header = test::synthetic_header({});
+    header.plane = PlaneCondition::stress;
+    header.fabric = uniform_fabric(header.rock, header.contact, 3);
+    const std::array young{36.12e9, 24.51e9, 10.32e9};
+    for (std::size_t p = 0; p < 3; ++p) header.fabric.phases[p].young_modulus = young[p];
+    header.fabric.phases[2].poisson_ratio = 0.33;
+    const GrainModuli grains = grain_moduli(header, specimen);
+    EXPECT_NEAR(grains.voigt, 26.574e9, 1e3);    // 0.3 · 36.12 + 0.6 · 24.51 + 0.1 · 10.32
+    EXPECT_NEAR(grains.reuss, 23.54305e9, 1e4);  // 1/(0.3/36.12 + 0.6/24.51 + 0.1/10.32)
+    EXPECT_NEAR(grains.poisson_ratio, 0.9 * 0.23 + 0.1 * 0.33, 1e-12);
+    // Very stiff contacts leave Hill's mean.
+    for (ContactParameters& contact : header.fabric.contacts) contact.normal_stiffness = contact.shear_stiffness = 1e30;
+    EXPECT_NEAR(predict_moduli(header, specimen).young_modulus, 0.5 * (26.574e9 + 23.54305e9), 1e4);
+    const std::string table = table_of({});  // one phase
+    EXPECT_DOUBLE_EQ(value(table, "voigt_young_modulus_GPa"), 25.8);
+    EXPECT_DOUBLE_EQ(value(table, "reuss_young_modulus_GPa"), 25.8);
+}
+
+TEST(Moduli, BrazilianHasNoneButAPrediction) {
+    Recipe recipe;
+    recipe.test = "brazilian";
+    recipe.peak = 8.8e6;
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "young_modulus_GPa"), "");
+    EXPECT_EQ(field(table, "platen_young_modulus_GPa"), "");
+    EXPECT_NE(field(table, "predicted_young_modulus_GPa"), "");
+}
+
+TEST(Moduli, PredictionUsesTheContactLengthOfTheSpecimen) {
+    const Specimen specimen = test::grid_specimen(4, 4, 0.04, 0.04);
+    // 3 inner lines each way of 0.04 m, and 16 diagonals of √2 cm
+    const double density = (6 * 0.04 + 16 * std::sqrt(2) * 0.01) / (0.04 * 0.04);
+    EXPECT_NEAR(contact_length_per_area(specimen), density, 1e-9 * density);
+    Recipe recipe;
+    recipe.plane = PlaneCondition::stress;
+    const RunHeader header = test::synthetic_header(recipe);
+    const fpz::AssemblageModuli moduli = predict_moduli(header, specimen);
+    const double kn = header.contact.normal_stiffness;
+    const double ks = header.contact.shear_stiffness;
+    const double expected = 1 / (1 / 25.8e9 + density * (3 / (8 * kn) + 1 / (8 * ks)));
+    EXPECT_NEAR(moduli.young_modulus, expected, 1e-9 * expected);
+    EXPECT_LT(expected, 25.8e9);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,244 @@
+#include "post/measure/strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <numbers>
+#include <sstream>
+
+#include "post/cracks/crack_counts.hpp"
+#include "share/base/error.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+class StrengthTable : public ::testing::Test {
+protected:
+    std::string table_of(const Recipe& recipe) {
+        test::write_run(folder_.file("run.h5"), recipe);
+        std::ostringstream out;
+        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
+        return out.str();
+    }
+    test::TemporaryFolder folder_;
+    std::ostringstream notes_;
+};
+
+TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
+    const std::string table = table_of({});
+    EXPECT_EQ(table.substr(0, table.find('\n')),
+              "file\ttest\tseed\tgrains\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\t"
+              "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
+              "energy_balance_error\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
+              "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
+              "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
+              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load\t"
+              "first_peak_MPa\tresidual_MPa\tdrop_percent\trehardening_GPa\t"
+              "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\tgrain_young_modulus_GPa\tgrain_poisson_ratio\t"
+              "max_strain\trate_tolerance\t"
+              "tensile_cracks_by_sign\tshear_cracks_by_sign\ttensile_cracks_broken\tshear_cracks_broken\t"
+              "tensile_cracks_broken_by_sign\tshear_cracks_broken_by_sign\tplane");
+}
+
+TEST_F(StrengthTable, UniaxialRow) {
+    const std::string table = table_of({});
+    EXPECT_EQ(field(table, "test"), "uniaxial");
+    EXPECT_EQ(field(table, "seed"), "7");
+    EXPECT_EQ(field(table, "grains"), "256");
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "125");
+    EXPECT_EQ(field(table, "tensile_strength_MPa"), "");
+    EXPECT_NEAR(std::stod(field(table, "strain_at_peak")), 1.02 * 125e6 / 26e9, 1e-9);
+    EXPECT_EQ(field(table, "peak_kind"), "drop");
+    EXPECT_EQ(field(table, "first_yield_MPa"), "");
+    const ModeCounts at_peak = count_modes(test::synthetic_cracks(test::Recipe{}.specimen), {}, 1);  // s
+    EXPECT_EQ(field(table, "tensile_cracks"), count_cell(at_peak.tensile).text());
+    EXPECT_EQ(field(table, "shear_cracks"), count_cell(at_peak.shear).text());
+    EXPECT_GT(at_peak.tensile * at_peak.shear, 0);
+    EXPECT_EQ(field(table, "steps"), "200000");
+    EXPECT_EQ(field(table, "warning"), "");
+    EXPECT_EQ(field(table, "achieved_confining_pressure_MPa"), "");
+    EXPECT_EQ(field(table, "contact_law"), "scaled");
+    EXPECT_EQ(field(table, "contact_cohesion_MPa"), "74.57");
+    EXPECT_NEAR(std::stod(field(table, "contact_friction_angle_deg")), 0.851 * 180 / std::numbers::pi, 1e-5);
+    EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
+}
+
+TEST_F(StrengthTable, StressAtEqualStrainsIsInterpolatedAndEmptyPastTheEnd) {
+    Recipe recipe;
+    recipe.plane_young_modulus = 10e9;
+    recipe.platen_compliance = 1;  // peak of 125 MPa at 1.25 %, end at 1.5 % and 62.5 MPa
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(std::stod(field(table, "stress_at_1_percent_MPa")), 100, 1e-5);
+    EXPECT_EQ(field(table, "stress_at_2_percent_MPa"), "");
+    recipe.plane_young_modulus = 5e9;  // peak at 2.5 %, end at 3 % and 62.5 MPa; 0.5 % below it the fall is linear
+    const std::string softer = table_of(recipe);
+    EXPECT_NEAR(std::stod(field(softer, "stress_at_2_percent_MPa")), 100, 1e-5);
+    EXPECT_NEAR(std::stod(field(softer, "stress_at_3_percent_MPa")), 62.5, 1e-5);
+}
+
+TEST_F(StrengthTable, FirstPeakAndResidualStrengthIncludeTheConfinement) {
+    Recipe recipe;
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 5e6;
+    recipe.plane_young_modulus = 3e9;  // peak of 125 MPa at 4 % of the gauges, then a fall by 6.25 MPa every 2 % of that strain
+    recipe.platen_compliance = 1;
+    recipe.rows = 1001;
+    const std::string table = table_of(recipe);
+    const double first_peak = std::stod(field(table, "first_peak_MPa"));
+    EXPECT_NEAR(first_peak, 125, 0.2);
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "125");
+    const double slope = 6.25 / (0.02 * (120e6 / 3e9 + 1e-4));  // MPa
+    EXPECT_NEAR(std::stod(field(table, "residual_MPa")), 125 - 0.004 * slope, 0.5);
+    EXPECT_NEAR(std::stod(field(table, "drop_percent")),
+                100 * (first_peak - std::stod(field(table, "residual_MPa"))) / (first_peak - 5), 1e-3);
+    EXPECT_NEAR(std::stod(field(table, "rehardening_GPa")), -1e-3 * slope, 1e-3 * slope * 0.01);
+}
+
+TEST_F(StrengthTable, WithoutAFallThereIsNoFirstPeak) {
+    Recipe recipe;
+    recipe.drop = 0.04;
+    const std::string hardening = table_of(recipe);
+    recipe.test = "tension";
+    recipe.drop = 0.5;
+    const std::string tension = table_of(recipe);
+    for (const char* column : {"first_peak_MPa", "residual_MPa", "drop_percent", "rehardening_GPa"}) {
+        EXPECT_EQ(field(hardening, column), "") << column;
+        EXPECT_EQ(field(tension, column), "") << column;
+    }
+}
+
+TEST_F(StrengthTable, BrazilianIsEquation18OfTheForces) {
+    Recipe recipe;
+    recipe.test = "brazilian";
+    recipe.peak = 8.7e6;
+    recipe.specimen = test::grid_specimen(6, 6, 0.08, 0.08);
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "");
+    EXPECT_EQ(field(table, "tensile_strength_MPa"), "8.7");
+    // The same from the largest force of the history: 2 Fmax/(π t D), t = 1 m.
+    double largest = 0;
+    const History history = test::synthetic_history(recipe);
+    for (std::size_t i = 0; i < history.size(); ++i) {
+        largest = std::max(largest, -(history[HistoryColumn::force_top][i] + history[HistoryColumn::force_bottom][i]) / 2);
+    }
+    EXPECT_NEAR(std::stod(field(table, "tensile_strength_MPa")), 2 * largest / (std::numbers::pi * 0.08) * 1e-6, 1e-5);
+}
+
+TEST_F(StrengthTable, TensionIsTheLargestTensileStress) {
+    Recipe recipe;
+    recipe.test = "tension";
+    recipe.peak = 6e6;
+    const std::string table = table_of(recipe);
+    EXPECT_EQ(field(table, "tensile_strength_MPa"), "6");
+    EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "");
+    EXPECT_GT(std::stod(field(table, "strain_at_peak")), 0);
+}
+
+TEST_F(StrengthTable, ACheckpointHasNoChecksOfTheEnd) {
+    Recipe recipe;
+    EXPECT_NE(field(table_of(recipe), "platen_force_difference"), "");
+    recipe.stop_reason = "checkpoint";
+    const std::string table = table_of(recipe);
+    for (const char* column : {"energy_balance_error", "platen_force_difference", "damping_load"}) {
+        EXPECT_EQ(field(table, column), "") << column;
+    }
+}
+
+TEST_F(StrengthTable, OneRowARunOrNoTableAtAll) {
+    test::write_run(folder_.file("a.h5"), {});
+    test::write_run(folder_.file("b.h5"), {});
+    std::ostringstream out;
+    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes_);
+    EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U);
+    std::ostringstream nothing;
+    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv, notes_),
+                 InputError);
+    EXPECT_EQ(nothing.str(), "");
+}
+
+TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& name, const Recipe& recipe) {
+        files.push_back(folder_.file(name));
+        test::write_run(files.back(), recipe);
+    };
+    Recipe recipe;
+    add("first.h5", recipe);
+    recipe.peak = 135e6;
+    add("second.h5", recipe);
+    recipe.test = "triaxial";
+    recipe.confining_pressure = 5e6;
+    recipe.peak = 200e6;
+    add("third.h5", recipe);
+    std::ostringstream out;
+    write_strength_table(out, files, std::nullopt, notes_);
+    std::istringstream lines(out.str());
+    std::vector<std::vector<std::string>> words;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream stream(line);
+        words.emplace_back(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>());
+    }
+    ASSERT_EQ(words.size(), 10U) << out.str();
+    EXPECT_EQ(words[0], (std::vector<std::string>{"run", "seed", "grains", "mean", "edge", "strength", "at", "strain", "ended",
+                                                  "by", "tensile", "shear"}));
+    EXPECT_EQ(words[1], (std::vector<std::string>{"mm", "MPa", "%", "cracks", "cracks"}));
+    EXPECT_EQ(words[3], (std::vector<std::string>{"uniaxial,", "plane", "strain"}));
+    ASSERT_EQ(words[4].size(), 9U);
+    EXPECT_EQ(words[4][4], "125");
+    EXPECT_EQ(words[4][6], "peak");
+    EXPECT_EQ(words[5][4], "135");
+    EXPECT_EQ(words[6], (std::vector<std::string>{"mean", "of", "2,", "s.d.", "7.1", "130"}));
+    EXPECT_EQ(words[8], (std::vector<std::string>{"σ3", "=", "5", "MPa,", "plane", "strain"}));
+    EXPECT_EQ(words[9][4], "200");
+    for (const char* name : {"\t", "peak_compressive"}) EXPECT_EQ(out.str().find(name), std::string::npos);
+}
+
+TEST_F(StrengthTable, EveryStrengthHasItsPlaneCondition) {
+    Recipe recipe;
+    EXPECT_EQ(field(table_of(recipe), "plane"), "strain");
+    recipe.plane = PlaneCondition::stress;
+    EXPECT_EQ(field(table_of(recipe), "plane"), "stress");
+}
+
+TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
+    table_of({});
+    EXPECT_EQ(notes_.str(), "");
+    Recipe disc;
+    disc.test = "brazilian";
+    table_of(disc);  // the synthetic cracks span half of the height
+    EXPECT_NE(notes_.str().find("run.h5: warning: the disc did not split: its open cracks never span 0.8 of the diameter\n"),
+              std::string::npos)
+        << notes_.str();
+    Recipe at_strain_limit;
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain limit";
+    table_of(at_strain_limit);
+    EXPECT_NE(notes_.str().find("run.h5: warning: no peak: the test was stopped at the strain limit\n"), std::string::npos)
+        << notes_.str();
+}
+
+TEST_F(StrengthTable, DirectTensionAboveTheBrazilianStrengthIsSaid) {
+    const auto said = [&](double tension, double brazilian) {
+        Recipe recipe;
+        recipe.test = "tension";
+        recipe.peak = tension;
+        test::write_run(folder_.file("t.h5"), recipe);
+        recipe.test = "brazilian";
+        recipe.peak = brazilian;
+        test::write_run(folder_.file("b.h5"), recipe);
+        std::ostringstream out;
+        std::ostringstream notes;
+        write_strength_table(out, {folder_.file("t.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes);
+        return notes.str();
+    };
+    EXPECT_NE(said(12e6, 8e6).find("direct tension is 1.50 times the Brazilian strength; in rock it is 0.7 to 0.9 times (Perras"),
+              std::string::npos);
+    EXPECT_EQ(said(7e6, 8e6).find("direct tension"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graincrack

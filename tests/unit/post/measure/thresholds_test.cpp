@@ -1,0 +1,144 @@
+#include "post/measure/thresholds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "post/measure/moduli.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Stress rises evenly to 100 MPa over 1,001 rows, E' = 25 GPa, ν' = 0.3; from 50 MPa on the lateral strain has a share of
+/// its own, `extra` per MPa² beyond 50 MPa.
+LoadCurve opening_curve(double extra) {
+    LoadCurve curve;
+    for (int i = 0; i <= 1000; ++i) {
+        const double stress = i * 0.1e6;
+        const double beyond = std::max(stress * 1e-6 - 50, 0.0);
+        curve.stress.push_back(stress);
+        curve.gauge_axial_strain.push_back(stress / 25e9);
+        curve.gauge_lateral_strain.push_back(0.3 * stress / 25e9 + extra * beyond * beyond);
+    }
+    curve.axial_strain = curve.gauge_axial_strain;
+    curve.lateral_strain = curve.gauge_lateral_strain;
+    curve.peak = 1000;
+    return curve;
+}
+
+TEST(Thresholds, DamageIsWhereTheVolumeTurns) {
+    constexpr double extra = 1e-6;
+    const LoadCurve curve = opening_curve(extra);
+    // ε1 − k ε_lat: slope (1 − 0.3 k)/25e3 a MPa = 2 k extra (σ − 50); k = 1 or 2.
+    const Thresholds plane = measure_thresholds(curve, VolumeKind::plane);
+    EXPECT_NEAR(*plane.damage * 1e-6, 50 + 0.7 / 25e3 / (2 * extra), 0.11);  // a row is 0.1 MPa
+    const Thresholds pseudo = measure_thresholds(curve, VolumeKind::pseudo_3d);
+    EXPECT_NEAR(*pseudo.damage * 1e-6, 50 + 0.4 / 25e3 / (4 * extra), 0.11);
+}
+
+TEST(Thresholds, InitiationByCrackStrainIsTheOffsetFromTheElasticLine) {
+    constexpr double extra = 1e-6;
+    const LoadCurve curve = opening_curve(extra);
+    // crack strain −k extra (σ − 50)² = −1e-5
+    EXPECT_NEAR(*measure_thresholds(curve, VolumeKind::plane).initiation_by_crack_strain * 1e-6,
+                50 + std::sqrt(crack_strain_offset / extra), 0.11);
+    EXPECT_NEAR(*measure_thresholds(curve, VolumeKind::pseudo_3d).initiation_by_crack_strain * 1e-6,
+                50 + std::sqrt(crack_strain_offset / (2 * extra)), 0.11);
+}
+
+TEST(Thresholds, InitiationByLateralResponseIsWhereTheLateralStrainRunsParallelToItsChord) {
+    constexpr double extra = 1e-6;
+    const LoadCurve curve = opening_curve(extra);
+    const Thresholds found = measure_thresholds(curve, VolumeKind::plane);
+    // Chord to the damage stress d has the slope 0.3/E + extra (d − 50)²/d; parallel where 2 extra (σ − 50) is the excess.
+    const double d = *found.damage * 1e-6;
+    EXPECT_NEAR(*found.initiation_by_lateral_response * 1e-6, 50 + (d - 50) * (d - 50) / (2 * d), 0.11);
+}
+
+TEST(Thresholds, ElasticUpToThePeakHasNone) {
+    const Thresholds none = measure_thresholds(opening_curve(0), VolumeKind::pseudo_3d);
+    EXPECT_FALSE(none.damage.has_value());
+    EXPECT_FALSE(none.initiation_by_crack_strain.has_value());
+    EXPECT_FALSE(none.initiation_by_lateral_response.has_value());
+}
+
+TEST(Thresholds, CountIsOnePercentOfThatAtThePeak) {
+    test::Recipe recipe;  // 25 contacts at the peak, the first tensile one at (0.5 + 1/40) of the way
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    const LoadCurve curve = load_curve(run);
+    EXPECT_NEAR(*initiation_by_count(run, curve) * 1e-6, 0.53 * 125, 1e-6);
+    EXPECT_NEAR(*initiation_by_count(run, curve, 0.5) * 1e-6, 0.8 * 125, 1e-6);  // 12 tensile and 1 in shear of 25
+    for (auto column : {HistoryColumn::tensile_cracks, HistoryColumn::shear_cracks}) {
+        for (double& n : run.history[column]) n = 0;
+    }
+    EXPECT_FALSE(initiation_by_count(run, curve).has_value());
+}
+
+// The points of a log that fail as the history counts them, and are damaged later: the thresholds rise with the damage.
+TEST(Thresholds, InitiationByDamageCountsThePointsThatAreDamaged) {
+    test::Recipe recipe;
+    RunData run;
+    run.header = test::synthetic_header(recipe);
+    run.history = test::synthetic_history(recipe);
+    const LoadCurve curve = load_curve(run);
+    const auto& times = run.history[HistoryColumn::time];
+    std::vector<Crack> cracks;
+    for (std::size_t row = 1; row < times.size(); ++row) {  // as many points as contacts fail in the row
+        for (const HistoryColumn column : {HistoryColumn::tensile_cracks, HistoryColumn::shear_cracks}) {
+            for (double n = run.history[column][row - 1]; n < run.history[column][row]; ++n) {
+                cracks.emplace_back();
+                cracks.back().damaged_10.time = times[row] - 1e-9;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+        if (i % 2 == 0) cracks[i].damaged_50.time = cracks[i].damaged_10.time + 0.1;
+    }
+    const InitiationByDamage initiation = initiation_by_damage(run, curve, cracks);
+    EXPECT_EQ(initiation[0], initiation_by_count(run, curve));
+    ASSERT_TRUE(initiation[1].has_value());
+    EXPECT_GT(*initiation[1], *initiation[0]);
+    EXPECT_FALSE(initiation[2].has_value());  // none is broken
+    EXPECT_EQ(initiation_by_damage(run, curve, cracks, 0.5)[0], initiation_by_count(run, curve, 0.5));
+}
+
+// The count is that of the event of the run.
+TEST(Thresholds, InitiationOfALawThatCountsDamage) {
+    const test::TemporaryFolder folder;
+    test::Recipe recipe;
+    recipe.crack_event = CrackEvent::half_damaged;
+    std::vector<Crack> cracks = test::synthetic_cracks(recipe.specimen);
+    for (Crack& crack : cracks) crack.damaged_50 = {crack.time + 0.2, 1e-6, 1e-6};
+    test::write_run(folder.file("run.h5"), recipe, cracks);
+    std::ostringstream out;
+    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv);
+    EXPECT_NEAR(std::stod(test::field(out.str(), "crack_initiation_count_MPa")), 0.7 * 125, 1e-5);
+}
+
+TEST(Thresholds, TableLabelsThemAndKeepsTensionEmpty) {
+    const test::TemporaryFolder folder;
+    const auto table_of = [&](const test::Recipe& recipe) {
+        test::write_run(folder.file("run.h5"), recipe);
+        std::ostringstream out;
+        write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv);
+        return out.str();
+    };
+    const std::string table = table_of({});
+    EXPECT_NEAR(std::stod(test::field(table, "crack_initiation_count_MPa")), 0.5 * 125, 1e-5);
+    EXPECT_NE(test::field(table, "threshold_note").find("do not compare with laboratory"), std::string::npos);
+    test::Recipe tension;
+    tension.test = "tension";
+    tension.peak = 6e6;
+    EXPECT_EQ(test::field(table_of(tension), "crack_initiation_count_MPa"), "");
+    EXPECT_EQ(test::field(table_of(tension), "threshold_note"), "");
+    test::Recipe stopped;
+    stopped.stop_reason = "signal";
+    stopped.drop = 0;
+    EXPECT_EQ(test::field(table_of(stopped), "crack_initiation_count_MPa"), "");
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,96 @@
+#include "post/measure/toughness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "share/base/error.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+/// Tension of a plate of 80 mm × 160 mm with its contacts along y = 0 broken between two places.
+Recipe notched_tension(double left, double right) {
+    Recipe recipe;
+    recipe.test = "tension";
+    recipe.peak = 6e6;
+    Specimen& s = recipe.specimen;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& a = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& b = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        const bool along = std::abs(a[1]) < 1e-9 && std::abs(b[1]) < 1e-9;
+        if (along && std::min(a[0], b[0]) > left - 1e-9 && std::max(a[0], b[0]) < right + 1e-9) s.contact_kind[c] = 1;
+    }
+    return recipe;
+}
+
+class ToughnessTable : public ::testing::Test {
+protected:
+    std::string table_of(const Recipe& recipe) {
+        test::write_run(folder_.file("run.h5"), recipe);
+        std::ostringstream out;
+        write_toughness_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
+        return out.str();
+    }
+    test::TemporaryFolder folder_;
+    std::ostringstream notes_;
+};
+
+TEST_F(ToughnessTable, OfANotchThroughTheMiddle) {
+    const std::string table = table_of(notched_tension(-0.02, 0.02));
+    EXPECT_NEAR(std::stod(field(table, "notch_mm")), 40, 1e-4);
+    EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 6, 1e-5);
+    // 6 MPa √(π 20 mm) √sec 45°
+    EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 6 * std::sqrt(std::numbers::pi * 0.02 * std::sqrt(2.0)),
+                1e-5);
+}
+
+// l_ch = E' Gf/tc² = (predicted/tc)², with Gf = 82.6 J/m² and tc = 24.15 MPa of the synthetic run.
+TEST_F(ToughnessTable, SaysWhereTheProcessZoneIsNoSmallPartOfTheNotch) {
+    const std::string table = table_of(notched_tension(-0.02, 0.02));
+    const double length = std::stod(field(table, "characteristic_length_mm"));
+    EXPECT_NEAR(length, 1e3 * std::pow(std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")) / 24.15, 2), 1e-5);
+    EXPECT_NEAR(std::stod(field(table, "half_notch_over_characteristic_length")), 20 / length, 1e-5);
+    EXPECT_EQ(field(table, "warning"), "");
+    EXPECT_EQ(notes_.str(), "");
+    const std::string shorter = table_of(notched_tension(-0.01, 0.01));
+    EXPECT_LT(std::stod(field(shorter, "half_notch_over_characteristic_length")), 5);
+    EXPECT_TRUE(field(shorter, "warning").starts_with("a/l_ch is 2.")) << field(shorter, "warning");
+    EXPECT_NE(notes_.str().find("run.h5: warning: a/l_ch is 2."), std::string::npos) << notes_.str();
+}
+
+// Energy release of two crack lengths by plane finite elements of 0.5 mm, ends moved apart as a whole: 1.104 √(π a) for 2a = 32
+// mm in a plate of 80 mm × 160 mm, 0.7 % below Feddersen's; with even stress at the ends the same to 0.1 %.
+TEST(Toughness, IntensityIsThatOfFiniteElements) {
+    EXPECT_NEAR(centre_crack_intensity(1, 0.032, 0.08) / std::sqrt(std::numbers::pi * 0.016), 1.104, 0.01);
+}
+
+TEST_F(ToughnessTable, OtherRunsAreRefused) {
+    const auto refused = [&](const Recipe& recipe) {
+        try {
+            table_of(recipe);
+        } catch (const InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    Recipe whole = notched_tension(1, 1);
+    EXPECT_NE(refused(whole).find("run.h5: toughness needs a tension test"), std::string::npos);
+    EXPECT_NE(refused(notched_tension(-0.04, 0)).find("through its middle"), std::string::npos);
+    Recipe pressed = notched_tension(-0.02, 0.02);
+    pressed.test = "uniaxial";
+    EXPECT_NE(refused(pressed).find("toughness needs a tension test"), std::string::npos);
+    Recipe at_strain_limit = notched_tension(-0.02, 0.02);
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain limit";
+    EXPECT_NE(refused(at_strain_limit).find("without a peak"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graincrack

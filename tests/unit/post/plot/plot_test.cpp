@@ -1,0 +1,159 @@
+// What pictures say by the places of their lines and markers, and by their words.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "post/plot/counts.hpp"
+#include "post/plot/cracks.hpp"
+#include "post/plot/energy.hpp"
+#include "post/plot/law.hpp"
+#include "post/plot/strength.hpp"
+#include "post/plot/thresholds.hpp"
+#include "post/plot/trend.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+std::vector<Polyline> lines_of(const Drawing& drawing, Colour colour, double width) {
+    std::vector<Polyline> lines;
+    for (const Drawing::Shape& shape : drawing.shapes()) {
+        const auto* line = std::get_if<Polyline>(&shape);
+        if (line != nullptr && line->colour == colour && line->width == width) lines.push_back(*line);
+    }
+    return lines;
+}
+
+bool says(const Drawing& drawing, const std::string& words) { return drawing.words().find(words) != std::string::npos; }
+
+double distance(Pixel p, Pixel a, Pixel b) {
+    const Pixel d{b.x - a.x, b.y - a.y};
+    const double length = d.x * d.x + d.y * d.y;
+    const double share = length > 0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length, 0.0, 1.0) : 0;
+    return std::hypot(p.x - a.x - share * d.x, p.y - a.y - share * d.y);
+}
+
+class Plot : public ::testing::Test {
+protected:
+    void SetUp() override { test::write_run(path("run.h5"), recipe_); }
+    std::string path(const std::string& name) const { return folder_.file(name); }
+    RunData run() const { return read_run_data(path("run.h5")); }
+    test::Recipe recipe_;
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(Plot, ThresholdsLieOnTheCurve) {
+    const Drawing page = draw_thresholds(run());
+    const auto curves = lines_of(page, palette::series(0), 4.5);
+    ASSERT_EQ(curves.size(), 1U);
+    const auto& curve = curves[0].points;
+    const auto markers = lines_of(page, palette::tensile, 0.15 * 26);  // of the crack count: in the frame and in the legend
+    ASSERT_EQ(markers.size(), 2U);
+    const auto& corners = markers[0].points;
+    const Pixel place{corners[0].x, corners[0].y + 1.2 * 13};  // below the tip of the triangle
+    double nearest = 1e300;
+    for (std::size_t i = 1; i < curve.size(); ++i) nearest = std::min(nearest, distance(place, curve[i - 1], curve[i]));
+    EXPECT_LT(nearest, 0.5);
+}
+
+TEST_F(Plot, EnergyIsOverTimeOrStrainAndLeavesOutWhatIsNothing) {
+    RunData data = run();
+    for (double& value : data.history[HistoryColumn::energy_external]) value = 1000;
+    for (double& value : data.history[HistoryColumn::energy_kinetic]) value = 0.9;
+    for (double& value : data.history[HistoryColumn::energy_platen]) value = -1.1;
+    const Drawing page = draw_energy(data);
+    EXPECT_TRUE(says(page, "time, ms\n"));
+    EXPECT_TRUE(says(page, "\nplatens\n"));
+    EXPECT_FALSE(says(page, "\nkinetic\n"));
+    EXPECT_TRUE(says(page, "below 0.1 % of the largest, and not shown: "));
+    EXPECT_TRUE(says(page, "kinetic")) << page.words();
+    EXPECT_TRUE(lines_of(page, palette::series(6), 2.5).empty());
+    EXPECT_TRUE(says(draw_energy(data, Abscissa::strain), "axial strain, %\n"));
+}
+
+TEST_F(Plot, TheFallBehindThePeakIsWideOverTime) {
+    const RunData data = run();
+    const auto spread = [&](Abscissa abscissa) {
+        const Course course = course_of(data, abscissa);
+        const std::size_t peak = load_curve(data).peak;
+        return (course.values.back() - course.values[peak]) / course.axis.high;
+    };
+    EXPECT_NEAR(spread(Abscissa::time), 0.25 / 1.25 / 1.03, 0.01);  // of 1.25 s the last 0.25
+    EXPECT_EQ(course_of(data, Abscissa::time).axis.label, "time, ms");
+    EXPECT_EQ(course_of(data, Abscissa::strain).axis.label, "axial strain, %");
+}
+
+TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {
+    const RunData data = run();
+    CrackCounts counts;
+    counts.classes = {"k_feldspar-k_feldspar", "k_feldspar-mica", "mica-mica", "quartz-quartz"};
+    for (std::size_t row = 0; row < data.history.size(); ++row) {
+        CrackCounts::Moment moment;
+        moment.by_class.resize(4);
+        moment.by_class[1].tensile = static_cast<double>(row);
+        moment.all = moment.by_class[1];
+        counts.moments.push_back(moment);
+    }
+    const Drawing few = draw_counts(counts, data, "what a crack is");
+    EXPECT_TRUE(says(few, "K-feldspar–mica, tensile\n")) << few.words();
+    EXPECT_FALSE(says(few, "shear"));
+    EXPECT_FALSE(says(few, "quartz"));
+    EXPECT_TRUE(says(few, "pairs without cracks of a mode have no curve\n"));
+    for (int k = 0; k < 6; ++k) counts.classes.push_back("mineral" + std::to_string(k));
+    for (CrackCounts::Moment& moment : counts.moments) {
+        moment.by_class.resize(10);
+        for (std::size_t k = 0; k < 10; ++k) moment.by_class[k].shear = static_cast<double>(10 - k);
+        moment.all.shear = 55;
+    }
+    const Drawing many = draw_counts(counts, data, "what a crack is");
+    EXPECT_TRUE(says(many, "other pairs, shear\n"));
+    EXPECT_FALSE(says(many, "mineral5"));
+}
+
+TEST_F(Plot, NoBandOfATrendIsCut) {
+    std::ofstream(path("t.tsv")) << "x\ty\n1\t2\n2\t4.5\n3\t5.5\n";  // its interval reaches far beyond the points
+    std::ostringstream ignored;
+    const TrendOptions options{"x", "y", false, {}};
+    const Drawing page = draw_trend(collect_trends({path("t.tsv")}, options, ignored), options);
+    const auto frame = lines_of(page, palette::ink, 1.8);
+    ASSERT_EQ(frame.size(), 1U);
+    const auto bounds = lines_of(page, palette::series(0), 1.6);
+    ASSERT_EQ(bounds.size(), 2U);
+    for (const Polyline& bound : bounds) {
+        ASSERT_EQ(bound.points.size(), 61U);
+        for (const Pixel& point : bound.points) {
+            EXPECT_GT(point.y, frame[0].points[2].y);
+            EXPECT_LT(point.y, frame[0].points[0].y);
+        }
+    }
+}
+
+TEST_F(Plot, TheLawOfTheMaterialHasACurveOfItsOwn) {
+    LawPlotOptions options;
+    options.own = "cohesive-frictional";
+    const Material material = read_material(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+    const ContactParameters contact = contact_parameters(material, PlaneCondition::strain, std::nullopt);
+    const Drawing page = draw_laws(contact, "granite", options);
+    EXPECT_EQ(lines_of(page, palette::ink, 4).size(), 4U);  // three charts and the legend
+    EXPECT_TRUE(says(page, "cohesive-frictional (the material's own)\n"));
+    EXPECT_TRUE(says(draw_laws(contact, "granite", {}), "consistent (the material's own)\n"));
+}
+
+TEST_F(Plot, MapsSideBySideHaveOneScaleBar) {
+    const std::string words = draw_cracks(RunReader(path("run.h5")), {"first,peak,last", std::nullopt, 1}).words();
+    const std::size_t bar = words.find(" mm\n", words.find("counts are contacts"));
+    EXPECT_NE(bar, std::string::npos) << words;
+    EXPECT_EQ(words.find(" mm\n", bar + 1), std::string::npos) << words;
+}
+
+TEST_F(Plot, WarningsStandBelowNotInTheHeading) {
+    const std::string words = draw_strengths({run()}, std::nullopt, {"uniaxial: no peak (1 of 1 run)"}).words();
+    EXPECT_GT(words.find("no peak (1 of 1 run)"), words.find("peak of a run")) << words;
+    EXPECT_NE(words.find("no peak (1 of 1 run)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace graincrack

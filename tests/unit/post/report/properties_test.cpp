@@ -1,0 +1,119 @@
+// Properties of specimens beside the laboratory's: means, the line and the numbers that follow, against numbers by hand.
+#include "post/report/properties.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::field;
+using test::Recipe;
+
+constexpr double degree = M_PI / 180;
+
+class Properties : public ::testing::Test {
+protected:
+    void add(const std::string& test, std::int64_t seed, double peak, double confining = 0) {
+        Recipe recipe;
+        recipe.test = test;
+        recipe.peak = peak;
+        recipe.confining_pressure = confining;
+        recipe.specimen.seed = seed;
+        if (test == "brazilian") recipe.specimen.shape = "disc";
+        files_.push_back(folder_.file(std::to_string(files_.size()) + ".h5"));
+        test::write_run(files_.back(), recipe);
+    }
+    [[nodiscard]] std::map<std::string, Property> measured() const {
+        std::map<std::string, Property> by_name;
+        for (Property& p : measure_properties(read_runs(files_), material_, {})) by_name[p.name] = p;
+        return by_name;
+    }
+    test::TemporaryFolder folder_;
+    std::vector<std::string> files_;
+    Material material_ = read_material("augig-granite");
+};
+
+TEST_F(Properties, MeansStandBesideTheLaboratorysAndThePapers) {
+    add("uniaxial", 1, 120e6);
+    add("uniaxial", 2, 130e6);
+    add("brazilian", 1, 8e6);
+    add("brazilian", 2, 9e6);
+    add("brazilian", 3, 13e6);
+    const auto found = measured();
+    // Slopes of 26 GPa and 0.3 in plane strain: ν = 0.3/1.3, E = 26 (1 − ν²)
+    EXPECT_NEAR(found.at("young_modulus_GPa").ours.value, 26 * (1 - std::pow(0.3 / 1.3, 2)), 1e-3);
+    EXPECT_NEAR(found.at("poisson_ratio").ours.value, 0.3 / 1.3, 1e-5);
+    EXPECT_NEAR(*found.at("young_modulus_GPa").laboratory, 25.8, 1e-9);
+    EXPECT_EQ(found.at("young_modulus_GPa").published, 25.2);
+    const Property& tension = found.at("tensile_strength_MPa");
+    EXPECT_NEAR(tension.ours.value, 10, 1e-9);
+    EXPECT_NEAR(*tension.deviation, std::sqrt(7.0), 1e-9);
+    const double half = 4.302653 * std::sqrt(7.0 / 3);  // t(0.975, 2)
+    EXPECT_NEAR(*tension.ours.low, 10 - half, 1e-5);
+    EXPECT_NEAR(*tension.half_interval_percent(), 10 * half, 1e-4);
+    EXPECT_NEAR(*tension.off_laboratory_percent(), 100 * (10 / 8.8 - 1), 1e-9);
+    EXPECT_EQ(tension.specimens, 3U);
+    EXPECT_EQ(tension.without_peak, 0U);
+    EXPECT_EQ(tension.specimens_for_3_percent(), std::ceil(std::pow(1.96 * std::sqrt(7.0) / 0.3, 2)));
+    EXPECT_NEAR(*found.at("s1_at_0_MPa").laboratory, 122, 1e-9);  // the UCS itself, not that of the line
+    EXPECT_EQ(found.count("cohesion_MPa"), 0U);                   // one pressure has no line
+}
+
+TEST_F(Properties, TheLineIsComparedWithTheLaboratorysLine) {
+    const double b = (1 + std::sin(50 * degree)) / (1 - std::sin(50 * degree));
+    const double a = 2 * 22e6 * std::sqrt(b);
+    for (const std::int64_t seed : {1, 2}) {
+        add("uniaxial", seed, a + (seed == 1 ? 1e6 : -1e6));
+        add("triaxial", seed, a + 8e6 * b + (seed == 1 ? 1e6 : -1e6), 8e6);
+    }
+    const auto found = measured();
+    EXPECT_NEAR(found.at("cohesion_MPa").ours.value, 22, 1e-3);
+    EXPECT_NEAR(found.at("friction_angle_deg").ours.value, 50, 1e-3);
+    EXPECT_NEAR(found.at("slope_b").ours.value, b, 1e-3);
+    const Estimate angle = found.at("friction_angle_deg").ours;
+    EXPECT_NEAR(*found.at("slope_b").ours.high, (1 + std::sin(*angle.high * degree)) / (1 - std::sin(*angle.high * degree)),
+                1e-6);
+    EXPECT_LT(*found.at("slope_b").ours.low, b);
+    // Of the laboratory: C 21 MPa, φ 53°.
+    const double laboratory_b = (1 + std::sin(53 * degree)) / (1 - std::sin(53 * degree));
+    EXPECT_NEAR(*found.at("s1_at_8_MPa").laboratory, 2 * 21 * std::sqrt(laboratory_b) + 8 * laboratory_b, 1e-6);
+    EXPECT_NEAR(*found.at("slope_b").laboratory, laboratory_b, 1e-9);
+    EXPECT_NEAR(*found.at("slope_b").published, (1 + std::sin(53.5 * degree)) / (1 - std::sin(53.5 * degree)), 1e-9);
+    EXPECT_EQ(found.at("cohesion_MPa").specimens, 4U);
+    // Each seed has a line of its own: C = (a ± 1 MPa)/(2√b)
+    EXPECT_NEAR(*found.at("cohesion_MPa").deviation, std::sqrt(2.0) / (2 * std::sqrt(b)), 1e-3);
+    EXPECT_EQ(found.at("cohesion_MPa").specimens_for_3_percent(), std::nullopt);  // no mean of specimens
+}
+
+TEST_F(Properties, OfDiscsAlone) {
+    add("brazilian", 1, 8e6);
+    const auto found = measured();
+    EXPECT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found.at("tensile_strength_MPa").ours.value, 8, 1e-9);
+}
+
+TEST_F(Properties, WhatIsUnknownIsEmpty) {
+    add("tension", 1, 6e6);
+    add("uniaxial", 1, 120e6);
+    material_.name = "Carrara marble";
+    material_.laboratory.clear();
+    std::ostringstream out;
+    write_properties(out, measure_properties(read_runs(files_), material_, {}), TableFormat::tsv);
+    EXPECT_EQ(test::parse_tsv(out.str()).size(), 5U);
+    EXPECT_EQ(field(out.str(), "property", 2), "direct_tensile_strength_MPa");
+    EXPECT_EQ(field(out.str(), "ours", 2), "6");
+    EXPECT_EQ(field(out.str(), "property", 3), "s1_at_0_MPa");
+    for (const char* column : {"laboratory", "published", "low", "deviation", "off_laboratory_percent", "half_interval_percent",
+                               "specimens_for_3_percent"}) {
+        for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(field(out.str(), column, row), "") << column << row;
+    }
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,219 @@
+#include "post/report/report.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "post/chart/picture.hpp"
+#include "post/report/html.hpp"
+#include "post/report/test_report.hpp"
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+class Report : public ::testing::Test {
+protected:
+    std::string run(const std::string& name, const test::Recipe& recipe) {
+        test::write_run(folder_.file(name), recipe);
+        return folder_.file(name);
+    }
+    test::Recipe recipe(const std::string& test, double peak, double confining = 0) {
+        test::Recipe r;
+        r.test = test;
+        r.peak = peak;
+        r.confining_pressure = confining;
+        if (test == "brazilian") r.plane = PlaneCondition::stress;
+        return r;
+    }
+    std::string page(const std::vector<std::string>& runs, const ReportOptions& options = {}) {
+        return make_report(runs, options, Verbosity::quiet);
+    }
+    static void expect_texts(const std::string& page, const std::vector<std::string>& words) {
+        for (const std::string& each : words) EXPECT_NE(page.find(each), std::string::npos) << each;
+    }
+    /// Each attribute points into the page or carries its data.
+    static void expect_own_references(const std::string& page, const std::string& attribute) {
+        for (std::size_t i = page.find(attribute); i != std::string::npos; i = page.find(attribute, i + 1)) {
+            const std::string value = page.substr(i + attribute.size(), 60);
+            EXPECT_TRUE(value.starts_with("data:") || value.starts_with('#')) << value;
+        }
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST(Figures, LeaveNoColumnEmpty) {
+    const auto count = [](const std::string& text, const std::string& word) {
+        std::size_t n = 0;
+        for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+        return n;
+    };
+    html::Figures charts;
+    std::vector<double> widths;
+    for (std::size_t n = 1; n <= 3; ++n) {
+        charts.add("chart", [&](const PictureStyle& style) {
+            widths.push_back(style.page_width);
+            return Drawing(10, 10);
+        });
+        widths.clear();
+        const std::string html = charts.str();
+        EXPECT_EQ(count(html, "<figure"), n);
+        EXPECT_EQ(count(html, "<figure class=\"across\">"), n % 2);
+        EXPECT_EQ(widths.front(), html::figure_style(n % 2 == 1).page_width);
+        EXPECT_TRUE(n == 1 || widths.back() == html::figure_style().page_width);
+    }
+    html::Figures maps;
+    maps.add_map("map", Drawing(10, 10));
+    EXPECT_EQ(count(maps.str(), "<figure class=\"middle\">"), 1U);
+    maps.add_map("map", Drawing(10, 10));
+    EXPECT_EQ(count(maps.str(), "class=\"middle\""), 0U);
+}
+
+TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
+    const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
+                                   run("b.h5", recipe("brazilian", 9e6))},
+                                  {read_material("augig-granite"), StrainLimitRuns::refuse});
+    for (const char* id : {"figures", "columns", "quality-checks", "envelope", "maps", "mesh", "inputs", "provenance"}) {
+        expect_texts(html, {"<h2 id=\"" + std::string(id) + "\">"});
+    }
+    // Namespaces of SVG are names, not addresses that are fetched.
+    expect_own_references(html, "src=\"");
+    expect_own_references(html, "href=\"");
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+    EXPECT_EQ(html.find("@import"), std::string::npos);
+    // Laboratory: σt 8.8, UCS 122 MPa.
+    expect_texts(html, {"<td>8.8</td><td>+2.3 %</td>", "<td>122</td><td>-1.6 %</td>", "Mohr–Coulomb", "13.3", "no potential",
+                        "0.2\u00a0%", "Density 2650 kg/m³"});
+    EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
+    EXPECT_EQ(html.find(">nan"), std::string::npos);
+}
+
+TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
+    const std::vector<std::string> runs{run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
+    expect_texts(page(runs, {read_material("augig-granite"), StrainLimitRuns::refuse}),
+                 {"<h3>Results</h3>", "This material has no [fitted]"});
+    std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+    const std::string calibrated = folder_.file("calibrated.toml");
+    std::ofstream(calibrated) << file.rdbuf() << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190 on 30 new specimens\"\n";
+    const std::string html = page(runs, {read_material(calibrated), StrainLimitRuns::refuse});
+    expect_texts(html, {"190 on 30 new specimens"});
+    const std::size_t fitted = html.find("<h3>Fitted by the calibration</h3>");
+    const std::size_t predicted = html.find("<h3>Predicted, not fitted</h3>");
+    ASSERT_LT(fitted, predicted);
+    const std::string first = html.substr(fitted, predicted - fitted);
+    const std::string second = html.substr(predicted, html.find("</section>", predicted) - predicted);
+    EXPECT_NE(first.find("σ1 at 8 MPa"), std::string::npos);
+    EXPECT_EQ(first.find("UCS, MPa"), std::string::npos);
+    EXPECT_NE(second.find("UCS, MPa"), std::string::npos);
+    EXPECT_EQ(second.find("σ1 at 8 MPa"), std::string::npos);
+}
+
+TEST_F(Report, MineralsStandByPhaseAndClass) {
+    test::Recipe r = recipe("uniaxial", 120e6);
+    EXPECT_EQ(page({run("one.h5", r)}).find("id=\"minerals\""), std::string::npos);
+    r.specimen.phase_names = {"quartz", "mica"};
+    for (std::size_t g = 0; g < r.specimen.n_grains(); ++g) r.specimen.grain_phase[g] = g % 4 == 0 ? 1 : 0;
+    Material material = read_material("augig-granite");
+    material.fabric.phases["quartz"].fraction = 0.745;
+    const std::string html = page({run("two.h5", r)}, {material, StrainLimitRuns::refuse});
+    expect_texts(html, {"id=\"minerals\"", "<td>quartz</td><td>74.5</td><td>75</td><td>192</td><td>25.8</td><td>0.23</td>",
+                        "<td>all, Reuss to Voigt</td>", "<h3>Contacts and micro-cracks by class</h3>", "<td>quartz–mica</td>",
+                        "<th>parameter</th><th>quartz–quartz</th><th>quartz–mica</th>"});
+}
+
+TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
+    std::vector<std::string> runs;
+    for (int i = 0; i < 5; ++i) runs.push_back(run("b" + std::to_string(i) + ".h5", recipe("brazilian", (9 + i) * 1e6)));
+    std::vector<Crack> few = test::synthetic_cracks(test::Recipe{}.specimen);
+    few.resize(8);
+    test::write_run(runs.back(), recipe("brazilian", 13e6), few);
+    const std::string html = page(runs);
+    // The energy balance residual is the same in all, separated contacts are half of the cracks; a warning names its run.
+    expect_texts(html, {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ",
+                        "open cracks never span 0.8 D (5 of 5 runs)",
+                        "Caveats of these strengths: Brazilian: open cracks never span 0.8 D (5 of 5 runs)."});
+    EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
+    runs.resize(2);
+    expect_texts(page(runs), {"<th>Brazilian (2 runs)</th>"});
+}
+
+TEST_F(Report, GrainSizesHaveRowsAndColumnsOfTheirOwnAndWhatIsTheSameStandsOnce) {
+    test::Recipe coarse = recipe("uniaxial", 150e6);
+    coarse.specimen = test::grid_specimen(4, 8, 0.08, 0.16);
+    const std::string html = page(
+        {run("fine.h5", recipe("uniaxial", 120e6)), run("coarse.h5", coarse), run("fine4.h5", recipe("triaxial", 160e6, 4e6))});
+    const auto edge = [](double length) { return fmt::format("uniaxial, edge {:.2g} mm", 1e3 * length); };
+    const std::string fine = edge(recipe("uniaxial", 1e6).specimen.statistics.mean_edge);
+    const std::string twice = edge(coarse.specimen.statistics.mean_edge);
+    expect_texts(html, {"<td>" + fine + "</td>", "<td>" + twice + "</td>", "<th>" + fine + "</th><th>" + twice + "</th>",
+                        "UCS, MPa, edge ", "(not resolved: below one edge)</td>", "<td>contact law</td><td colspan=\"3\">"});
+    std::size_t maps = 0;
+    for (std::size_t i = html.find("cracks before, at and after"); i != std::string::npos;
+         i = html.find("cracks before, at and after", i + 1)) {
+        ++maps;
+    }
+    EXPECT_EQ(maps, 2 * 3U);  // the caption and the words of a picture for each kind
+}
+
+TEST_F(Report, OneTestHasNoEnvelopeAndSaysWhy) {
+    const std::string html = page({run("u.h5", recipe("uniaxial", 120e6))});
+    expect_texts(html, {"<h1>Uniaxial compression, Augig granite</h1>", "No envelope: ", "one confining pressure"});
+}
+
+TEST_F(Report, RunsWithoutAPeakAreNamedSo) {
+    test::Recipe at_strain_limit = recipe("uniaxial", 120e6);
+    at_strain_limit.drop = 0;
+    at_strain_limit.stop_reason = "strain limit";
+    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 run reached no peak", "<td>cap</td>"});
+}
+
+TEST_F(Report, AMissingFileIsOneLine) {
+    const std::string first = run("u.h5", recipe("uniaxial", 120e6));
+    test::expect_one_line<InputError>([&] { (void)page({first, folder_.file("none.h5")}); }, {"none.h5"});
+}
+
+TEST(ReportHtml, TextIsEscapedAndEmptyCellsAreDashes) {
+    html::Table table({"a<b"});
+    table.row({"x & \"y\""});
+    table.row({""});
+    const std::string text = table.str();
+    EXPECT_NE(text.find("<th>a&lt;b</th>"), std::string::npos);
+    EXPECT_NE(text.find("<td>x &amp; &quot;y&quot;</td>"), std::string::npos);
+    EXPECT_NE(text.find("<td>–</td>"), std::string::npos);
+    EXPECT_EQ(html::number(std::nan("")), "");
+    EXPECT_EQ(html::number(-0.0), "0");
+    EXPECT_EQ(html::number(113.4, 2), "113");
+    EXPECT_EQ(html::number(0.01234, 2), "0.012");
+}
+
+TEST(ReportHtml, PicturesOfManyShapesArePng) {
+    Drawing drawing(40, 30);
+    drawing.rectangle({0, 0}, {40, 30}, palette::grain);
+    EXPECT_NE(html::figure(drawing, "few").find("data:image/svg+xml;base64,PD94bWw"), std::string::npos);  // "<?xml"
+    for (int i = 0; i < 3000; ++i) drawing.rectangle({1, 1}, {2, 2}, palette::tensile);
+    const std::string figure = html::figure(drawing, "many");
+    EXPECT_NE(figure.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);  // the signature of PNG
+    // 4 characters for 3 bytes, padded
+    const std::size_t from = figure.find("base64,") + 7;
+    EXPECT_EQ(figure.find('"', from) - from, (png_bytes(drawing).size() + 2) / 3 * 4);
+}
+
+TEST(ReportBranches, CountsByModeAndByAngle) {
+    std::vector<Crack> cracks(3);
+    cracks[0].mode_angle = 0.2;
+    cracks[1].mode_angle = 1.2;
+    cracks[2].mode_angle = 2.0;
+    cracks[2].mode = CrackMode::shear;
+    cracks[2].separated.time = 1;
+    const FailureBranches b = count_branches(cracks);
+    EXPECT_DOUBLE_EQ(b.open, 1);
+    EXPECT_DOUBLE_EQ(b.closed, 0.5);
+    EXPECT_DOUBLE_EQ(b.by_tension, 0.5);
+    EXPECT_DOUBLE_EQ(b.by_shear, 0.5);
+    EXPECT_DOUBLE_EQ(b.compressed, 0.5);
+    EXPECT_DOUBLE_EQ(b.separated, 0.5);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,177 @@
+// Contacts, cracks and pictures by class of contacts.
+#include "post/run/contact_classes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "post/chart/picture.hpp"
+#include "post/cracks/class_counts.hpp"
+#include "post/cracks/export.hpp"
+#include "post/cracks/rosette.hpp"
+#include "post/plot/cracks.hpp"
+#include "post/plot/specimen.hpp"
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Columns of quartz, feldspar and mica, from left to right; the factor of a contact is 0.6 or 1.1.
+Specimen three_minerals() {
+    Specimen s = test::grid_specimen(6, 12, 0.06, 0.12);
+    s.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g / 2 % 6 / 2);
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) s.contact_strength_factor.push_back(c % 2 == 0 ? 0.6 : 1.1);
+    return s;
+}
+
+class Classes : public ::testing::Test {
+protected:
+    Classes() {
+        recipe_.specimen = three_minerals();
+        test::write_run(path("run.h5"), recipe_);
+    }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
+    test::TemporaryFolder folder_;
+    test::Recipe recipe_;
+};
+
+TEST_F(Classes, OnlyThoseWithContactsHaveNames) {
+    // Columns touch their neighbours alone, so that no quartz lies on mica.
+    const ContactClasses classes = classes_of(recipe_.specimen);
+    EXPECT_EQ(classes.names,
+              (std::vector<std::string>{"quartz-quartz", "quartz-feldspar", "feldspar-feldspar", "feldspar-mica", "mica-mica"}));
+    EXPECT_EQ(classes.of_contact.size(), recipe_.specimen.n_contacts());
+}
+
+TEST_F(Classes, AreChosenByEitherOrderOfTheirNames) {
+    const Specimen& s = recipe_.specimen;
+    const std::vector<bool> chosen = contacts_of_classes(s, {"mica-feldspar"}, "run.h5");
+    EXPECT_EQ(chosen, contacts_of_classes(s, {"feldspar-mica"}, "run.h5"));
+    EXPECT_EQ(std::count(chosen.begin(), chosen.end(), true), 12);  // the upright sides of one line of the grid
+    const std::vector<bool> all = contacts_of_classes(s, {}, "run.h5");
+    EXPECT_EQ(std::count(all.begin(), all.end(), true), static_cast<std::ptrdiff_t>(s.n_contacts()));
+    const std::vector<bool> two = contacts_of_classes(s, {"mica-feldspar", "mica-mica"}, "run.h5");
+    EXPECT_GT(std::count(two.begin(), two.end(), true), 12);
+    test::expect_one_line<UsageError>([&] { (void)contacts_of_classes(s, {"quartz-mica"}, "run.h5"); },
+                                      {"--class quartz-mica", "run.h5", "quartz-quartz, quartz-feldspar, feldspar-feldspar"});
+}
+
+TEST_F(Classes, CountsAddUpToThoseOfTheRun) {
+    const RunReader run(path("run.h5"));
+    const std::vector<Crack> log = test::synthetic_cracks(recipe_.specimen);
+    const RunClasses classes = read_classes(run, {});
+    ASSERT_EQ(classes.classes.size(), 5U);
+    ModeCounts peak;
+    ModeCounts end;
+    std::size_t contacts = 0;
+    for (const ClassCounts& each : classes.classes) {
+        ASSERT_TRUE(each.at_peak);
+        peak += *each.at_peak;
+        end += each.at_end;
+        contacts += each.contacts;
+        if (each.name == "feldspar-mica") {
+            EXPECT_EQ(each.contacts, 12U);
+            EXPECT_NEAR(each.length, 0.12, 1e-12);
+        }
+    }
+    const ModeCounts at_peak = count_modes(log, {}, 1);
+    const ModeCounts at_end = count_modes(log, {}, 2);
+    EXPECT_DOUBLE_EQ(peak.tensile, at_peak.tensile);
+    EXPECT_DOUBLE_EQ(peak.shear, at_peak.shear);
+    EXPECT_DOUBLE_EQ(end.tensile, at_end.tensile);
+    EXPECT_DOUBLE_EQ(end.shear, at_end.shear);
+    EXPECT_LT(peak.tensile, end.tensile);
+    EXPECT_GT(end.shear, 0);
+    EXPECT_EQ(contacts, recipe_.specimen.n_contacts());
+}
+
+TEST_F(Classes, CracksOfOneClassAreInItsRowAlone) {
+    const std::vector<Crack> log =
+        cracks_of(test::synthetic_cracks(recipe_.specimen), contacts_of_classes(recipe_.specimen, {"quartz-quartz"}, ""));
+    ASSERT_FALSE(log.empty());
+    for (const ClassCounts& each : count_by_class(recipe_.specimen, log, std::nullopt)) {
+        EXPECT_FALSE(each.at_peak);
+        const double wanted = each.name == "quartz-quartz" ? 0.5 * static_cast<double>(log.size()) : 0;
+        EXPECT_DOUBLE_EQ(each.at_end.tensile + each.at_end.shear, wanted) << each.name;
+    }
+}
+
+TEST_F(Classes, TableHasARowAClassAndForPeopleTheirSum) {
+    const std::vector<RunClasses> runs{read_classes(RunReader(path("run.h5")), {})};
+    std::ostringstream scripts;
+    write_class_counts(scripts, runs, TableFormat::tsv);
+    EXPECT_EQ(test::parse_tsv(scripts.str()).size(), 6U);
+    EXPECT_EQ(test::field(scripts.str(), "class", 3), "feldspar-mica");
+    EXPECT_EQ(test::field(scripts.str(), "contacts", 3), "12");
+    double share = 0;
+    for (std::size_t row = 0; row < 5; ++row) share += std::stod(test::field(scripts.str(), "length_share", row));
+    EXPECT_NEAR(share, 1, 1e-6);
+    std::ostringstream terminal;
+    write_class_counts(terminal, runs, std::nullopt);
+    EXPECT_NE(terminal.str().find("points past their peak"), std::string::npos) << terminal.str();
+    EXPECT_NE(terminal.str().find("\nall  "), std::string::npos) << terminal.str();
+}
+
+TEST_F(Classes, CrackLogNamesTheClassWhereThereAreSeveralPhases) {
+    const std::vector<Crack> log = test::synthetic_cracks(recipe_.specimen);
+    const auto table_of = [&](const Specimen& specimen) {
+        std::ostringstream out;
+        write_crack_table(out, log, specimen, TableFormat::tsv);
+        return out.str();
+    };
+    const ContactClasses classes = classes_of(recipe_.specimen);
+    const std::string table = table_of(recipe_.specimen);
+    for (std::size_t i = 0; i < log.size(); ++i) EXPECT_EQ(test::field(table, "class", i), classes.name_of(log[i]));
+    EXPECT_EQ(test::field(table_of(test::grid_specimen(6, 12, 0.06, 0.12)), "class", 0), "");
+}
+
+TEST_F(Classes, MapsAndRosettesShowTheChosenOnes) {
+    const RunReader run(path("run.h5"));
+    const auto svg = [&](const std::vector<std::string>& names) {
+        CrackMapOptions options;
+        options.classes = names;
+        return to_svg(draw_cracks(run, options));
+    };
+    const RunClasses counts = read_classes(run, {});
+    const ClassCounts& quartz = counts.classes.front();
+    ASSERT_EQ(quartz.name, "quartz-quartz");
+    ASSERT_GT(quartz.at_end.shear, 0);
+    EXPECT_NE(svg({"quartz-quartz"}).find("shear cracks: " + std::to_string(static_cast<int>(quartz.at_end.shear)) + "\n"),
+              std::string::npos);
+    EXPECT_NE(svg({"quartz-quartz"}).find("quartz-quartz only"), std::string::npos);
+    EXPECT_EQ(svg({}).find(" only"), std::string::npos);
+    EXPECT_NE(svg({}).find("mica"), std::string::npos);  // in the legend
+    const Rosette rosette = crack_rosette(test::synthetic_cracks(recipe_.specimen), recipe_.specimen,
+                                          contacts_of_classes(recipe_.specimen, {"mica-feldspar"}, ""));
+    EXPECT_NEAR(rosette.facet[9], 0.12, 1e-12);  // upright sides alone
+    EXPECT_NEAR(std::accumulate(rosette.facet.begin(), rosette.facet.end(), 0.0), 0.12, 1e-12);
+    EXPECT_EQ(std::accumulate(rosette.shear.begin(), rosette.shear.end(), 0.0), 0);  // those are inclined
+}
+
+TEST_F(Classes, SpecimensAreDrawnByPhaseOrStrength) {
+    const std::string by_phase = to_svg(draw_specimen(recipe_.specimen, "specimen.h5"));
+    for (const char* name : {"quartz", "feldspar", "mica"}) EXPECT_NE(by_phase.find(name), std::string::npos) << name;
+    const Drawing by_strength = draw_specimen(recipe_.specimen, "specimen.h5", SpecimenColour::strength);
+    EXPECT_NE(by_strength.words().find("strength factor < 0.5"), std::string::npos);
+    // Strokes of the two factors, of one colour each, beside the legend's.
+    std::vector<std::size_t> sizes;
+    for (const auto& shape : by_strength.shapes()) {
+        if (const auto* strokes = std::get_if<Strokes>(&shape); strokes != nullptr && strokes->width > 1.3) {
+            sizes.push_back(strokes->size());
+        }
+    }
+    const std::size_t contacts = recipe_.specimen.n_contacts();
+    EXPECT_EQ(std::count(sizes.begin(), sizes.end(), contacts / 2), contacts % 2 == 0 ? 2 : 1);
+    Specimen uniform = recipe_.specimen;
+    uniform.contact_strength_factor.clear();
+    test::expect_one_line<InputError>([&] { (void)draw_specimen(uniform, "specimen.h5", SpecimenColour::strength); },
+                                      {"specimen.h5", "no strength factors", "--strength-modulus"});
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,93 @@
+#include "post/table/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <locale>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "share/base/error.hpp"
+
+namespace graincrack {
+namespace {
+
+std::string written(TableFormat format, const std::vector<Cell>& cells) {
+    std::ostringstream out;
+    TableWriter(out, {"name", "value", "count", "nothing"}, format).row(cells);
+    return out.str();
+}
+
+const std::vector<Cell> row{std::string("a\tb \"q\""), 124.3456789012, std::int64_t{1122}, Cell()};
+
+TEST(Table, TsvHasOneHeaderLineAndSevenDigits) {
+    EXPECT_EQ(written(TableFormat::tsv, row), "name\tvalue\tcount\tnothing\na b \"q\"\t124.3457\t1122\t\n");
+}
+
+TEST(Table, JsonLinesHoldTheSame) {
+    const auto line = nlohmann::json::parse(written(TableFormat::jsonl, row));
+    EXPECT_EQ(line["name"], "a\tb \"q\"");
+    EXPECT_DOUBLE_EQ(line["value"].get<double>(), 124.3457);
+    EXPECT_EQ(line["count"], 1122);
+    EXPECT_TRUE(line["nothing"].is_null());
+}
+
+TEST(Table, MarkdownHasARuleAndNoOpenBars) {
+    EXPECT_EQ(written(TableFormat::markdown, {std::string("|a|\tb"), 1.5, std::int64_t{2}, Cell()}),
+              "| name | value | count | nothing |\n|---|---|---|---|\n| \\|a\\| b | 1.5 | 2 |  |\n");
+}
+
+TEST(Table, WhatIsNotFiniteIsEmpty) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::vector<Cell> cells{std::string("x"), std::numeric_limits<double>::quiet_NaN(), infinity, -infinity};
+    EXPECT_EQ(written(TableFormat::tsv, cells), "name\tvalue\tcount\tnothing\nx\t\t\t\n");
+    EXPECT_TRUE(nlohmann::json::parse(written(TableFormat::jsonl, cells))["count"].is_null());
+}
+
+TEST(Table, NumbersIgnoreTheLocaleOfTheStream) {
+    struct Comma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    std::ostringstream out;
+    out.imbue(std::locale(std::locale::classic(), new Comma));
+    out << 1234.5;
+    ASSERT_EQ(out.str(), "1.234,5");  // the stream really has another locale
+    out.str("");
+    TableWriter(out, {"a", "b"}, TableFormat::tsv).row({1234.5, std::int64_t{1000000}});
+    EXPECT_EQ(out.str(), "a\tb\n1234.5\t1000000\n");
+}
+
+TEST(Table, CountsAreWholeUnlessTheyAreHalves) {
+    EXPECT_EQ(count_cell(3).text(), "3");
+    EXPECT_EQ(count_cell(3.5).text(), "3.5");
+    EXPECT_TRUE(cell(std::nullopt).empty());
+}
+
+TEST(Table, AlignedColumnsAreAsWideAsTheirWidestText) {
+    std::ostringstream out;
+    {
+        TableWriter table(out, {"test", "strength_MPa"}, TableFormat::aligned);
+        table.row({std::string("uniaxial"), 121.4321987});
+        table.row({std::string("tension"), Cell()});
+        EXPECT_EQ(out.str(), "");
+    }
+    EXPECT_EQ(out.str(), "test      strength_MPa\nuniaxial        121.43\ntension              -\n");
+}
+
+TEST(Table, AlignedRowsWiderThanATerminalBecomeColumns) {
+    std::ostringstream out;
+    std::vector<std::string> names;
+    std::vector<Cell> cells;
+    for (std::int64_t i = 0; i < 30; ++i) {
+        names.push_back("column_" + std::to_string(i));
+        cells.emplace_back(i);
+    }
+    TableWriter(out, names, TableFormat::aligned).row(cells);
+    EXPECT_TRUE(out.str().starts_with("column_0    0\ncolumn_1    1\n")) << out.str();
+    EXPECT_EQ(std::ranges::count(out.str(), '\n'), 30);
+}
+
+}  // namespace
+}  // namespace graincrack

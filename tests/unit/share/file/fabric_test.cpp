@@ -1,0 +1,195 @@
+// The fabric of a material: its tables, and the phases and classes that follow.
+#include "share/file/fabric.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_one_line;
+using test::TemporaryFolder;
+
+const std::string rock = R"(name = "granite"
+[rock]
+young_modulus = "60 GPa"
+poisson_ratio = 0.25
+density = "2650 kg/m3"
+mode_i_toughness = "1.5 MPa.m^0.5"
+mode_ii_toughness = "3 MPa.m^0.5"
+tensile_strength = "9 MPa"
+[contact]
+tensile_strength = "20 MPa"
+cohesion = "60 MPa"
+friction_angle = "40 deg"
+)";
+const std::string phases = R"(
+[phases]
+contrast = 0.5
+[phases.quartz]
+fraction = 0.3
+relative_young_modulus = 1.4
+[phases.feldspar]
+fraction = 0.6
+young_modulus = "57 GPa"
+poisson_ratio = 0.27
+[phases.mica]
+fraction = 0.1
+relative_young_modulus = 0.4
+density = "3000 kg/m3"
+)";
+const std::vector<std::string> names{"quartz", "mica", "feldspar"};
+
+Material material_of(const std::string& text) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("granite.toml")) << text;
+    return read_material(folder.file("granite.toml"));
+}
+Fabric fabric_from(const std::string& text) { return fabric_of(material_of(text), PlaneCondition::strain, std::nullopt, names); }
+const ContactParameters& between(const Fabric& fabric, std::size_t a, std::size_t b) {
+    return fabric.contacts[contact_class(a, b)];
+}
+void expect_refused(const std::string& text, const std::vector<std::string>& words) {
+    SCOPED_TRACE(text);
+    expect_one_line<InputError>([&] { material_of(rock + text); }, words);
+}
+
+TEST(Fabric, GrainsHaveTheirShareOfTheContrast) {
+    const Fabric fabric = fabric_from(rock + phases);
+    ASSERT_EQ(fabric.phases.size(), 3U);
+    EXPECT_NEAR(fabric.phases[0].young_modulus, 60e9 * (1 + 0.5 * 0.4), 1);
+    EXPECT_NEAR(fabric.phases[1].young_modulus, 60e9 * (1 - 0.5 * 0.6), 1);
+    EXPECT_NEAR(fabric.phases[2].young_modulus, 60e9 * (1 + 0.5 * (0.95 - 1)), 1);
+    EXPECT_EQ(fabric.phases[0].poisson_ratio, 0.25);
+    EXPECT_EQ(fabric.phases[2].poisson_ratio, 0.27);
+    EXPECT_EQ(fabric.phases[1].density, 3000);
+    EXPECT_EQ(fabric.phases[2].density, 2650);
+}
+
+TEST(Fabric, ContactsAreTheRocksUnlessSaid) {
+    const Material granite = material_of(rock + phases);
+    const ContactParameters of_rock = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
+    for (const ContactParameters& contact : fabric_from(rock + phases).contacts) {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            EXPECT_EQ(contact.*row.value, of_rock.*row.value) << row.key();
+        }
+        EXPECT_EQ(contact.ultimate_opening, of_rock.ultimate_opening);
+    }
+}
+
+TEST(Fabric, SidesPairsAndFactorsComeInThisOrder) {
+    const std::string own = R"(
+[phases.quartz.contact]
+tensile_strength = "30 MPa"
+[phases.mica.contact]
+tensile_strength = "8 MPa"
+[pairs."feldspar-mica"]
+cohesion = "10 MPa"
+[pairs.heterophase]
+tensile_strength = 0.5
+)";
+    const Fabric mean = fabric_from(rock + phases + own);
+    EXPECT_NEAR(between(mean, 0, 0).tensile_strength, 30e6, 1);        // quartz-quartz: no factor
+    EXPECT_NEAR(between(mean, 0, 1).tensile_strength, 0.5 * 19e6, 1);  // quartz-mica: mean of 30 and 8
+    EXPECT_NEAR(between(mean, 0, 2).tensile_strength, 0.5 * 25e6, 1);  // quartz-feldspar: mean of 30 and the rock's 20
+    EXPECT_NEAR(between(mean, 2, 2).tensile_strength, 20e6, 1);
+    EXPECT_NEAR(between(mean, 1, 2).cohesion, 10e6, 1);
+    EXPECT_NEAR(between(mean, 0, 1).cohesion, 60e6, 1);
+    // What derives from a strength follows it.
+    EXPECT_NEAR(between(mean, 0, 1).critical_opening * between(mean, 0, 1).normal_stiffness,
+                2.718281828459045 * between(mean, 0, 1).tensile_strength, 1);
+    const Fabric least = fabric_from(rock + phases + own + "[pairs]\nrule = \"minimum\"\n");
+    EXPECT_NEAR(between(least, 0, 1).tensile_strength, 0.5 * 8e6, 1);
+    EXPECT_NEAR(between(least, 0, 2).tensile_strength, 0.5 * 20e6, 1);
+}
+
+TEST(Fabric, StiffnessOfTheSidesIsTheHarmonicMeanAndEnergiesStay) {
+    const Fabric of_rock = fabric_from(rock + phases);
+    const Fabric of_sides = fabric_from(rock + phases + "[pairs]\nstiffness = \"sides\"\n");
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = a; b < 3; ++b) {
+            const double first = of_rock.phases[a].young_modulus;
+            const double second = of_rock.phases[b].young_modulus;
+            const double ratio = 2 * first * second / (first + second) / 60e9;
+            EXPECT_NEAR(between(of_sides, a, b).normal_stiffness / between(of_rock, a, b).normal_stiffness, ratio, 1e-12);
+            EXPECT_NEAR(between(of_sides, a, b).shear_stiffness / between(of_rock, a, b).shear_stiffness, ratio, 1e-12);
+            EXPECT_EQ(between(of_sides, a, b).fracture_energy, between(of_rock, a, b).fracture_energy);
+        }
+    }
+}
+
+TEST(Fabric, TextOfAFabricReadsBackAsTheSame) {
+    const std::string own = R"(
+[phases.mica.contact]
+friction_angle = "20 deg"
+[pairs]
+rule = "minimum"
+stiffness = "sides"
+[pairs.homophase]
+cohesion = 2
+[pairs."mica-quartz"]
+fracture_energy = "40 J/m2"
+[strength]
+modulus = 5
+correlation = "10 mm"
+)";
+    const Material first = material_of(rock + phases + own);
+    const Material second = material_of(rock + fabric_text(first.fabric));
+    EXPECT_EQ(fabric_text(second.fabric), fabric_text(first.fabric));
+    EXPECT_EQ(*second.fabric.strength_modulus, 5);
+    EXPECT_NEAR(second.fabric.strength_correlation, 0.01, 1e-15);
+    const Fabric a = fabric_of(first, PlaneCondition::strain, std::nullopt, names);
+    const Fabric b = fabric_of(second, PlaneCondition::strain, std::nullopt, names);
+    EXPECT_EQ(a.phases, b.phases);
+    for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            EXPECT_EQ(a.contacts[k].*row.value, b.contacts[k].*row.value) << row.key();
+        }
+    }
+}
+
+TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
+    const Material granite = material_of(rock + "[phases]\nfrom = \"granite\"\n");
+    ASSERT_EQ(granite.fabric.phases.size(), 4U);
+    double mean = 0;
+    double square = 0;
+    for (const auto& [name, phase] : granite.fabric.phases) {
+        const double r = relative_young_modulus(phase, granite.rock);
+        mean += phase.fraction * r;
+        square += phase.fraction * r * r;
+    }
+    EXPECT_NEAR(mean, 1, 1e-3);
+    EXPECT_NEAR(std::sqrt(square - mean * mean), 0.21, 0.01);  // the coefficient of variation that the file names
+}
+
+TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
+    expect_refused("[phases.quartz]\nfraction = 0.7\n[phases.mica]\nfraction = 0.4\n", {"sum up to 1.1", "1 is needed"});
+    expect_refused("[phases.Quartz]\nfraction = 1\n", {"phases.Quartz", "small letters"});
+    expect_refused("[phases.quartz]\nfraction = 1\nyoung_modulus = \"80 GPa\"\nrelative_young_modulus = 1.2\n",
+                   {"give one of them"});
+    expect_refused("[phases]\ncontrast = 2\n[phases.mica]\nfraction = 1\nrelative_young_modulus = 0.4\n",
+                   {"mica", "a smaller contrast than 2 fits"});
+    expect_refused(phases + "[pairs.\"quartz-micca\"]\ncohesion = 1\n", {"micca is no phase", "did you mean mica"});
+    expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesion = 1\n[pairs.\"mica-quartz\"]\ncohesion = 1\n", {"given twice"});
+    expect_refused(phases + "[pairs]\nrule = \"max\"\n", {"pairs.rule", "unknown word \"max\"", "mean or minimum fits"});
+    expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesoin = 1\n", {"pairs.quartz-mica.cohesoin", "did you mean cohesion"});
+    expect_refused("[strength]\ncorrelation = \"10 mm\"\n", {"correlation and no modulus"});
+    expect_refused("[phases]\nfrom = \"basalt\"\n", {"phases.from", "phases/basalt.toml"});
+    const Material granite = material_of(rock + phases);
+    expect_one_line<InputError>([&] { fabric_of(granite, PlaneCondition::strain, std::nullopt, {"rock"}); },
+                                {"phases rock", "feldspar, mica, quartz", "graincrack-mesh"});
+}
+
+TEST(Fabric, AMaterialNamesItsLaw) {
+    EXPECT_EQ(material_of(rock + "law = \"cohesive-frictional\"\n").law, "cohesive-frictional");
+    EXPECT_EQ(material_of(rock).law, "");
+}
+
+}  // namespace
+}  // namespace graincrack

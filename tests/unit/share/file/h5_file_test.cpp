@@ -1,0 +1,419 @@
+// HDF5 files: they appear complete or not at all, give back what was written, and a file that cannot be read gives a one-line
+// error.
+#include "share/file/h5_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+namespace fs = std::filesystem;
+using test::expect_one_line;
+using test::TemporaryFolder;
+
+template <class T>
+void write_column(H5Output& file, const std::string& path, const std::vector<T>& values) {
+    file.write<T>(path, std::span<const T>(values), {values.size()}, "1", "a test");
+}
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+void write_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+template <class T>
+void expect_round_trip(const std::vector<T>& values) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "specimen");
+    write_column(out, "/group/deeper/values", values);
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_EQ(in.read<T>("/group/deeper/values"), values);
+    EXPECT_EQ(in.extents("/group/deeper/values"), Extents{values.size()});
+}
+
+TEST(H5File, EveryTypeComesBackToTheLastBit) {
+    expect_round_trip<double>({0.0, -0.0, 1.0 / 3, -1e308, std::numeric_limits<double>::denorm_min()});
+    expect_round_trip<std::int32_t>({0, -1, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()});
+    expect_round_trip<std::int64_t>({0, -1, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()});
+    expect_round_trip<std::uint8_t>({0, 1, 127, 128, 255});
+}
+
+TEST(H5File, LargeArraysAreCompressedAndComeBack) {
+    std::vector<double> values(200000);
+    std::iota(values.begin(), values.end(), 0.5);
+    expect_round_trip(values);
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    write_column(out, "/values", values);
+    out.commit();
+    EXPECT_LT(fs::file_size(folder.file("a.h5")), values.size() * sizeof(double) / 2);
+}
+
+TEST(H5File, EmptyArraysKeepTheirShape) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "specimen");
+    out.write<double>("/none", {}, {0}, "m", "nothing");
+    out.write<std::int32_t>("/rows", {}, {0, 4}, "1", "no rows");
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_TRUE(in.read<double>("/none").empty());
+    EXPECT_EQ(in.extents("/rows"), (Extents{0, 4}));
+    EXPECT_TRUE(in.read_rows<std::int32_t>("/rows", 0, 0).empty());
+}
+
+TEST(H5File, AttributesOfEveryType) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> names{"quartz", "", "Glimmer µ φ"};
+    H5Output out(folder.file("a.h5"), "specimen");
+    out.create_group("/g");
+    out.attribute("/g", "real", 1.0 / 3);
+    out.attribute("/g", "whole", std::int64_t{-7000000000});
+    out.attribute("/g", "text", std::string("tan φ = µ"));
+    out.attribute("/g", "empty", std::string());
+    out.attribute("/g", "reals", std::vector<double>{1, 2.5});
+    out.attribute("/g", "wholes", std::vector<std::int64_t>{1, 0});
+    out.attribute("/g", "texts", names);
+    out.attribute("/g", "no_texts", std::vector<std::string>{});
+    out.quantity("/g", "edge", 0.004, "m");
+    out.attribute("/g", "real", 0.25);  // written again: replaced
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_EQ(in.attribute<double>("/g", "real"), 0.25);
+    EXPECT_EQ(in.attribute<std::int64_t>("/g", "whole"), -7000000000);
+    EXPECT_EQ(in.attribute<std::string>("/g", "text"), "tan φ = µ");
+    EXPECT_EQ(in.attribute<std::string>("/g", "empty"), "");
+    EXPECT_EQ(in.attribute<std::vector<double>>("/g", "reals"), (std::vector<double>{1, 2.5}));
+    EXPECT_EQ(in.attribute<std::vector<std::int64_t>>("/g", "wholes"), (std::vector<std::int64_t>{1, 0}));
+    EXPECT_EQ(in.attribute<std::vector<std::string>>("/g", "texts"), names);
+    EXPECT_TRUE(in.attribute<std::vector<std::string>>("/g", "no_texts").empty());
+    EXPECT_EQ(in.attribute<std::string>("/g", "edge_unit"), "m");
+    EXPECT_EQ(in.attribute_or<double>("/g", "missing", 4.0), 4.0);
+    expect_one_line<InputError>([&] { static_cast<void>(in.attribute<double>("/g", "missing")); }, {"a.h5", "missing", "/g"});
+    expect_one_line<InputError>([&] { static_cast<void>(in.attribute<double>("/g", "text")); }, {"a.h5", "text", "type"});
+    expect_one_line<InputError>([&] { static_cast<void>(in.attribute<double>("/g", "reals")); }, {"reals", "type"});
+}
+
+TEST(H5File, DatasetsHaveUnitAndDescription) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "specimen");
+    out.write<double>("/nodes/position", std::vector<double>{1, 2, 3, 4}, {2, 2}, "m", "reference position");
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_EQ(in.attribute<std::string>("/nodes/position", "unit"), "m");
+    EXPECT_EQ(in.attribute<std::string>("/nodes/position", "description"), "reference position");
+    EXPECT_EQ(in.describe(), (std::vector<std::string>{"/nodes/position float64 [2,2] m reference position"}));
+    EXPECT_EQ(in.children("/"), (std::vector<std::string>{"nodes"}));
+    EXPECT_TRUE(in.children("/nowhere").empty());
+    EXPECT_TRUE(in.has("/nodes/position"));
+    EXPECT_FALSE(in.has("/nowhere/at/all"));
+}
+
+TEST(H5File, AppendsInPieces) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    std::vector<double> all;
+    for (const std::size_t rows : {0U, 3U, 1U, 5000U, 0U, 2U}) {
+        std::vector<double> piece(2 * rows);
+        std::iota(piece.begin(), piece.end(), static_cast<double>(all.size()));
+        out.append<double>("/history/pairs", piece, {rows, 2}, "1", "grows");
+        all.insert(all.end(), piece.begin(), piece.end());
+    }
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_EQ(in.extents("/history/pairs"), (Extents{5006, 2}));
+    EXPECT_EQ(in.read<double>("/history/pairs"), all);
+    EXPECT_EQ(in.read_rows<double>("/history/pairs", 2, 2), (std::vector<double>{4, 5, 6, 7}));
+    EXPECT_THROW(static_cast<void>(in.read_rows<double>("/history/pairs", 5005, 2)), InputError);
+}
+
+TEST(H5File, HardLinksMovesAndRemovals) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    write_column<double>(out, "/frames/part3/velocity", {1, 2});
+    write_column<double>(out, "/frames/part4/velocity", {3, 4});
+    out.remove("/frames/part4");
+    out.move("/frames/part3", "/frames/0000");
+    out.hard_link("/frames/0000/velocity", "/VTKHDF/PointData/velocity");
+    EXPECT_THROW(out.hard_link("/frames/none", "/VTKHDF/x"), OutputError);
+    EXPECT_THROW(out.move("/frames/none", "/frames/1"), OutputError);
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_EQ(in.children("/frames"), (std::vector<std::string>{"0000"}));
+    EXPECT_EQ(in.read<double>("/VTKHDF/PointData/velocity"), (std::vector<double>{1, 2}));
+}
+
+TEST(H5File, ReadingConvertsNumbersAndRefusesWhatIsMissing) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    write_column<std::int32_t>(out, "/step", {1, 2});
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    EXPECT_EQ(in.read<double>("/step"), (std::vector<double>{1, 2}));
+    EXPECT_EQ(in.read<float>("/step"), (std::vector<float>{1, 2}));
+    expect_one_line<InputError>([&] { static_cast<void>(in.read<double>("/nothing")); }, {"a.h5", "/nothing", "missing"});
+    expect_one_line<InputError>([&] { static_cast<void>(in.extents("/a/b")); }, {"/a/b", "missing"});
+}
+
+TEST(H5File, ValuesMustFillTheExtents) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    const std::vector<double> three{1, 2, 3};
+    EXPECT_THROW(out.write<double>("/x", three, {2, 2}, "1", ""), std::logic_error);
+    EXPECT_THROW(out.append<double>("/x", three, {2}, "1", ""), std::logic_error);
+}
+
+// --- whole or not at all ---------------------------------------------------------------------------------------------
+
+TEST(H5File, NothingIsLeftWithoutACommit) {
+    const TemporaryFolder folder;
+    {
+        H5Output out(folder.file("a.h5"), "specimen");
+        write_column<double>(out, "/x", {1});
+        out.flush();
+        EXPECT_TRUE(fs::exists(folder.file("a.h5.part")));
+        EXPECT_FALSE(fs::exists(folder.file("a.h5")));
+    }
+    EXPECT_TRUE(folder.is_empty());
+}
+
+TEST(H5File, ACommitLeavesTheFileAlone) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "specimen");
+    out.commit();
+    EXPECT_TRUE(fs::exists(folder.file("a.h5")));
+    EXPECT_FALSE(fs::exists(folder.file("a.h5.part")));
+}
+
+TEST(H5File, AnAbandonedWriteKeepsTheOldFile) {
+    const TemporaryFolder folder;
+    {
+        H5Output out(folder.file("a.h5"), "specimen");
+        write_column<double>(out, "/x", {1});
+        out.commit();
+    }
+    const std::string before = bytes_of(folder.file("a.h5"));
+    {
+        H5Output out(folder.file("a.h5"), "specimen");
+        write_column<double>(out, "/x", {2});
+    }
+    EXPECT_EQ(bytes_of(folder.file("a.h5")), before);
+    EXPECT_FALSE(fs::exists(folder.file("a.h5.part")));
+    {
+        H5Output out(folder.file("a.h5"), "specimen");
+        write_column<double>(out, "/x", {3});
+        out.commit();
+    }
+    EXPECT_EQ(H5Input(folder.file("a.h5")).read<double>("/x"), std::vector<double>{3});
+}
+
+TEST(H5File, AFailedRenameIsAnOutputErrorAndLeavesNoPart) {
+    const TemporaryFolder folder;
+    {
+        H5Output out(folder.file("a.h5"), "specimen");
+        fs::create_directory(folder.file("a.h5"));  // another program made a folder of that name meanwhile
+        EXPECT_THROW(out.commit(), OutputError);
+    }
+    EXPECT_FALSE(fs::exists(folder.file("a.h5.part")));
+}
+
+TEST(H5File, OutputThatCannotBeCreated) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.file("folder"));
+    expect_one_line<OutputError>([&] { H5Output(folder.file("folder"), "run"); }, {"folder", "is a folder"});
+    expect_one_line<OutputError>([&] { H5Output(folder.file("no/a.h5"), "run"); }, {"no/a.h5", "does not exist"});
+}
+
+TEST(H5File, ThroughAPipe) {
+    const TemporaryFolder folder;
+    const int saved_out = ::dup(STDOUT_FILENO);
+    const int saved_in = ::dup(STDIN_FILENO);
+    const int image = ::open(folder.file("image").c_str(), O_RDWR | O_CREAT, 0600);
+    ASSERT_GE(image, 0);
+    ::dup2(image, STDOUT_FILENO);
+    {
+        H5Output out("-", "specimen");
+        EXPECT_TRUE(out.is_stream());
+        write_column<double>(out, "/x", {1, 2, 3});
+        out.flush();
+        out.commit();
+    }
+    ::dup2(saved_out, STDOUT_FILENO);
+    ::close(saved_out);
+    ::lseek(image, 0, SEEK_SET);
+    ::dup2(image, STDIN_FILENO);
+    {
+        const H5Input in("-", "specimen");
+        EXPECT_EQ(in.name(), "stdin");
+        EXPECT_EQ(in.read<double>("/x"), (std::vector<double>{1, 2, 3}));
+    }
+    // After it was read to its end, the stream is empty, as when the program before wrote nothing.
+    expect_one_line<InputError>([] { H5Input("-"); }, {"stdin", "wrote nothing"});
+    ::dup2(saved_in, STDIN_FILENO);
+    ::close(saved_in);
+    ::close(image);
+}
+
+// --- what cannot be read ---------------------------------------------------------------------------------------------
+
+TEST(H5File, EachBadInputHasItsOwnLine) {
+    const TemporaryFolder folder;
+    const std::string good = folder.file("good.h5");
+    std::vector<double> values(100000);
+    std::iota(values.begin(), values.end(), 0.0);
+    H5Output out(good, "specimen");
+    write_column(out, "/x", values);
+    out.commit();
+    const std::string bytes = bytes_of(good);
+
+    struct Case {
+        std::string name;
+        std::string bytes;
+        std::vector<std::string> says;
+    };
+    const std::vector<Case> cases{
+        {"empty.h5", "", {"empty.h5", "empty file"}},
+        {"text.h5", "this is no HDF5 file, but it is long enough to look into", {"text.h5", "not an HDF5 file"}},
+        {"half.h5", bytes.substr(0, bytes.size() / 2), {"half.h5", "truncated"}},
+        {"head.h5", bytes.substr(0, 100), {"head.h5", "truncated"}},
+        {"last.h5", bytes.substr(0, bytes.size() - 1), {"last.h5", "truncated"}},
+    };
+    for (const Case& c : cases) {
+        write_bytes(folder.file(c.name), c.bytes);
+        expect_one_line<InputError>([&] { H5Input(folder.file(c.name)); }, c.says);
+    }
+    expect_one_line<InputError>([&] { H5Input(folder.file("none.h5")); }, {"none.h5", "no such file"});
+    expect_one_line<InputError>([&] { H5Input(folder.file("")); }, {"folder"});
+    expect_one_line<InputError>([&] { H5Input(good, "run"); }, {"good.h5", "is a specimen", "a run is needed"});
+    EXPECT_NO_THROW(H5Input(good, "specimen").check());
+}
+
+TEST(H5File, ForeignFilesAndThoseOfAnotherSchemaAreRefused) {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::string& format, std::int64_t version) {
+        H5Output out(folder.file(name), "specimen");
+        out.attribute("/", "format", format);
+        out.attribute("/", "schema_version", version);
+        out.commit();
+    };
+    write("foreign.h5", "neper", 1);
+    write("newer.h5", "graincrack", schema_version + 1);
+    write("older.h5", "graincrack", schema_version - 1);
+    write("same.h5", "graincrack", schema_version);
+    expect_one_line<InputError>([&] { H5Input(folder.file("foreign.h5")); }, {"foreign.h5", "not a Graincrack one"});
+    const std::string reads = fmt::format("but this build reads {}", schema_version);
+    expect_one_line<InputError>([&] { H5Input(folder.file("newer.h5")); },
+                                {"newer.h5", fmt::format("schema version {}", schema_version + 1), reads, "use a newer"});
+    expect_one_line<InputError>([&] { H5Input(folder.file("older.h5")); },
+                                {"older.h5", fmt::format("schema version {}", schema_version - 1), reads, "make the file again"});
+    EXPECT_NO_THROW(H5Input(folder.file("same.h5")));
+}
+
+TEST(H5File, DamageInsideADatasetIsFoundByCheck) {
+    const TemporaryFolder folder;
+    std::vector<double> values(100000);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = std::sin(static_cast<double>(i));
+    }
+    H5Output out(folder.file("a.h5"), "specimen");
+    write_column(out, "/x", values);
+    out.commit();
+    std::string bytes = bytes_of(folder.file("a.h5"));
+    for (std::size_t i = bytes.size() / 2; i < bytes.size() / 2 + 64; ++i) {
+        bytes[i] = static_cast<char>(~bytes[i]);  // in the middle of a compressed chunk
+    }
+    write_bytes(folder.file("a.h5"), bytes);
+    expect_one_line<InputError>([&] { H5Input(folder.file("a.h5")).check(); }, {"a.h5", "/x"});
+}
+
+// --- digest ----------------------------------------------------------------------------------------------------------
+
+std::string digest_of(const std::function<void(H5Output&)>& change) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    out.write<double>("/x", std::vector<double>{1, 2, 3, 4}, {2, 2}, "m", "numbers");
+    write_column<std::int32_t>(out, "/i", {1});
+    out.create_group("/run");
+    out.attribute("/run", "law", std::string("scaled"));
+    change(out);
+    out.commit();
+    return H5Input(folder.file("a.h5")).digest();
+}
+
+TEST(H5File, AnAttributeThatCannotBeDecodedIsNamedByItsObject) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("a.h5"), "run");
+    out.create_group("/run");
+    for (int i = 0; i < 30; ++i) {
+        out.attribute("/run", "good" + std::to_string(i), 1.5);
+    }
+    out.attribute("/run", "spoiled", 1.5);
+    out.commit();
+    std::string bytes = bytes_of(folder.file("a.h5"));
+    const std::size_t type = bytes.find("spoiled") + 8;  // the type of an attribute follows its name
+    ASSERT_EQ(bytes.at(type), 0x11);                     // a float, described by version 1
+    bytes[type] = '\xff';
+    write_bytes(folder.file("a.h5"), bytes);
+    const H5Input in(folder.file("a.h5"), "run");
+    EXPECT_EQ(in.attribute<double>("/run", "good0"), 1.5);
+    expect_one_line<InputError>([&] { in.check(); }, {"a.h5", "the attributes of /run cannot be read"});
+    expect_one_line<InputError>([&] { static_cast<void>(in.digest()); }, {"a.h5", "the attributes of /run cannot be read"});
+}
+
+TEST(H5File, DigestIsOfTheContent) {
+    const std::string digest = digest_of([](H5Output&) {});
+    EXPECT_EQ(digest.size(), 64U);
+    EXPECT_EQ(digest, digest_of([](H5Output&) {}));
+    EXPECT_EQ(digest, digest_of([](H5Output& out) {
+                  write_column<double>(out, "/provenance/x", {1});
+                  out.attribute("/provenance", "wall_time", 3.0);
+              }));
+}
+
+TEST(H5File, DigestSeesEveryChange) {
+    std::vector<std::string> digests{digest_of([](H5Output&) {})};
+    const std::vector<std::function<void(H5Output&)>> changes{
+        [](H5Output& out) {
+            out.remove("/x");
+            out.write<double>("/x", std::vector<double>{1, 2, 3, std::nextafter(4.0, 5.0)}, {2, 2}, "m", "numbers");
+        },
+        [](H5Output& out) {
+            out.remove("/x");
+            out.write<double>("/x", std::vector<double>{1, 2, 3, 4}, {4, 1}, "m", "numbers");
+        },
+        [](H5Output& out) {
+            out.remove("/i");
+            write_column<std::int64_t>(out, "/i", {1});
+        },
+        [](H5Output& out) { out.move("/i", "/j"); },
+        [](H5Output& out) { out.attribute("/x", "unit", std::string("mm")); },
+        [](H5Output& out) { out.attribute("/run", "law", std::string("literal")); },
+        [](H5Output& out) { out.attribute("/run", "steps", std::int64_t{1}); },
+        [](H5Output& out) { out.attribute("/", "kind", std::string("specimen")); },
+        [](H5Output& out) { out.create_group("/provenance2"); },
+    };
+    for (const auto& change : changes) {
+        const std::string digest = digest_of(change);
+        EXPECT_EQ(std::count(digests.begin(), digests.end(), digest), 0) << "change " << digests.size();
+        digests.push_back(digest);
+    }
+}
+
+}  // namespace
+}  // namespace graincrack

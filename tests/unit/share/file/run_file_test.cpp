@@ -1,0 +1,393 @@
+// A run in a file: header, history in pieces, frames thinned and numbered in time order, cracks.
+#include "share/file/run_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <set>
+
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/provenance.hpp"
+#include "share/file/schema.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_one_line;
+using test::TemporaryFolder;
+
+Specimen specimen() { return test::one_diagonal_grid(2, 2, 0.02, 0.02); }
+
+/// A header in which all members differ.
+RunHeader header() {
+    RunHeader h;
+    h.test = "triaxial";
+    h.material = "Augig granite";
+    h.contact_law = "continuous";
+    h.crack_event = CrackEvent::half_damaged;
+    h.coupling = "none";
+    h.fracture_energy_choice = "mixed";
+    h.plane = PlaneCondition::stress;
+    h.rock = {1.5, 2.5, 3.5, 4.5, 5.5, 6.5};
+    h.contact.critical_opening = 7.5;
+    h.contact.critical_sliding = 8.5;
+    h.contact.ultimate_opening = 9.5;
+    double value = 100.5;
+    for (const ContactParameter& row : all_contact_parameters()) h.contact.*row.value = value++;
+    h.platen_friction = 10.5;
+    h.confining_pressure = 11.5;
+    h.rate = "blocks";
+    h.rate_tolerance = 0.25;
+    h.platen_speed = 12.5;
+    h.damping = 13.5;
+    h.peak_drop = 14.5;
+    h.max_strain = 15.5;
+    h.mass_scaling = "selective";
+    h.stable_time_step = 16.5;
+    h.time_step = 17.5;
+    h.stop_reason = "peak drop";
+    h.steps = 5000000000;
+    h.isotropic_end_time = 18.5;
+    h.peak_axial_stress = 19.5;
+    h.energy_scale = 20.5;
+    h.energy_balance_error = 21.5;
+    h.platen_force_difference = 22.5;
+    h.confinement_mean = 23.5;
+    h.confinement_deviation = 24.5;
+    h.damping_share = 25.5;
+    return h;
+}
+
+/// `rows` rows in which every value is different.
+History history(std::size_t rows) {
+    History h;
+    for (std::size_t c = 0; c < h.columns.size(); ++c) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            h.columns[c].push_back(static_cast<double>(c) + 100.0 * static_cast<double>(i));
+        }
+    }
+    return h;
+}
+
+Frame frame_at(double time) {
+    const Specimen s = specimen();
+    Frame f;
+    f.time = time;
+    f.step = static_cast<std::int64_t>(1000 * time);
+    double next = time;
+    const auto fill = [&next](auto& rows, std::size_t n) {
+        rows.resize(n);
+        for (auto& row : rows) {
+            for (auto& value : row) {
+                value = next;
+                next += 0.001;
+            }
+        }
+    };
+    fill(f.displacement, s.n_nodes());
+    fill(f.velocity, s.n_nodes());
+    fill(f.element_stress, s.n_elements());
+    fill(f.opening, s.n_contacts());
+    fill(f.sliding, s.n_contacts());
+    fill(f.traction, s.n_contacts());
+    fill(f.damage, s.n_contacts());
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        f.state.push_back({static_cast<std::uint8_t>(c % 4), static_cast<std::uint8_t>((c + 1) % 4)});
+    }
+    return f;
+}
+
+std::vector<Crack> cracks() {
+    return {{0.5, 500, 3, 1, CrackMode::tensile, 0.1, {0.001, -0.002}, 1.2, 0.005, 1e-6, -2e-6, 0.75},
+            {0.6,
+             6000000000,
+             2,
+             0,
+             CrackMode::shear,
+             2.2,
+             {-0.003, 0.004},
+             0.0,
+             0.0025,
+             -1e-7,
+             3e-6,
+             0.25,
+             {0.65, 1e-7, 1e-6},
+             {0.7, 2e-7, 2e-6},
+             {0.8, 2e-6, -4e-6},
+             {0.9, 3e-6, 5e-6}}};
+}
+
+/// Writes a run, to which `write` may add data before the file is finished.
+template <class Write>
+void write_run(const std::string& path, Write&& write) {
+    RunWriter writer(H5Output(path, "run"), specimen(), header());
+    write(writer);
+    writer.finish(header(), cracks(), {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", "", {}, 12.25, 3, ""});
+}
+
+TEST(RunFile, HeaderRoundTrip) {
+    const TemporaryFolder folder;
+    write_run(folder.file("r.h5"), [](RunWriter& w) { w.append_history(history(1)); });
+    const RunReader run(folder.file("r.h5"));
+    const RunHeader& r = run.header();
+    EXPECT_EQ(r.test, "triaxial");
+    EXPECT_EQ(r.material, "Augig granite");
+    EXPECT_EQ(r.contact_law, "continuous");
+    EXPECT_EQ(r.coupling, "none");
+    EXPECT_EQ(r.fracture_energy_choice, "mixed");
+    EXPECT_EQ(r.plane, PlaneCondition::stress);
+    EXPECT_EQ(r.crack_event, CrackEvent::half_damaged);
+    EXPECT_EQ(r.mass_scaling, "selective");
+    EXPECT_EQ(r.rate, "blocks");
+    EXPECT_EQ(r.rate_tolerance, 0.25);
+    EXPECT_EQ(r.stop_reason, "peak drop");
+    EXPECT_EQ(r.steps, 5000000000);
+    const std::vector<double> numbers{r.rock.young_modulus,
+                                      r.rock.poisson_ratio,
+                                      r.rock.density,
+                                      r.rock.mode_i_toughness,
+                                      r.rock.mode_ii_toughness,
+                                      r.rock.tensile_strength,
+                                      r.contact.critical_opening,
+                                      r.contact.critical_sliding,
+                                      r.contact.ultimate_opening,
+                                      r.platen_friction,
+                                      r.confining_pressure,
+                                      r.platen_speed,
+                                      r.damping,
+                                      r.peak_drop,
+                                      r.max_strain,
+                                      r.stable_time_step,
+                                      r.time_step,
+                                      r.isotropic_end_time,
+                                      r.peak_axial_stress,
+                                      r.energy_scale,
+                                      r.energy_balance_error,
+                                      r.platen_force_difference,
+                                      r.confinement_mean,
+                                      r.confinement_deviation,
+                                      r.damping_share};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        EXPECT_EQ(numbers[i], 1.5 + static_cast<double>(i)) << "member " << i;
+    }
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const std::string name(row.quantity.name);
+        EXPECT_EQ(r.contact.*row.value, header().contact.*row.value) << name;
+        EXPECT_EQ(run.file().attribute<double>("/run", name), header().contact.*row.value) << name;
+        EXPECT_EQ(run.file().attribute<std::string>("/run", name + "_unit"), row.quantity.unit()) << name;
+    }
+    EXPECT_EQ(run.wall_time(), 12.25);
+    EXPECT_EQ(run.threads(), 3);
+    EXPECT_EQ(run.specimen().contact_nodes, specimen().contact_nodes);
+}
+
+TEST(RunFile, AnUnknownCrackEventIsRefused) {
+    const TemporaryFolder folder;
+    write_run(folder.file("new.h5"), [](RunWriter& w) { w.append_history(history(1)); });
+    std::ifstream input(folder.file("new.h5"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    const std::size_t at = bytes.find("half-damaged");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at] = 'c';
+    std::ofstream(folder.file("other.h5"), std::ios::binary) << bytes;
+    expect_one_line<InputError>([&] { RunReader(folder.file("other.h5")); },
+                                {"other.h5", "crack_event", "calf-damaged", "failed, half-damaged or broken"});
+}
+
+// Imitated by giving the attribute another name.
+TEST(RunFile, AHeaderWithoutAnAttributeIsRefused) {
+    const TemporaryFolder folder;
+    write_run(folder.file("new.h5"), [](RunWriter& w) { w.append_history(history(1)); });
+    std::ifstream input(folder.file("new.h5"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    const std::size_t at = bytes.find("contact_residual_cohesion" + std::string(1, '\0'));
+    ASSERT_NE(at, std::string::npos);
+    bytes[at] = 'X';
+    std::ofstream(folder.file("lacks.h5"), std::ios::binary) << bytes;
+    expect_one_line<InputError>([&] { RunReader(folder.file("lacks.h5")); },
+                                {"lacks.h5", "contact_residual_cohesion", "missing"});
+}
+
+TEST(RunFile, HistoryInPieces) {
+    const TemporaryFolder folder;
+    write_run(folder.file("r.h5"), [](RunWriter& w) {
+        for (const std::size_t rows : {0U, 1U, 1U, 4U, 700U}) {
+            w.append_history(history(rows));
+        }
+    });
+    const History read = RunReader(folder.file("r.h5")).history();
+    const History expected = history(700);
+    ASSERT_EQ(read.size(), 700U);
+    for (std::size_t c = 0; c < read.columns.size(); ++c) {
+        EXPECT_EQ(read.columns[c], expected.columns[c]) << history_datasets[c].name;
+    }
+    EXPECT_EQ(read[HistoryColumn::platen_speed][1], 100.0 + static_cast<double>(HistoryColumn::platen_speed));
+}
+
+TEST(RunFile, ColumnsHaveDifferentNamesAndStandUnderThem) {
+    std::set<std::string_view> names;
+    for (const HistoryDataset& d : history_datasets) {
+        EXPECT_TRUE(names.insert(d.name).second) << d.name;
+        EXPECT_FALSE(d.description.empty());
+    }
+    const auto name = [](HistoryColumn c) { return history_datasets[static_cast<std::size_t>(c)].name; };
+    EXPECT_EQ(name(HistoryColumn::time), "time");
+    EXPECT_EQ(name(HistoryColumn::gauge_lateral_strain), "gauge_lateral_strain");
+    EXPECT_EQ(name(HistoryColumn::energy_platen), "energy_platen");
+    EXPECT_EQ(name(HistoryColumn::energy_balance_error), "energy_balance_error");
+    EXPECT_EQ(name(HistoryColumn::platen_speed), "platen_speed");
+}
+
+void expect_equal(const Frame& a, const Frame& b) {
+    EXPECT_EQ(a.time, b.time);
+    EXPECT_EQ(a.step, b.step);
+    EXPECT_EQ(a.displacement, b.displacement);
+    EXPECT_EQ(a.velocity, b.velocity);
+    EXPECT_EQ(a.element_stress, b.element_stress);
+    EXPECT_EQ(a.opening, b.opening);
+    EXPECT_EQ(a.sliding, b.sliding);
+    EXPECT_EQ(a.traction, b.traction);
+    EXPECT_EQ(a.damage, b.damage);
+    EXPECT_EQ(a.state, b.state);
+}
+
+TEST(RunFile, FramesAreThinnedAndTheKeptOnesStay) {
+    const TemporaryFolder folder;
+    write_run(folder.file("r.h5"), [](RunWriter& w) {
+        w.append_history(history(1));
+        for (int i = 0; i < 8; ++i) {
+            w.add_frame(frame_at(i), i == 3 ? FrameRole::kept : FrameRole::regular);
+        }
+        EXPECT_EQ(w.n_frames(), 8U);
+        w.thin_frames();  // removes every second of 0 1 2 4 5 6 7
+        EXPECT_EQ(w.n_frames(), 5U);
+        w.add_frame(frame_at(9), FrameRole::kept);
+    });
+    const RunReader run(folder.file("r.h5"));
+    EXPECT_EQ(run.frame_times(), (std::vector<double>{0, 2, 3, 5, 7, 9}));
+    ASSERT_EQ(run.n_frames(), 6U);
+    expect_equal(run.frame(2), frame_at(3));
+    expect_equal(run.frame(5), frame_at(9));
+    EXPECT_EQ(run.file().children("/frames"), (std::vector<std::string>{"0000", "0001", "0002", "0003", "0004", "0005"}));
+    EXPECT_EQ(run.file().extents("/frames/0000/traction"), (Extents{specimen().n_contacts(), 2, 2}));
+    expect_one_line<InputError>([&] { static_cast<void>(run.frame(6)); }, {"r.h5", "no frame 6"});
+}
+
+// The frame of the peak is known only after later ones were written.
+TEST(RunFile, FramesAreNumberedInTimeOrder) {
+    const TemporaryFolder folder;
+    write_run(folder.file("r.h5"), [](RunWriter& w) {
+        w.append_history(history(1));
+        for (const double time : {0.0, 1.0, 4.0, 2.0, 3.0}) {
+            w.add_frame(frame_at(time), time == 2.0 ? FrameRole::kept : FrameRole::regular);
+        }
+    });
+    const RunReader run(folder.file("r.h5"));
+    EXPECT_EQ(run.frame_times(), (std::vector<double>{0, 1, 2, 3, 4}));
+    expect_equal(run.frame(2), frame_at(2));
+    EXPECT_EQ(run.file().read<double>("/VTKHDF/PointData/displacement")[0], 4.0);  // the last in time
+}
+
+TEST(RunFile, VtkViewShowsTheLastFrame) {
+    const TemporaryFolder folder;
+    write_run(folder.file("r.h5"), [](RunWriter& w) {
+        w.append_history(history(1));
+        w.add_frame(frame_at(1), FrameRole::regular);
+        w.add_frame(frame_at(2), FrameRole::regular);
+    });
+    const RunReader run(folder.file("r.h5"));
+    const H5Input& file = run.file();
+    EXPECT_EQ(file.attribute<std::string>("/VTKHDF", "Type"), "UnstructuredGrid");
+    EXPECT_EQ(file.read<double>("/VTKHDF/PointData/displacement"), file.read<double>("/frames/0001/displacement"));
+    EXPECT_EQ(file.read<double>("/VTKHDF/PointData/velocity"), file.read<double>("/frames/0001/velocity"));
+    EXPECT_EQ(file.read<double>("/VTKHDF/CellData/element_stress"), file.read<double>("/frames/0001/element_stress"));
+    EXPECT_EQ(file.read<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(specimen().n_elements(), 5));
+}
+
+TEST(RunFile, Cracks) {
+    const TemporaryFolder folder;
+    write_run(folder.file("r.h5"), [](RunWriter& w) { w.append_history(history(1)); });
+    const std::vector<Crack> read = RunReader(folder.file("r.h5")).cracks();
+    const std::vector<Crack> expected = cracks();
+    ASSERT_EQ(read.size(), expected.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        EXPECT_EQ(read[i].time, expected[i].time);
+        EXPECT_EQ(read[i].step, expected[i].step);
+        EXPECT_EQ(read[i].contact, expected[i].contact);
+        EXPECT_EQ(read[i].point, expected[i].point);
+        EXPECT_EQ(read[i].mode, expected[i].mode);
+        EXPECT_EQ(read[i].mode_angle, expected[i].mode_angle);
+        EXPECT_EQ(read[i].position, expected[i].position);
+        EXPECT_EQ(read[i].orientation, expected[i].orientation);
+        EXPECT_EQ(read[i].length, expected[i].length);
+        EXPECT_EQ(read[i].opening, expected[i].opening);
+        EXPECT_EQ(read[i].sliding, expected[i].sliding);
+        EXPECT_EQ(read[i].energy_released, expected[i].energy_released);
+    }
+    EXPECT_TRUE(std::isnan(read[0].separated.time) && std::isnan(read[0].damaged_10.time) && std::isnan(read[0].broken.time));
+    EXPECT_EQ(read[1].damaged_10, expected[1].damaged_10);
+    EXPECT_EQ(read[1].damaged_50, expected[1].damaged_50);
+    EXPECT_EQ(read[1].broken, expected[1].broken);
+    EXPECT_EQ(read[1].separated, expected[1].separated);
+    const H5Input file(folder.file("r.h5"));
+    EXPECT_EQ(file.read<double>("/cracks/sliding_damaged_50")[1], 2e-6);
+    EXPECT_EQ(file.read<double>("/cracks/opening_separated")[1], 3e-6);
+}
+
+TEST(RunFile, ARunWithoutCracksAndFramesReadsBack) {
+    const TemporaryFolder folder;
+    {
+        RunWriter writer(H5Output(folder.file("r.h5"), "run"), specimen(), header());
+        writer.append_history(history(2));
+        writer.finish(header(), {}, {});
+    }
+    const RunReader run(folder.file("r.h5"));
+    EXPECT_TRUE(run.cracks().empty());
+    EXPECT_EQ(run.n_frames(), 0U);
+    EXPECT_TRUE(run.frame_times().empty());
+    EXPECT_EQ(run.history().size(), 2U);
+}
+
+TEST(RunFile, NothingIsLeftOfARunThatWasNotFinished) {
+    const TemporaryFolder folder;
+    {
+        RunWriter writer(H5Output(folder.file("r.h5"), "run"), specimen(), header());
+        writer.append_history(history(3));
+        writer.add_frame(frame_at(1), FrameRole::regular);
+    }
+    EXPECT_TRUE(folder.is_empty());
+}
+
+TEST(RunFile, DigestDoesNotDependOnTimeTakenOrOnThePieces) {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, std::initializer_list<std::size_t> pieces, double wall_time) {
+        RunWriter writer(H5Output(folder.file(name), "run"), specimen(), header());
+        for (const std::size_t rows : pieces) {
+            writer.append_history(history(rows));
+        }
+        writer.finish(header(), cracks(), {"", {}, "", "", "", {}, wall_time, 1, ""});
+        return RunReader(folder.file(name)).file().digest();
+    };
+    const std::string digest = write("a.h5", {10}, 1);
+    EXPECT_EQ(digest, write("b.h5", {3, 7, 10}, 2));
+    EXPECT_NE(digest, write("c.h5", {9}, 1));
+}
+
+TEST(RunFile, ASpecimenIsNoRun) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("s.h5"), "specimen");
+    write_specimen(out, specimen());
+    out.commit();
+    expect_one_line<InputError>([&] { RunReader(folder.file("s.h5")); }, {"s.h5", "is a specimen", "a run is needed"});
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,340 @@
+// The specimen in a file, and the conventions that it must satisfy.
+#include "share/file/specimen.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
+#include "share/file/specimen_validation.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_one_line;
+using test::TemporaryFolder;
+
+/// Two cells, two grains of two triangles each, one contact: 0.2 × 0.1 m.
+Specimen two_squares() {
+    return test::specimen_of_grains({{-0.1, -0.05}, {0, -0.05}, {0.1, -0.05}, {-0.1, 0.05}, {0, 0.05}, {0.1, 0.05}},
+                                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}, {0, 0, 1, 1});
+}
+
+TEST(Specimen, HandMadeSpecimensKeepTheConventions) {
+    for (const Specimen& s : {two_squares(), test::one_diagonal_grid(2, 3, 0.02, 0.03), test::union_jack_grid(4, 4, 1, 1),
+                              test::jittered_grid(4, 8, 0.04, 0.08, 0.2)}) {
+        EXPECT_NO_THROW(validate(s, "made by hand"));
+    }
+    const Specimen s = two_squares();
+    EXPECT_EQ(s.n_contacts(), 1U);
+    EXPECT_EQ(s.n_boundary_edges(), 6U);
+    EXPECT_EQ(std::count(s.boundary_part.begin(), s.boundary_part.end(), static_cast<std::uint8_t>(BoundaryPart::top)), 2);
+}
+
+TEST(Specimen, RoundTrip) {
+    const TemporaryFolder folder;
+    Specimen s = test::jittered_grid(3, 4, 0.03, 0.04, 0.2);
+    s.shape = "rectangle";
+    s.seed = 12345;
+    s.elements_per_edge = 2;
+    s.loading_arc = 0.11;
+    s.statistics = {2 * s.statistics.mean_edge, 0.1, 0.003, 0.005, 0.0038, 0.12, 0.003, 0.0045, 0.6, 0.05, 1e-15};
+    s.phase_names = {"quartz", "feldspar"};
+    s.grain_phase[1] = 1;
+    s.part_names.push_back("notch");
+    s.boundary_part[0] = 5;
+    s.contact_kind[2] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+    H5Output out(folder.file("s.h5"), "specimen");
+    write_specimen(out, s);
+    out.commit();
+    const H5Input in(folder.file("s.h5"), "specimen");
+    const Specimen r = read_specimen(in);
+    EXPECT_EQ(r.shape, s.shape);
+    EXPECT_EQ(r.width, s.width);
+    EXPECT_EQ(r.height, s.height);
+    EXPECT_EQ(r.tessellation, s.tessellation);
+    EXPECT_EQ(r.seed, s.seed);
+    EXPECT_EQ(r.elements_per_edge, 2);
+    EXPECT_EQ(r.loading_arc, 0.11);
+    EXPECT_EQ(r.statistics.mean_edge, s.statistics.mean_edge);
+    EXPECT_EQ(r.statistics.max_diameter, 0.0045);
+    EXPECT_EQ(r.statistics.area_error, 1e-15);
+    EXPECT_EQ(r.node_position, s.node_position);
+    EXPECT_EQ(r.element_nodes, s.element_nodes);
+    EXPECT_EQ(r.element_grain, s.element_grain);
+    EXPECT_EQ(r.grain_phase, s.grain_phase);
+    EXPECT_EQ(r.grain_area, s.grain_area);
+    EXPECT_EQ(r.contact_nodes, s.contact_nodes);
+    EXPECT_EQ(r.contact_grain_boundary, s.contact_grain_boundary);
+    EXPECT_EQ(r.contact_kind, s.contact_kind);
+    EXPECT_EQ(r.boundary_edges, s.boundary_edges);
+    EXPECT_EQ(r.boundary_part, s.boundary_part);
+    EXPECT_EQ(r.phase_names, s.phase_names);
+    EXPECT_EQ(r.part_names, s.part_names);
+    // The copy for VTK.
+    EXPECT_EQ(in.attribute<std::string>(schema::vtk_group, "Type"), "UnstructuredGrid");
+    EXPECT_EQ(in.attribute<std::vector<std::int64_t>>(schema::vtk_group, "Version"), (std::vector<std::int64_t>{1, 0}));
+    EXPECT_EQ(in.extents("/VTKHDF/Points"), (Extents{s.n_nodes(), 3}));
+    const auto offsets = in.read<std::int64_t>("/VTKHDF/Offsets");
+    ASSERT_EQ(offsets.size(), s.n_elements() + 1);
+    EXPECT_EQ(offsets.back(), static_cast<std::int64_t>(3 * s.n_elements()));
+    EXPECT_EQ(in.read<std::int32_t>("/VTKHDF/CellData/grain"), s.element_grain);
+}
+
+TEST(Specimen, DatasetsOfTheFileHaveUnits) {
+    const TemporaryFolder folder;
+    H5Output out(folder.file("s.h5"), "specimen");
+    write_specimen(out, two_squares());
+    out.commit();
+    const H5Input in(folder.file("s.h5"));
+    for (const schema::Dataset& d : {schema::node_position, schema::element_nodes, schema::element_grain, schema::grain_phase,
+                                     schema::grain_area, schema::contact_nodes, schema::contact_grain_boundary,
+                                     schema::contact_kind, schema::boundary_edges, schema::boundary_part}) {
+        EXPECT_EQ(in.attribute<std::string>(d.path, "unit"), d.unit) << d.path;
+        EXPECT_EQ(in.attribute<std::string>(d.path, "description"), d.description) << d.path;
+    }
+    EXPECT_EQ(in.attribute<std::string>("/specimen", "width_unit"), "m");
+}
+
+TEST(Specimen, GrainsOfNodes) {
+    Specimen s = two_squares();
+    s.node_position.push_back({0.02, 0.02});  // a node of no element
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    EXPECT_EQ(std::count(grain.begin(), grain.end(), 0), 4);
+    EXPECT_EQ(std::count(grain.begin(), grain.end(), 1), 4);
+    EXPECT_EQ(grain.back(), -1);
+}
+
+TEST(Specimen, TheDeclaredSizeIsThatOfTheMesh) {
+    for (const double factor : {0.5, 0.985, 1.015, 2.0}) {
+        Specimen s = two_squares();
+        s.height *= factor;
+        expect_one_line<InputError>([&] { validate(s, "s.h5"); }, {"s.h5", "height is more than 1 % off"});
+        s = two_squares();
+        s.width *= factor;
+        expect_one_line<InputError>([&] { validate(s, "s.h5"); }, {"s.h5", "width is more than 1 % off"});
+    }
+    Specimen s = two_squares();
+    s.width *= 1.009;
+    EXPECT_NO_THROW(validate(s, "s.h5"));
+}
+
+/// The first grain again, as the last.
+void repeat_grain(Specimen& s) {
+    const auto first_node = static_cast<std::int32_t>(s.n_nodes());
+    const std::size_t n_elements = s.n_elements();
+    for (std::size_t e = 0; e < n_elements && s.element_grain[e] == 0; ++e) {
+        for (const std::int32_t node : s.element_nodes[e]) s.node_position.push_back(s.node_position[node]);
+        const auto next = static_cast<std::int32_t>(s.n_nodes());
+        s.element_nodes.push_back({next - 3, next - 2, next - 1});
+        s.element_grain.push_back(static_cast<std::int32_t>(s.n_grains()));
+    }
+    s.boundary_edges.push_back({first_node, first_node + 1});
+    s.boundary_part.push_back(0);
+    s.grain_phase.push_back(0);
+    s.grain_area.push_back(s.grain_area[0]);
+}
+
+/// A change that makes a specimen invalid, and a word of the error message.
+struct Offence {
+    const char* what;
+    std::function<void(Specimen&)> commit;
+    const char* says;
+};
+
+const std::vector<Offence>& offences() {
+    static const std::vector<Offence> list{
+        {"no element",
+         [](Specimen& s) {
+             s.element_nodes.clear();
+             s.element_grain.clear();
+         },
+         "at least one element"},
+        {"lengths of /elements", [](Specimen& s) { s.element_grain.pop_back(); }, "elements/grain"},
+        {"lengths of /grains", [](Specimen& s) { s.grain_area.pop_back(); }, "grains/area"},
+        {"lengths of /contacts", [](Specimen& s) { s.contact_grain_boundary.clear(); }, "contacts/grain_boundary"},
+        {"lengths of kinds", [](Specimen& s) { s.contact_kind.push_back(0); }, "contacts/kind"},
+        {"lengths of /boundary", [](Specimen& s) { s.boundary_part.pop_back(); }, "boundary/part"},
+        {"height", [](Specimen& s) { s.height = 0; }, "positive"},
+        {"width", [](Specimen& s) { s.width = -0.1; }, "positive"},
+        {"NaN width", [](Specimen& s) { s.width = std::numeric_limits<double>::quiet_NaN(); }, "positive"},
+        {"NaN position", [](Specimen& s) { s.node_position[3][1] = std::numeric_limits<double>::quiet_NaN(); }, "finite"},
+        {"infinite position", [](Specimen& s) { s.node_position[0][0] = std::numeric_limits<double>::infinity(); }, "finite"},
+        {"negative node of an element", [](Specimen& s) { s.element_nodes[0][0] = -1; }, "node that does not exist"},
+        {"node of an element beyond the last", [](Specimen& s) { s.element_nodes[2][1] = 8; }, "node that does not exist"},
+        {"grain beyond the last", [](Specimen& s) { s.element_grain[3] = 2; }, "grain that does not exist"},
+        {"negative grain", [](Specimen& s) { s.element_grain[0] = -1; }, "grain that does not exist"},
+        {"clockwise element", [](Specimen& s) { std::swap(s.element_nodes[1][1], s.element_nodes[1][2]); }, "counter-clockwise"},
+        {"element without area", [](Specimen& s) { s.element_nodes[1][1] = s.element_nodes[1][2]; }, "counter-clockwise"},
+        {"grains out of order",
+         [](Specimen& s) {
+             std::swap(s.element_grain[1], s.element_grain[2]);
+             std::swap(s.element_nodes[1], s.element_nodes[2]);
+         },
+         "sorted by grain"},
+        {"first grain is not 0", [](Specimen& s) { s.element_grain[0] = s.element_grain[1] = 1; }, "sorted by grain"},
+        {"grain without element",
+         [](Specimen& s) {
+             s.grain_phase.push_back(0);
+             s.grain_area.push_back(0);
+         },
+         "no element"},
+        {"node shared by grains",
+         [](Specimen& s) {
+             const auto [a1, a2, b1, b2] = s.contact_nodes[0];
+             for (auto& nodes : s.element_nodes) {
+                 std::replace(nodes.begin(), nodes.end(), b1, a1);
+             }
+             static_cast<void>(a2);
+             static_cast<void>(b2);
+         },
+         "share no nodes"},
+        {"element twice",
+         [](Specimen& s) {
+             s.element_nodes.push_back(s.element_nodes.back());
+             s.element_grain.push_back(s.element_grain.back());
+             s.grain_area[1] *= 1.5;
+         },
+         "overlap"},
+        {"node of no element",
+         [](Specimen& s) {
+             s.node_position.push_back({0, 0});
+         },
+         "no element (row 8)"},
+        {"grain twice", repeat_grain, "no contact (row 2)"},
+        {"area that is not that of the elements", [](Specimen& s) { s.grain_area[1] *= 1.02; }, "area of a grain"},
+        {"NaN area", [](Specimen& s) { s.grain_area[1] = std::numeric_limits<double>::quiet_NaN(); }, "area of a grain"},
+        {"mean edge that is not that of the mesh", [](Specimen& s) { s.statistics.mean_edge *= 1.02; }, "mean_edge"},
+        {"edges per grain edge", [](Specimen& s) { s.elements_per_edge = 2; }, "mean_edge"},
+        {"unknown shape", [](Specimen& s) { s.shape = "hexagon"; }, "rectangle, disc or polygon"},
+        {"middle off the origin",
+         [](Specimen& s) {
+             for (auto& p : s.node_position) p[1] += 0.0011 * s.height;
+         },
+         "middle of the nodes along y"},
+        {"middle off the origin along x",
+         [](Specimen& s) {
+             for (auto& p : s.node_position) p[0] -= 0.0011 * s.width;
+         },
+         "middle of the nodes along x"},
+        {"contact twice",
+         [](Specimen& s) {
+             s.contact_nodes.push_back(s.contact_nodes[0]);
+             s.contact_grain_boundary.push_back(1);
+             s.contact_kind.push_back(0);
+         },
+         "once in contacts and boundary together (row 1)"},
+        {"boundary edge twice",
+         [](Specimen& s) {
+             s.boundary_edges.push_back(s.boundary_edges[2]);
+             s.boundary_part.push_back(s.boundary_part[2]);
+         },
+         "once in contacts and boundary together (row 6)"},
+        {"contact in the boundary too",
+         [](Specimen& s) {
+             s.boundary_edges.push_back({s.contact_nodes[0][0], s.contact_nodes[0][1]});
+             s.boundary_part.push_back(4);
+         },
+         "once in contacts and boundary together (row 6)"},
+        {"inside of a grain as boundary",
+         [](Specimen& s) {
+             s.boundary_edges.push_back({s.element_nodes[0][2], s.element_nodes[0][0]});
+             s.boundary_part.push_back(4);
+         },
+         "on the outside of its grain"},
+        {"unknown phase", [](Specimen& s) { s.grain_phase[1] = 1; }, "phase"},
+        {"contact with a node that is not there", [](Specimen& s) { s.contact_nodes[0][3] = 99; }, "node that does not exist"},
+        {"grain a above grain b",
+         [](Specimen& s) {
+             auto& c = s.contact_nodes[0];
+             c = {c[3], c[2], c[1], c[0]};
+         },
+         "grain b > a"},
+        {"contact within a grain", [](Specimen& s) { s.contact_nodes[0][2] = s.contact_nodes[0][0]; }, "grain"},
+        {"contact turned about: a1→a2 clockwise around a",
+         [](Specimen& s) {
+             auto& c = s.contact_nodes[0];
+             c = {c[1], c[0], c[3], c[2]};
+         },
+         "counter-clockwise"},
+        {"contact of crossed edges", [](Specimen& s) { std::swap(s.contact_nodes[0][2], s.contact_nodes[0][3]); }, "conform"},
+        {"contact with a gap",
+         [](Specimen& s) {
+             for (const std::size_t k : {2U, 3U}) {
+                 s.node_position[s.contact_nodes[0][k]][0] += 1e-8 * s.width;
+             }
+         },
+         "conform"},
+        {"contact without length",
+         [](Specimen& s) {
+             auto& c = s.contact_nodes[0];
+             c = {c[0], c[0], c[2], c[2]};
+         },
+         "conform"},
+        {"unknown kind of contact", [](Specimen& s) { s.contact_kind[0] = 2; }, "kind"},
+        {"boundary node that is not there", [](Specimen& s) { s.boundary_edges[4][1] = -2; }, "node that does not exist"},
+        {"boundary edge with the solid on its right",
+         [](Specimen& s) { std::swap(s.boundary_edges[0][0], s.boundary_edges[0][1]); }, "left"},
+        {"unknown part", [](Specimen& s) { s.boundary_part[1] = 9; }, "part"},
+    };
+    return list;
+}
+
+TEST(Specimen, ValidationRefusesEveryBrokenConvention) {
+    for (const Offence& offence : offences()) {
+        SCOPED_TRACE(offence.what);
+        Specimen s = two_squares();
+        ASSERT_NO_THROW(validate(s, "before"));
+        offence.commit(s);
+        expect_one_line<InputError>([&] { validate(s, "broken.h5"); }, {"broken.h5", offence.says});
+    }
+}
+
+TEST(Specimen, ReadingValidates) {
+    const TemporaryFolder folder;
+    Specimen s = two_squares();
+    s.contact_kind[0] = 7;
+    H5Output out(folder.file("s.h5"), "specimen");
+    write_specimen(out, s);
+    out.commit();
+    expect_one_line<InputError>([&] { read_specimen(H5Input(folder.file("s.h5"))); }, {"s.h5", "kind"});
+}
+
+TEST(Specimen, MissingOrMisshapenArraysAreNamed) {
+    const auto read_without = [](const std::function<void(H5Output&)>& change) {
+        const TemporaryFolder folder;
+        H5Output out(folder.file("s.h5"), "specimen");
+        write_specimen(out, two_squares());
+        change(out);
+        out.commit();
+        read_specimen(H5Input(folder.file("s.h5")));
+    };
+    expect_one_line<InputError>([&] { read_without([](H5Output& out) { out.remove("/contacts/nodes"); }); },
+                                {"s.h5", "/contacts/nodes", "missing"});
+    expect_one_line<InputError>(
+        [&] {
+            read_without([](H5Output& out) {
+                out.remove("/nodes/position");
+                out.write<double>("/nodes/position", std::vector<double>(24, 0.0), {8, 3}, "m", "three columns");
+            });
+        },
+        {"/nodes/position", "2 columns"});
+    expect_one_line<InputError>(
+        [&] {
+            read_without([](H5Output& out) {
+                out.remove("/elements/nodes");
+                out.write<std::int32_t>("/elements/nodes", std::vector<std::int32_t>(12, 0), {12}, "1", "flat");
+            });
+        },
+        {"/elements/nodes", "3 columns"});
+}
+
+}  // namespace
+}  // namespace graincrack

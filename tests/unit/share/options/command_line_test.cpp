@@ -1,0 +1,467 @@
+#include "share/options/command_line.hpp"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/base/processors.hpp"
+
+namespace graincrack {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Plane { strain, stress };
+
+/// An example of a tool with two subcommands.
+struct Tool {
+    CLI::App app{"A tool for tests"};
+    CommonOptions common;
+    int threads = 0;
+    struct Options {
+        std::vector<std::string> files;
+        double edge = 0;
+        std::optional<double> spread;
+        std::optional<int> grains;
+        double damping = 0;
+        double pressure = -1;
+        double max_strain = 0;
+        std::optional<FractureEnergyChoice> fracture_energy;
+        Plane plane = Plane::strain;
+        std::string law = "scaled";
+        std::uint64_t seed = 1;
+        int frames = 20;
+        bool deep = false;
+        std::string output;
+    } options;
+
+    explicit Tool(bool needs_output = true) {
+        add_common_options(app, "graincrack-try", common,
+                           "  graincrack-try uniaxial a.h5 -o b.h5\n  graincrack-try triaxial a.h5 -o b.h5", {"CGAL 5.5.1"});
+        add_threads(app, threads);
+        app.require_subcommand(1);
+        for (const char* name : {"uniaxial", "triaxial"}) {
+            CLI::App* sub = app.add_subcommand(name, "a test");
+            sub->add_option("files", options.files, "specimen");
+            CLI::Option* edge = add_quantity(*sub, "--edge", options.edge, quantity::mean_edge, "mean edge", "5.13mm");
+            add_quantity(*sub, "--spread", options.spread, quantity::edge_spread, "spread");
+            add_integer<int>(*sub, "--grains", options.grains, "grains", 1)->excludes(edge);
+            add_quantity_or(*sub, "--damping", options.damping, quantity::damping, "none", 0, "local damping", "0.8");
+            add_fracture_energy(*sub, options.fracture_energy, "fracture energy of a contact");
+            add_choice<Plane>(*sub, "--plane", options.plane, {{"strain", Plane::strain}, {"stress", Plane::stress}}, "plane");
+            add_choice(*sub, "--contact-law", options.law, {"literal", "scaled", "continuous"}, "law");
+            add_integer<std::uint64_t>(*sub, "--seed", options.seed, "seed", 0);
+            add_integer<int>(*sub, "--frames", options.frames, "frames", 1, 1000);
+            sub->add_flag("--deep", options.deep, "a flag");
+            add_dry_run(*sub, common, "print counts and stop");
+            CLI::Option* output = sub->add_option("-o,--output", options.output, "run file");
+            if (needs_output) output->required();
+        }
+        add_quantity(*app.get_subcommand("uniaxial"), "--max-strain", options.max_strain, quantity::max_strain, "end", "0.015");
+        add_quantity(*app.get_subcommand("triaxial"), "--max-strain", options.max_strain, quantity::max_strain, "end", "5%");
+        add_quantity(*app.get_subcommand("triaxial"), "--confining-pressure", options.pressure, quantity::confining_pressure,
+                     "pressure on the lateral edges", "4MPa");
+    }
+
+    bool parse(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "graincrack-try");
+        std::vector<const char*> argv;
+        argv.reserve(arguments.size() + 1);
+        for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+        argv.push_back(nullptr);
+        return parse_command_line(app, static_cast<int>(arguments.size()), argv.data());
+    }
+};
+
+class CommandLine : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = fs::temp_directory_path() / ("graincrack-command-line-" + std::to_string(getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override {
+        for (const std::string& name : variables) unsetenv(name.c_str());
+        fs::remove_all(folder);
+    }
+    std::string write(const std::string& text) {
+        const fs::path file = folder / "run.toml";
+        std::ofstream(file) << text;
+        return file.string();
+    }
+    void set(const std::string& name, const std::string& value) {
+        setenv(name.c_str(), value.c_str(), 1);
+        variables.push_back(name);
+    }
+    /// The error message for these arguments.
+    static std::string complaint(const std::vector<std::string>& arguments) {
+        try {
+            Tool().parse(arguments);
+        } catch (const UsageError& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+            EXPECT_LT(std::string(error.what()).size(), 500U);
+            return error.what();
+        }
+        return "nothing wrong";
+    }
+    /// The error message for a configuration file, with `FILE` in place of its name.
+    std::string complaint_about_file(const std::string& text, const std::string& subcommand = "uniaxial") {
+        const std::string file = write(text);
+        std::string message = complaint({subcommand, "a.h5", "-o", "b.h5", "--config", file});
+        for (auto at = message.find(file); at != std::string::npos; at = message.find(file))
+            message.replace(at, file.size(), "FILE");
+        return message;
+    }
+
+    fs::path folder;
+    std::vector<std::string> variables;
+};
+
+TEST_F(CommandLine, OptionsOfAllKinds) {
+    Tool tool;
+    ASSERT_TRUE(tool.parse({"uniaxial",
+                            "a.h5",
+                            "--edge",
+                            "4mm",
+                            "--spread=10%",
+                            "--damping",
+                            "none",
+                            "--fracture-energy",
+                            "90J/m2",
+                            "--plane",
+                            "stress",
+                            "--contact-law",
+                            "literal",
+                            "--seed",
+                            "18446744073709551615",
+                            "--frames",
+                            "7",
+                            "--deep",
+                            "--dry-run",
+                            "-o",
+                            "-",
+                            "--quiet",
+                            "--threads",
+                            "3"}));
+    EXPECT_EQ(tool.options.files, std::vector<std::string>{"a.h5"});
+    EXPECT_EQ(tool.options.edge, 0.004);
+    EXPECT_EQ(tool.options.spread, 0.1);
+    EXPECT_FALSE(tool.options.grains);
+    EXPECT_EQ(tool.options.damping, 0);
+    ASSERT_TRUE(tool.options.fracture_energy);
+    EXPECT_EQ(tool.options.fracture_energy->value, 90);
+    EXPECT_EQ(tool.options.plane, Plane::stress);
+    EXPECT_EQ(tool.options.law, "literal");
+    EXPECT_EQ(tool.options.seed, 18446744073709551615U);
+    EXPECT_EQ(tool.options.frames, 7);
+    EXPECT_TRUE(tool.options.deep);
+    EXPECT_TRUE(tool.common.dry_run);
+    EXPECT_EQ(tool.options.output, "-");
+    EXPECT_EQ(tool.common.verbosity, Verbosity::quiet);
+    EXPECT_EQ(tool.threads, 3);
+}
+
+TEST_F(CommandLine, Defaults) {
+    Tool tool;
+    ASSERT_TRUE(tool.parse({"triaxial", "-", "a.h5", "-o", "b.h5"}));
+    EXPECT_EQ(tool.options.files, (std::vector<std::string>{"-", "a.h5"}));
+    EXPECT_EQ(tool.options.edge, 0.00513);
+    EXPECT_FALSE(tool.options.spread);
+    EXPECT_EQ(tool.options.damping, 0.8);
+    EXPECT_EQ(tool.options.pressure, 4e6);
+    EXPECT_FALSE(tool.options.fracture_energy);
+    EXPECT_EQ(tool.options.frames, 20);
+    EXPECT_EQ(tool.common.verbosity, Verbosity::normal);
+    EXPECT_EQ(tool.threads, available_processors());
+}
+
+TEST_F(CommandLine, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
+    Tool uniaxial;
+    ASSERT_TRUE(uniaxial.parse({"uniaxial", "a.h5", "-o", "b.h5"}));
+    EXPECT_EQ(uniaxial.options.max_strain, 0.015);
+    Tool triaxial;
+    ASSERT_TRUE(triaxial.parse({"triaxial", "a.h5", "-o", "b.h5"}));
+    EXPECT_EQ(triaxial.options.max_strain, 0.05);
+    set("GRAINCRACK_MAX_STRAIN", "0.02");
+    Tool given;
+    ASSERT_TRUE(given.parse({"uniaxial", "a.h5", "-o", "b.h5", "--max-strain", "1%"}));
+    EXPECT_EQ(given.options.max_strain, 0.01);
+}
+
+TEST_F(CommandLine, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothing) {
+    const auto notes = [](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"uniaxial", "a.h5", "-o", "b.h5"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        testing::internal::CaptureStderr();
+        Tool tool;
+        EXPECT_TRUE(tool.parse(arguments));
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(notes({"--edge", "80"}), "graincrack-try: note: --edge: 80 has no unit and was taken for 80 m\n");
+    EXPECT_EQ(notes({"--edge", "80", "--quiet"}), "");
+    EXPECT_EQ(notes({"--edge", "80mm", "--spread", "0.1"}), "");
+    set("GRAINCRACK_MAX_STRIAN", "0.02");
+    set("GRAINCRACK_SOMETHING_ELSE", "1");
+    set("GRAINCRACK_CONFINING_PRESSURE", "4MPa");  // of another tool or subcommand
+    EXPECT_EQ(notes({}),
+              "graincrack-try: note: GRAINCRACK_MAX_STRIAN: no option has this variable, so that it does nothing; did you mean "
+              "GRAINCRACK_MAX_STRAIN?\n");
+    EXPECT_EQ(notes({"--quiet"}), "");
+    EXPECT_NE(notes({"--verbose"}).find("max-strain"), std::string::npos);
+}
+
+TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
+    EXPECT_EQ(complaint({}), "no subcommand given; one of uniaxial, triaxial fits");
+    EXPECT_EQ(complaint({"uniaxal", "a.h5"}),
+              "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
+    EXPECT_EQ(complaint({"uniaxal", "a.h5", "--confining-pressure", "4MPa"}),
+              "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5"}), "--output: missing; give the run file");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--egde", "4mm"}),
+              "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
+    EXPECT_EQ(complaint({"uniaxial", "--egde=4mm"}),
+              "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--confining-pressure", "4MPa"}),
+              "--confining-pressure: no option of uniaxial, but of triaxial; see graincrack-try uniaxial --help");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4mm", "--edge", "5mm"}),
+              "--edge: given more than once; give it once");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge"}), "--edge: no value given; write --edge LENGTH");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4mm", "--grains", "3"}),
+              "--edge and --grains: only one of them can be given; leave one out");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4MPa"}),
+              "--edge: \"4MPa\" has the unit of a stress, a length is needed; units that fit: m, mm, cm, um or km (a bare number "
+              "is in m)");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "-4mm"}),
+              "--edge: \"-4mm\" is out of bounds; it must be above 0 m and at most 1 km");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--frames", "0"}),
+              "--frames: \"0\" does not fit; it must be a whole number from 1 to 1000");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--seed", "1.5"}),
+              "--seed: \"1.5\" does not fit; it must be a whole number of at least 0");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--plane", "flat"}),
+              "--plane: unknown choice \"flat\"; one of strain|stress fits");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--contact-law", "new"}),
+              "--contact-law: unknown choice \"new\"; one of literal|scaled|continuous fits");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--fracture-energy", "lots"}),
+              "--fracture-energy: unknown choice \"lots\"; mixed, mode-i or a value such as 90J/m2 fits");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--quiet", "--verbose"}),
+              "--quiet and --verbose: only one of them can be given; leave one out");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/nowhere.toml"}),
+              "--config: /nowhere.toml cannot be read; a TOML file is needed");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/"}), "--config: / cannot be read; a TOML file is needed");
+}
+
+TEST_F(CommandLine, ValuesTooManyOrNone) {
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "c"}), "--output: given more than once; give it once");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config", "a.toml", "--config", "b.toml"}),
+              "--config: given more than once; give it once");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o"}), "--output: no value given; write --output TEXT");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-qo"}), "--output: no value given; write --output TEXT");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config"}), "--config: no value given; write --config FILE");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "--edge"}),  // the last word is a value here
+              "--output: given more than once; give it once");
+}
+
+TEST_F(CommandLine, FlagsTakeTrueAndFalseOnly) {
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep=perhaps"}),
+              "--deep: \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep", "--quiet=no-idea"}),
+              "--quiet: \"no-idea\" does not fit; write --quiet alone, or --quiet=true or --quiet=false");
+    set("GRAINCRACK_DEEP", "perhaps");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b"}),
+              "--deep (from GRAINCRACK_DEEP): \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
+}
+
+TEST_F(CommandLine, WhatIsMissingIsSaidInTheOrderOfTheCall) {
+    Tool nested;
+    CLI::App* group = nested.app.add_subcommand("group", "holds others");
+    group->require_subcommand(1);
+    group->add_subcommand("member", "one of them");
+    try {
+        nested.parse({"group"});
+        FAIL() << "nothing wrong";
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "no subcommand given; one of member fits");
+    }
+    // an argument left over is told before an option that is missing: it may be that option, spelled wrong
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--outptu"}),
+              "--outptu: unknown option (did you mean --output?); see graincrack-try uniaxial --help");
+}
+
+TEST_F(CommandLine, AnOptionThatNeedsAnother) {
+    Tool tool;
+    CLI::App* uniaxial = tool.app.get_subcommand("uniaxial");
+    uniaxial->get_option("--seed")->needs(uniaxial->get_option("--spread"));
+    try {
+        tool.parse({"uniaxial", "a.h5", "-o", "b", "--seed", "2"});
+        FAIL() << "nothing wrong";
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "--seed: not alone; give --spread as well");
+    }
+}
+
+TEST_F(CommandLine, FlagsWinOverEnvironmentOverFile) {
+    const std::string file = write("edge = '1mm'\nframes = 11\ndamping = 0.1\n");
+    set("GRAINCRACK_EDGE", "2mm");
+    set("GRAINCRACK_FRAMES", "12");
+    {
+        Tool tool;
+        ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file, "--edge", "3mm"}));
+        EXPECT_EQ(tool.options.edge, 0.003);
+        EXPECT_EQ(tool.options.frames, 12);
+        EXPECT_EQ(tool.options.damping, 0.1);
+    }
+    set("GRAINCRACK_QUIET", "true");
+    set("GRAINCRACK_FRAMES", "");  // an empty variable counts as unset
+    {
+        Tool tool;
+        ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file}));
+        EXPECT_EQ(tool.options.edge, 0.002);
+        EXPECT_EQ(tool.options.frames, 11);
+        EXPECT_EQ(tool.common.verbosity, Verbosity::quiet);
+    }
+    set("GRAINCRACK_SPREAD", "2km");
+    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b"}),
+              "--spread (from GRAINCRACK_SPREAD): \"2km\" has the unit of a length, a pure number is needed; a pure number, or "
+              "one in %, fits");
+}
+
+TEST_F(CommandLine, KeysAtTheTopBelongToWhatRunsAndSectionsToTheirSubcommand) {
+    const std::string file = write(
+        "quiet = true\nthreads = 2\nedge = 0.001\nfiles = ['x.h5', 'y.h5']\noutput = 'z.h5'\ndeep = true\n[triaxial]\n"
+        "edge = '2 mm'\nconfining-pressure = '8 MPa'\n[uniaxial]\nplane = 'stress'\n");
+    Tool triaxial;
+    ASSERT_TRUE(triaxial.parse({"triaxial", "--config", file}));
+    EXPECT_EQ(triaxial.options.edge, 0.002);
+    EXPECT_EQ(triaxial.options.pressure, 8e6);
+    EXPECT_EQ(triaxial.options.plane, Plane::strain);
+    EXPECT_EQ(triaxial.options.files, (std::vector<std::string>{"x.h5", "y.h5"}));
+    EXPECT_EQ(triaxial.options.output, "z.h5");
+    EXPECT_TRUE(triaxial.options.deep);
+    EXPECT_EQ(triaxial.common.verbosity, Verbosity::quiet);
+    EXPECT_EQ(triaxial.threads, 2);
+    Tool uniaxial;
+    ASSERT_TRUE(uniaxial.parse({"--config", file, "uniaxial", "a.h5"}));
+    EXPECT_EQ(uniaxial.options.edge, 0.001);
+    EXPECT_EQ(uniaxial.options.plane, Plane::stress);
+    EXPECT_EQ(uniaxial.options.files, std::vector<std::string>{"a.h5"});
+}
+
+TEST_F(CommandLine, AKeyGivesWayToAFlagThatExcludesIt) {
+    const std::string file = write("edge = '4mm'\n");
+    Tool tool;
+    ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file, "--grains", "1122"}));
+    EXPECT_EQ(tool.options.grains, 1122);
+    EXPECT_EQ(tool.options.edge, 0.00513);
+    EXPECT_EQ(complaint_about_file("edge = '4mm'\ngrains = 3\n"),
+              "--edge (from FILE, line 1) and --grains (from FILE, line 2): only one of them can be given; leave one out");
+}
+
+TEST_F(CommandLine, ComplaintsAboutAFile) {
+    const std::string unknown = complaint_about_file("\negde = 4\n");
+    EXPECT_EQ(unknown.substr(0, unknown.find(" known to")), "FILE: line 2: unknown key egde (did you mean edge?);");
+    EXPECT_EQ(complaint_about_file("confining-pressure = 4\n"),
+              "FILE: line 1: confining-pressure is no option of uniaxial; keys of triaxial stand in a section [triaxial]");
+    EXPECT_EQ(complaint_about_file("[triaxal]\nedge = 4\n"),
+              "FILE: line 1: unknown section [triaxal] (did you mean triaxial?); known are uniaxial, triaxial");
+    const std::string elsewhere = complaint_about_file("[triaxial]\negde = 4\n");  // not the subcommand that was called
+    EXPECT_EQ(elsewhere.substr(0, elsewhere.find(" known to")), "FILE: line 2: unknown key egde (did you mean edge?);");
+    EXPECT_EQ(complaint_about_file("config = 'x'\n"), "FILE: line 1: config cannot stand in a file; give it on the command line");
+    EXPECT_EQ(complaint_about_file("deep = 3\n"), "FILE: line 1: deep is true or false");
+    EXPECT_EQ(complaint_about_file("edge = '4 MPa'\n"),
+              "--edge (from FILE, line 1): \"4 MPa\" has the unit of a stress, a length is needed; units that fit: m, mm, cm, um "
+              "or km (a bare "
+              "number is in m)");
+    EXPECT_EQ(complaint_about_file("edge = ['1mm', '2mm']\n"), "--edge (from FILE, line 1): given more than once; give it once");
+    EXPECT_NE(complaint_about_file("edge = \n").find("--config: FILE: line 1: not TOML"), std::string::npos);
+}
+
+TEST_F(CommandLine, TheEffectiveConfigurationLoadsAgain) {
+    Tool first;
+    ASSERT_TRUE(first.parse({"triaxial", "a \"b\".h5", "c\\d.h5", "--edge", "4.7mm", "--spread", "0.07", "--fracture-energy",
+                             "mixed", "--seed", "18446744073709551615", "--deep", "-o", "ü.h5", "--quiet", "--threads", "2",
+                             "--confining-pressure", "8e6"}));
+    const std::string text = effective_configuration(first.app);
+    EXPECT_NE(text.find("\n[triaxial]\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("# grains ="), std::string::npos) << text;
+
+    Tool second;
+    ASSERT_TRUE(second.parse({"triaxial", "--config", write(text)})) << text;
+    EXPECT_EQ(second.options.files, first.options.files);
+    EXPECT_EQ(second.options.edge, first.options.edge);
+    EXPECT_EQ(second.options.spread, first.options.spread);
+    EXPECT_EQ(second.options.fracture_energy->kind, first.options.fracture_energy->kind);
+    EXPECT_EQ(second.options.seed, first.options.seed);
+    EXPECT_EQ(second.options.deep, first.options.deep);
+    EXPECT_EQ(second.options.output, first.options.output);
+    EXPECT_EQ(second.options.pressure, first.options.pressure);
+    EXPECT_EQ(second.options.damping, first.options.damping);
+    EXPECT_EQ(second.options.law, first.options.law);
+    EXPECT_EQ(second.common.verbosity, first.common.verbosity);
+    EXPECT_EQ(second.threads, first.threads);
+    EXPECT_EQ(effective_configuration(second.app), text);
+}
+
+TEST_F(CommandLine, PrintConfigNeedsNothingElseAndLoadsAgain) {
+    testing::internal::CaptureStdout();
+    Tool tool;
+    EXPECT_FALSE(tool.parse({"triaxial", "--print-config", "--frames", "9"}));
+    const std::string text = testing::internal::GetCapturedStdout();
+    EXPECT_NE(text.find("frames = 9\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("# output =\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("edge = \"5.13mm\"\n"), std::string::npos) << text;
+
+    testing::internal::CaptureStdout();
+    Tool again;
+    EXPECT_FALSE(again.parse({"triaxial", "--print-config", "--config", write(text)}));
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), text);
+}
+
+TEST_F(CommandLine, HelpShowsUnitsDefaultsAndExamples) {
+    testing::internal::CaptureStdout();
+    EXPECT_FALSE(Tool().parse({"triaxial", "--help"}));
+    const std::string help = testing::internal::GetCapturedStdout();
+    for (const char* part :
+         {"--edge LENGTH = 5.13mm", "[above 0 m and at most 1 km; m, mm, cm, um, km]", "--confining-pressure STRESS = 4MPa",
+          "--plane strain|stress = strain", "--damping NUMBER|none = 0.8", "-o,--output TEXT REQUIRED", "--frames N = 20",
+          "Options of graincrack-try:", "--config FILE", "--threads N", "Examples:\n  graincrack-try uniaxial a.h5 -o b.h5"}) {
+        EXPECT_NE(help.find(part), std::string::npos) << part << "\n" << help;
+    }
+    EXPECT_EQ(help.find("(Env:"), std::string::npos);
+
+    testing::internal::CaptureStdout();
+    EXPECT_FALSE(Tool().parse({"--help"}));
+    EXPECT_NE(testing::internal::GetCapturedStdout().find("triaxial"), std::string::npos);
+}
+
+TEST_F(CommandLine, VersionShowsLibraries) {
+    testing::internal::CaptureStdout();
+    EXPECT_FALSE(Tool().parse({"--version"}));
+    const std::string version = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(version.compare(0, 15, "graincrack-try "), 0) << version;
+    EXPECT_NE(version.find("HDF5 "), std::string::npos);
+    EXPECT_NE(version.find("\nCGAL 5.5.1\nCLI11 2"), std::string::npos);
+}
+
+TEST_F(CommandLine, AvailableProcessors) {
+    cpu_set_t before;
+    ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+    EXPECT_GE(available_processors(), 1);
+    EXPECT_LE(available_processors(), CPU_COUNT(&before));
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    for (int i = 0; i < CPU_SETSIZE; ++i) {
+        if (CPU_ISSET(i, &before) && CPU_COUNT(&one) == 0) CPU_SET(i, &one);
+    }
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    EXPECT_EQ(available_processors(), 1);
+    sched_setaffinity(0, sizeof before, &before);
+}
+
+}  // namespace
+}  // namespace graincrack

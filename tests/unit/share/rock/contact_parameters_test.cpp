@@ -1,0 +1,83 @@
+// Each row of the table of contact parameters is a key of materials and of their template, and is derived unless given.
+// Attributes of run files, options, comparisons and restarts are tested where they are, for each row too.
+#include "share/rock/contact_parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "share/base/error.hpp"
+#include "share/base/toml_keys.hpp"
+#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material_edit.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+/// A set in which each row has a value of its own.
+GivenContact different_values() {
+    GivenContact given;
+    double value = 0.5;
+    for (const ContactParameter& row : all_contact_parameters()) given.*row.given = value++;
+    return given;
+}
+
+TEST(ContactParameters, ARowIsAMemberOfItsOwnAKeyAndAnOption) {
+    std::set<std::string> names;
+    const GivenContact given = different_values();
+    const ContactParameters all = derived_contact(given, test::augig_granite().rock, PlaneCondition::strain);
+    const std::vector<std::string> keys = material_keys();
+    for (const ContactParameter& row : all_contact_parameters()) {
+        EXPECT_TRUE(names.insert(std::string(row.quantity.name)).second) << row.quantity.name;
+        EXPECT_EQ(all.*row.value, *(given.*row.given)) << row.quantity.name;
+        EXPECT_EQ(&contact_parameter(row.value), &row);
+        EXPECT_EQ(std::count(keys.begin(), keys.end(), "contact." + row.key()), 1) << row.key();
+    }
+    EXPECT_EQ(names.size() * sizeof(double), sizeof(ContactValues<double>)) << "a member without a row";
+    EXPECT_EQ(contact_parameter(&ContactParameters::residual_cohesion).key(), "residual_cohesion");
+    EXPECT_EQ(contact_parameter(&ContactParameters::residual_cohesion).option(), "--contact-residual-cohesion");
+    EXPECT_EQ(contact_parameter(&ContactParameters::mode_ii_fracture_energy).option(), "--mode-ii-fracture-energy");
+}
+
+TEST(ContactParameters, AnExampleOfTheTemplateIsWhatItsKeyMayHold) {
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const std::string set = material_template("marble", {{"contact." + row.key(), row.example}});
+        EXPECT_NE(set.find("\n" + row.key() + " = "), std::string::npos) << set;
+    }
+}
+
+TEST(ContactParameters, OnlyWhatFollowsThePlaneDependsOnIt) {
+    const Material granite = test::augig_granite();
+    const ContactParameters strain = derived_contact(granite.contact, granite.rock, PlaneCondition::strain);
+    const ContactParameters stress = derived_contact(granite.contact, granite.rock, PlaneCondition::stress);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const double difference = std::abs(strain.*row.value - stress.*row.value);
+        EXPECT_EQ(difference > 1e-12 * std::abs(strain.*row.value), row.follows_plane) << row.quantity.name;
+    }
+}
+
+TEST(ContactParameters, ATableOfAFileGivesSomeOfThemAndTheOthersStayThoseOfTheBase) {
+    const std::string table = "[pair]\ncohesion = '30 MPa'\nresidual_friction_angle = '20 deg'\n";
+    GivenContact given;
+    TomlKeys keys{"pairs.quartz-mica", contact_keys(given)};
+    for (const TomlEntry& entry : parse_toml(table, "stone.toml").entries) keys.read("stone.toml", entry);
+    EXPECT_EQ(given.cohesion, 30e6);
+    EXPECT_FALSE(given.tensile_strength);
+    const GivenContact all = overlay(given, different_values());
+    for (const ContactParameter& row : all_contact_parameters()) {
+        EXPECT_EQ(all.*row.given, given.*row.given ? given.*row.given : different_values().*row.given) << row.quantity.name;
+    }
+    const auto wrong = [&](const std::string& line) {
+        return [&keys, entry = parse_toml("\n" + line, "stone.toml").entries.front()] { keys.read("stone.toml", entry); };
+    };
+    test::expect_one_line<InputError>(wrong("cohesoin = 1"), {"stone.toml: line 2: unknown key pairs.quartz-mica.cohesoin "
+                                                              "(did you mean cohesion?); known are tensile_strength, cohesion,"});
+    test::expect_one_line<InputError>(wrong("cohesion = '3 mm'"), {"stone.toml: line 2: pairs.quartz-mica.cohesion: \"3 mm\""});
+}
+
+}  // namespace
+}  // namespace graincrack

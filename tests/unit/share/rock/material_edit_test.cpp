@@ -1,0 +1,92 @@
+// A material file with other values, its comments kept.
+#include "share/rock/material_edit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <tuple>
+
+#include "share/base/error.hpp"
+#include "share/rock/incomplete_material.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_one_line;
+
+class MaterialWith : public ::testing::Test {
+protected:
+    std::string file(const std::string& text) {
+        std::ofstream(path_) << text;
+        return path_;
+    }
+    test::TemporaryFolder folder_;
+    std::string path_ = folder_.file("stone.toml");
+};
+
+TEST_F(MaterialWith, ChangesItsLinesAndNoOthers) {
+    const std::string stone = file(
+        "# a stone\nname = \"stone\"\n[rock]\nyoung_modulus = 25.8e9  # bare\n\n[contact]  # grains\ncohesion = \"70 MPa\"\n"
+        "friction_angle = 0.5 # rad\n");
+    EXPECT_EQ(material_with(stone, {{"contact.cohesion", "71 MPa"}, {"rock.poisson_ratio", "0.2"}, {"name", "slate"}}),
+              "# a stone\nname = \"slate\"                          # was stone\n[rock]\n"
+              "young_modulus = 25.8e9  # bare\npoisson_ratio = 0.2                     # added\n\n[contact]  # grains\n"
+              "cohesion = \"71 MPa\"                     # was 70 MPa\nfriction_angle = 0.5 # rad\n");
+}
+
+TEST_F(MaterialWith, AddsTables) {
+    const std::string stone = file("name = \"stone\"\n");
+    const std::string changed = material_with(
+        stone, {{"laboratory.cohesion", "21 MPa"}, {"contact.cohesion", "7e7"}, {"contact.tensile_strength", "9 MPa"}});
+    const auto read = read_incomplete_material(file(changed));
+    EXPECT_EQ(read.values, (std::map<std::string, double>{
+                               {"contact.cohesion", 70e6}, {"contact.tensile_strength", 9e6}, {"laboratory.cohesion", 21e6}}));
+}
+
+TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
+    const std::string stone = file(
+        "name = \"stone\"\n[rock]\n# young_modulus = \"25.8 GPa\"              # E\n[laboratory]\n# young_modulus = \"25.8 "
+        "GPa\"\n# cohesion = 1 # "
+        "C\n");
+    EXPECT_EQ(material_with(stone, {{"laboratory.young_modulus", "49 GPa"}, {"rock.young_modulus", "50 GPa"}}),
+              "name = \"stone\"\n[rock]\nyoung_modulus = \"50 GPa\"                # E\n[laboratory]\nyoung_modulus = \"49 "
+              "GPa\"\n# cohesion = 1 # C\n");
+}
+
+TEST_F(MaterialWith, EntersValuesIntoATemplate) {
+    const std::string text = material_template("marble", {{"laboratory.cohesion", "23 MPa"}, {"rock.density", "2700"}});
+    const auto read = read_incomplete_material(file(text));
+    EXPECT_EQ(read.values, (std::map<std::string, double>{{"laboratory.cohesion", 23e6}, {"rock.density", 2700}}));
+    EXPECT_NE(text.find("\ndensity = 2700                          # hardly enters"), std::string::npos) << text;
+    EXPECT_EQ(text.find("# density = "), std::string::npos);
+    expect_one_line<UsageError>(
+        [] {
+            std::ignore = material_template("marble", {{"rock.colour", "white"}});
+        },
+        {"rock.colour: unknown key"});
+}
+
+TEST_F(MaterialWith, SaysWhatItCannotSet) {
+    const std::string stone = file("name = \"stone\"\ncontact = {cohesion = 1e6, friction_angle = 0.5}\n");
+    const auto with = [&](const std::string& key, const std::string& value) {
+        return [=] { std::ignore = material_with(stone, {{key, value}}); };
+    };
+    expect_one_line<UsageError>(with("contact.cohesoin", "1 MPa"),
+                                {"contact.cohesoin: unknown key", "did you mean contact.cohesion?"});
+    expect_one_line<UsageError>(with("rock.density", "1 MPa"), {"rock.density", "kg/m3"});
+    expect_one_line<UsageError>(with("name", "a \"b\""), {"name=a \"b\"", "without quotes"});
+    expect_one_line<InputError>(with("contact.cohesion", "2 MPa"), {"stone.toml: line 2", "contact.cohesion shares its line"});
+}
+
+TEST(MaterialKeys, HoldQuantities) {
+    EXPECT_EQ(material_quantity("rock.young_modulus").dimension, Dimension::stress);
+    EXPECT_EQ(material_quantity("laboratory.grain_size").dimension, Dimension::length);
+    expect_one_line<UsageError>([] { (void)material_quantity("rock.cohesion"); },
+                                {"rock.cohesion: unknown key", "contact.cohesion"});
+    expect_one_line<UsageError>([] { (void)material_quantity("name"); }, {"name: unknown key"});
+}
+
+}  // namespace
+}  // namespace graincrack

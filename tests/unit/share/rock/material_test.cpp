@@ -1,0 +1,331 @@
+#include "share/rock/material.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "share/base/error.hpp"
+#include "share/base/toml_file.hpp"
+#include "share/rock/incomplete_material.hpp"
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double degree = std::numbers::pi / 180;
+
+class MaterialFile : public testing::Test {
+protected:
+    void SetUp() override {
+        unsetenv("GRAINCRACK_MATERIALS");
+        folder = fs::temp_directory_path() / ("graincrack-material-" + std::to_string(getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override {
+        unsetenv("GRAINCRACK_MATERIALS");
+        fs::remove_all(folder);
+    }
+
+    fs::path write(const std::string& text, const std::string& name = "stone.toml") {
+        std::ofstream(folder / name) << text;
+        return folder / name;
+    }
+    /// The error message for a file with this text, without the file's name.
+    std::string complaint(const std::string& text) { return complaint_about(write(text).string()); }
+    std::string complaint_about(const std::string& name) {
+        try {
+            read_material(name);
+        } catch (const InputError& error) {
+            std::string message = error.what();
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            const std::string lead = name + ": ";
+            return message.compare(0, lead.size(), lead) == 0 ? message.substr(lead.size()) : message;
+        }
+        return "nothing wrong";
+    }
+
+    fs::path folder;
+    const std::string rock =
+        "[rock]\nyoung_modulus = 25.8e9\npoisson_ratio = 0.23\ndensity = 2650\nmode_i_toughness = '1.5MPa.m^0.5'\n"
+        "mode_ii_toughness = '3 MPa√m'\ntensile_strength = '8.8 MPa'\n";
+    const std::string contact = "[contact]\ntensile_strength = '24.15MPa'\ncohesion = '74.57 MPa'\nfriction_angle = '48.76deg'\n";
+    const std::string stone = "name = 'stone'\n" + rock + contact;
+};
+
+/// The template with all of its keys set.
+std::string filled_template() {
+    std::istringstream lines(material_template("marble"));
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_key = line.starts_with("# ") && line.find(" = ") != std::string::npos && line[2] >= 'a' && line[2] <= 'z';
+        text += (is_key ? line.substr(2) : line) + "\n";
+    }
+    return text;
+}
+
+TEST_F(MaterialFile, TheTemplateHasEveryKeyAndReadsOnceItIsFilled) {
+    const std::string as_it_is = complaint(material_template("marble"));
+    EXPECT_TRUE(as_it_is.starts_with("9 keys are missing: ")) << as_it_is;
+    const fs::path file = write(filled_template());
+    EXPECT_EQ(read_material(file.string()).name, "marble");
+    const TomlFile toml = read_toml(file.string());
+    std::vector<std::string> keys;
+    for (const TomlEntry& entry : toml.entries) {
+        if (!entry.section.empty()) keys.push_back(entry.section.front() + "." + entry.key);
+    }
+    EXPECT_EQ(keys, material_keys());
+    EXPECT_NE(material_template("marble").find("Zhang 2002"), std::string::npos);
+}
+
+TEST_F(MaterialFile, LaboratoryValuesAreEnoughForTheRockOfAProcessZone) {
+    const fs::path file = write(
+        "name = 'marble'\n[laboratory]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\n"
+        "tensile_strength = '6.88 MPa'\n");
+    std::vector<std::string> notes;
+    const Rock marble = rock_of_laboratory(read_incomplete_material(file.string()), notes);
+    EXPECT_EQ(marble.young_modulus, 49e9);
+    EXPECT_DOUBLE_EQ(marble.mode_i_toughness, 1e6);
+    EXPECT_DOUBLE_EQ(marble.mode_ii_toughness, 2e6);
+    EXPECT_EQ(notes.size(), 5U);
+    EXPECT_NE(notes[3].find("Zhang 2002"), std::string::npos) << notes[3];
+    notes.clear();
+    EXPECT_EQ(rock_of_laboratory(read_incomplete_material("augig-granite"), notes).mode_i_toughness, 1.5e6);
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(MaterialFile, AugigGraniteHasThePublishedNumbers) {
+    const Material granite = read_material("augig-granite");
+    EXPECT_EQ(granite.name, "Augig granite");
+    EXPECT_EQ(granite.rock.young_modulus, 25.8e9);
+    EXPECT_EQ(granite.rock.poisson_ratio, 0.23);
+    EXPECT_EQ(granite.rock.density, 2650);
+    EXPECT_EQ(granite.rock.mode_i_toughness, 1.5e6);
+    EXPECT_EQ(granite.rock.mode_ii_toughness, 3.0e6);
+    EXPECT_EQ(granite.rock.tensile_strength, 8.8e6);
+    EXPECT_EQ(granite.contact.tensile_strength, 24.15e6);
+    EXPECT_EQ(granite.contact.cohesion, 74.57e6);
+    EXPECT_DOUBLE_EQ(granite.contact.friction_angle.value_or(0), 48.76 * degree);
+    EXPECT_FALSE(granite.contact.normal_stiffness);
+    EXPECT_FALSE(granite.contact.fracture_energy);
+    EXPECT_DOUBLE_EQ(granite.platen_friction_angle, 5 * degree);
+    EXPECT_EQ(granite.laboratory.at("compressive_strength"), 122e6);
+    EXPECT_EQ(granite.laboratory.at("tensile_strength"), 8.8e6);
+    EXPECT_EQ(granite.laboratory.at("cohesion"), 21e6);
+    EXPECT_DOUBLE_EQ(granite.laboratory.at("friction_angle"), 53 * degree);
+    EXPECT_EQ(granite.laboratory.at("young_modulus"), 25.8e9);
+    EXPECT_EQ(granite.laboratory.at("poisson_ratio"), 0.23);
+    EXPECT_EQ(granite.laboratory.at("grain_size"), 0.004);
+}
+
+TEST_F(MaterialFile, EveryNumberOfAugigGraniteHasASource) {
+    std::ifstream file(GRAINCRACK_SOURCE "/share/materials/augig-granite.toml");
+    int numbers = 0;
+    for (std::string line; std::getline(file, line);) {
+        if (line.empty() || line[0] == '#' || line[0] == '[' || line.compare(0, 4, "name") == 0) continue;
+        ++numbers;
+        EXPECT_TRUE(line.find("# [KZ]") != std::string::npos || line.find("# ASSUMED") != std::string::npos) << line;
+    }
+    EXPECT_EQ(numbers, 19);
+}
+
+TEST_F(MaterialFile, ReadsSiNumbersUnitsAndOptionalKeys) {
+    const Material material = read_material(
+        write(stone + "normal_stiffness = '6e5MPa/mm'\nshear_stiffness = 6e13\nfracture_energy = '90J/m2'\n").string());
+    EXPECT_EQ(material.rock.young_modulus, 25.8e9);
+    EXPECT_EQ(material.rock.mode_ii_toughness, 3e6);
+    EXPECT_EQ(material.contact.normal_stiffness, 6e14);
+    EXPECT_EQ(material.contact.shear_stiffness, 6e13);
+    EXPECT_EQ(material.contact.fracture_energy, 90);
+    EXPECT_EQ(material.platen_friction_angle, 0);
+    EXPECT_TRUE(material.laboratory.empty());
+    EXPECT_EQ(material.file.filename(), "stone.toml");
+}
+
+TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
+    EXPECT_EQ(complaint(stone + "[rok]\n"),
+              "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, platen, laboratory, phases, pairs, "
+              "strength");
+    EXPECT_EQ(
+        complaint(stone + "cohesio = 3\n"),
+        "line 13: unknown key contact.cohesio (did you mean cohesion?); known are tensile_strength, cohesion, friction_angle, "
+        "normal_stiffness, shear_stiffness, fracture_energy, mode_ii_fracture_energy, open_shear_strength, "
+        "residual_tensile_strength, residual_cohesion, residual_friction_angle, law");
+    EXPECT_EQ(complaint("colour = 'red'\n" + stone), "line 1: unknown key colour; known outside of tables is only name");
+    EXPECT_EQ(complaint("name = 'x'\n" + contact +
+                        "[rock]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\ndensity = 2700\n"
+                        "mode_i_toughness = 1e6\n"),
+              "2 keys are missing: rock.mode_ii_toughness (fracture toughness K_IIC of the rock, in Pa.m^0.5), "
+              "rock.tensile_strength (tensile strength of the rock, in Pa); graincrack-post material init writes a template with "
+              "every key");
+    EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
+              "contact.friction_angle is missing; it is the friction angle phi_c of a contact, in rad");
+    EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
+    EXPECT_NE(complaint(stone + "[platen]\nfriction_angle = '5 MPa'\n")
+                  .find("line 14: platen.friction_angle: \"5 MPa\" has the unit of a stress"),
+              std::string::npos);
+    EXPECT_NE(complaint(stone + "fracture_energy = -1\n").find("contact.fracture_energy: \"-1\" is out of bounds"),
+              std::string::npos);
+    EXPECT_NE(complaint(stone + "fracture_energy = nan\n").find("is not a finite number"), std::string::npos);
+    EXPECT_NE(complaint(stone + "fracture_energy = [1, 2]\n").find("an array is no quantity"), std::string::npos);
+    EXPECT_NE(complaint(stone + "fracture_energy = true\n").find("true is no quantity"), std::string::npos);
+    EXPECT_NE(complaint(stone + "fracture_energy = 1979-05-27\n").find("is a date or time"), std::string::npos);
+    EXPECT_NE(complaint("name = 'x\n").find("line 1: not TOML"), std::string::npos);
+    EXPECT_NE(complaint(stone + "cohesion = 3\n").find("line 13: not TOML"), std::string::npos);  // given twice
+    EXPECT_NE(complaint(stone + "[rock.deep]\n").find("unknown table [rock.deep]"), std::string::npos);
+    EXPECT_NE(complaint_about((folder / "none.toml").string()).find("cannot be read (No such file"), std::string::npos);
+    EXPECT_NE(complaint_about(folder.string()).find("cannot be read"), std::string::npos);
+}
+
+TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
+    const std::string units = "name = 'stone'\n" + rock + contact;
+    const Material plain = read_material(write(std::string(units).replace(units.find("25.8e9"), 6, "'25.8 GPa'")).string());
+    EXPECT_TRUE(plain.notes.empty()) << plain.notes.front();
+    const std::string file = write(std::string(units).replace(units.find("'24.15MPa'"), 10, "24.15")).string();
+    const std::vector<std::string> notes = read_material(file).notes;
+    ASSERT_EQ(notes.size(), 3U);
+    EXPECT_EQ(notes[0],
+              "note: " + file + ": line 3: rock.young_modulus: 25800000000 has no unit and was taken for 25800000000 Pa");
+    EXPECT_EQ(notes[1], "note: " + file + ": line 10: contact.tensile_strength: 24.15 has no unit and was taken for 24.15 Pa");
+    EXPECT_EQ(notes[2], "warning: " + file +
+                            ": line 10: contact.tensile_strength: 24.15 Pa is more than 1000 times below any "
+                            "rock's; is its unit right?");
+    for (const char* name : {"augig-granite", "lac-du-bonnet-granite"}) {
+        EXPECT_TRUE(read_material(name).notes.empty()) << name;
+    }
+}
+
+TEST_F(MaterialFile, LooksNamesUp) {
+    write(stone, "own-stone.toml");
+    setenv("GRAINCRACK_MATERIALS", folder.c_str(), 1);
+    EXPECT_EQ(read_material("own-stone").name, "stone");
+    EXPECT_EQ(read_material("augig-granite").name, "Augig granite");
+    write("name = 'mine'\n" + rock + contact, "augig-granite.toml");
+    EXPECT_EQ(read_material("augig-granite").name, "mine");  // the folder that the environment variable names comes first
+
+    const std::string message = complaint_about("augig-granit");
+    EXPECT_NE(message.find("not found (did you mean augig-granite?)"), std::string::npos) << message;
+    EXPECT_NE(message.find("known are augig-granite, augig-granite-calibrated, lac-du-bonnet-granite, own-stone"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("looked in " + folder.string() + ", "), std::string::npos) << message;
+    EXPECT_NE(message.find("share/graincrack/materials)"), std::string::npos) << message;
+    EXPECT_NE(complaint_about("").find("no material given"), std::string::npos);
+}
+
+TEST_F(MaterialFile, ContactParametersOfAugigGranite) {
+    const Material granite = read_material("augig-granite");
+    const FractureEnergyChoice mixed{FractureEnergyChoice::Kind::mixed, 0};
+    const ContactParameters p = contact_parameters(granite, PlaneCondition::strain, mixed);
+    EXPECT_NEAR(p.normal_stiffness / 1e9, 6.87e5, 0.005e5);
+    EXPECT_NEAR(p.shear_stiffness / 1e9, 6.98e4, 0.005e4);
+    EXPECT_NEAR(p.fracture_energy, 412.97965, 5e-6);
+    EXPECT_NEAR(p.critical_opening, std::numbers::e * 24.15e6 / p.normal_stiffness, 1e-18);
+    EXPECT_NEAR(p.critical_sliding, 2.9025e-6, 5e-11);
+    EXPECT_NEAR(fpz::fracture_energy(p.tensile_strength, p.critical_opening, p.ultimate_opening), p.fracture_energy, 1e-9);
+
+    const ContactParameters usual = contact_parameters(granite, PlaneCondition::stress, std::nullopt);
+    EXPECT_NEAR(usual.fracture_energy, 87.2, 0.05);  // the default is mode I
+    const ContactParameters given =
+        contact_parameters(granite, PlaneCondition::stress, FractureEnergyChoice{FractureEnergyChoice::Kind::value, 90});
+    EXPECT_EQ(given.fracture_energy, 90);
+    const double least = fpz::fracture_energy(p.tensile_strength, p.critical_opening, p.critical_opening);
+    const auto with = [&](double Gf) {
+        const FractureEnergyChoice choice{FractureEnergyChoice::Kind::value, Gf};
+        return contact_parameters(granite, PlaneCondition::strain, choice).ultimate_opening;
+    };
+    EXPECT_GE(with(least * 1.000001), p.critical_opening);
+    EXPECT_LT(with(least * 0.999999), p.critical_opening);
+}
+
+TEST_F(MaterialFile, OwnValuesWinOverDerivedOnesAndAChoiceOverTheFile) {
+    Material granite = read_material("augig-granite");
+    granite.contact.normal_stiffness = 5e14;
+    granite.contact.shear_stiffness = 4e13;
+    granite.contact.fracture_energy = 60;
+    const ContactParameters p = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
+    EXPECT_EQ(p.normal_stiffness, 5e14);
+    EXPECT_EQ(p.shear_stiffness, 4e13);
+    EXPECT_EQ(p.fracture_energy, 60);
+    EXPECT_EQ(effective_fracture_energy(granite, std::nullopt).kind, FractureEnergyChoice::Kind::value);
+    const FractureEnergyChoice mode_i{FractureEnergyChoice::Kind::mode_i, 0};
+    EXPECT_NEAR(contact_parameters(granite, PlaneCondition::strain, mode_i).fracture_energy, 82.6, 0.05);
+}
+
+TEST_F(MaterialFile, ParametersOfSingleLaws) {
+    Material granite = read_material("augig-granite");
+    const ContactParameters derived = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
+    EXPECT_NEAR(derived.mode_ii_fracture_energy, 330.4, 0.05);  // 9 MPa² m (1 − 0.23²)/25.8 GPa
+    EXPECT_NEAR(derived.mode_ii_fracture_energy,
+                fpz::mixed_mode_fracture_energy(granite.rock, PlaneCondition::strain) -
+                    fpz::mode_i_fracture_energy(granite.rock, PlaneCondition::strain),
+                1e-10);
+    EXPECT_EQ(derived.residual_tensile_strength, 0);
+    EXPECT_EQ(derived.residual_cohesion, 0);
+    EXPECT_EQ(derived.residual_friction_angle, derived.friction_angle);
+    granite = read_material(write(stone + "mode_ii_fracture_energy = '300J/m2'\nresidual_tensile_strength = '1MPa'\n"
+                                          "residual_cohesion = '2MPa'\nresidual_friction_angle = '30deg'\n")
+                                .string());
+    const ContactParameters given = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
+    EXPECT_EQ(given.mode_ii_fracture_energy, 300);
+    EXPECT_EQ(given.residual_tensile_strength, 1e6);
+    EXPECT_EQ(given.residual_cohesion, 2e6);
+    EXPECT_DOUBLE_EQ(given.residual_friction_angle, 30 * degree);
+}
+
+TEST(FractureEnergyOption, WordsAndValues) {
+    using Kind = FractureEnergyChoice::Kind;
+    EXPECT_EQ(parse_fracture_energy("mixed", "--fracture-energy").kind, Kind::mixed);
+    EXPECT_EQ(parse_fracture_energy("mode-i", "--fracture-energy").kind, Kind::mode_i);
+    const auto given = parse_fracture_energy("90J/m2", "--fracture-energy");
+    EXPECT_EQ(given.kind, Kind::value);
+    EXPECT_EQ(given.value, 90);
+    for (const char* text : {"mode-ii", "", "90MPa", "-3", "0", "nan", "Mixed"}) {
+        EXPECT_THROW(parse_fracture_energy(text, "--fracture-energy"), UsageError) << text;
+    }
+    EXPECT_EQ(name_of(Kind::mode_i), "mode-i");
+}
+
+TEST(TomlFileText, DeepKeysAreRefusedBeforeTheyAreParsed) {
+    const auto chain = [](std::size_t n, const std::string& part) {
+        std::string key = part;
+        for (std::size_t i = 1; i < n; ++i) key += "." + part;
+        return key;
+    };
+    for (const std::string part : {"a", "'a,='", "\"a\\\"[\""}) {
+        test::expect_one_line<InputError>([&] { parse_toml("x = 1\n" + chain(1000000, part) + " = 1\n", "deep.toml"); },
+                                          {"deep.toml", "line 2", "dots"});
+        test::expect_one_line<InputError>([&] { parse_toml("[" + chain(1000, part) + "]\n", "deep.toml"); }, {"line 1", "dots"});
+    }
+    std::string tables = "x = ";
+    for (int i = 0; i < 150; ++i) tables += "{a.b.c = ";
+    test::expect_one_line<InputError>([&] { parse_toml(tables + "1" + std::string(150, '}'), "deep.toml"); }, {"nested deeper"});
+    std::string numbers = "x = [0.1";
+    for (int i = 0; i < 1000; ++i) numbers += ", 0.1";
+    EXPECT_EQ(parse_toml(numbers + "]\ntext = '" + std::string(1000, '.') + "'\n", "flat.toml").entries.size(), 2U);
+}
+
+TEST(TomlFileText, IsFlattenedInTheOrderOfLines) {
+    const TomlFile toml = parse_toml("b = 1\na = [1.5, 'x', true]\n[s.t]\nk = 'v'\n[empty]\n", "f.toml");
+    ASSERT_EQ(toml.entries.size(), 3U);
+    EXPECT_EQ(toml.entries[0].key, "b");
+    EXPECT_EQ(toml.entries[0].values.front().text, "1");
+    EXPECT_TRUE(toml.entries[1].is_array);
+    EXPECT_EQ(toml.entries[1].values.size(), 3U);
+    EXPECT_EQ(toml.entries[1].values[0].text, "1.5");
+    EXPECT_EQ(toml.entries[2].section, (std::vector<std::string>{"s", "t"}));
+    EXPECT_EQ(toml.entries[2].line, 4);
+    ASSERT_EQ(toml.sections.size(), 3U);
+    EXPECT_THROW(parse_toml("a = [[1]]\n", "f.toml"), InputError);
+    EXPECT_THROW(parse_toml("[[a]]\nb = 1\n", "f.toml"), InputError);
+    EXPECT_EQ(nearest_word("confning-pressure", {"edge", "confining-pressure"}), "confining-pressure");
+    EXPECT_EQ(nearest_word("colour", {"edge", "spread"}), "");
+}
+
+}  // namespace
+}  // namespace graincrack

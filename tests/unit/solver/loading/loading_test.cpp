@@ -1,0 +1,344 @@
+// The standard tests as programs: their stages, platens and rows.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "share/base/error.hpp"
+#include "solver/loading/program_file.hpp"
+#include "solver/loading/program_text.hpp"
+#include "solver/loading/stage_control.hpp"
+#include "solver/loading/standard_tests.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+Specimen specimen() { return test::one_diagonal_grid(4, 8, 0.04, 0.08); }
+const double transit = 0.08 / std::sqrt(25.8e9 / 2650);  // of a bar wave
+
+/// A test that is told what its specimen answers.
+class Led {
+public:
+    explicit Led(const LoadingRequest& request, double peak_drop = 0.3)
+        : program(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)),
+          stages(program, specimen(), test::augig_granite().rock) {}
+    void row(double at, double stress = 0, double unbalanced = 1, const RateMeasures& rate = {}, double cracks = 0) {
+        for (auto& column : history.columns) {
+            column.push_back(0);
+        }
+        history[HistoryColumn::time].back() = at;
+        history[HistoryColumn::energy_damping].back() = damping;
+        history[HistoryColumn::axial_stress].back() = stress;
+        history[HistoryColumn::unbalanced_ratio].back() = unbalanced;
+        history[HistoryColumn::tensile_cracks].back() = cracks;
+        const std::function<double(const std::string&, std::size_t)> none = [](const std::string&, std::size_t) { return 0.0; };
+        const StageFeedback feedback{at, history, none, rate};
+        history.size() == 1 ? stages.begin(feedback) : stages.check_stage_end(feedback);
+    }
+    [[nodiscard]] double pressure(double time) const { return stages.values(time).front(); }
+    [[nodiscard]] bool is_isotropic() const { return stages.records().empty(); }
+
+    Program program;
+    StageController stages;
+    History history;
+    double damping = 1;  ///< energy that it has absorbed, J
+};
+
+TEST(StandardTest, WithoutDampingAFallOutlastsAWave) {
+    const auto ends_after = [](double damping, double transits) {
+        Led led(LoadingRequest{});
+        led.damping = damping;
+        led.row(0);
+        led.row(transit, -100e6, 1, {}, 5);
+        const double begin = 1.25 * transit;
+        for (double time = begin; time <= begin + transits * transit; time += 0.25 * transit) {
+            if (!led.stages.finished()) led.row(time, -50e6, 1, {}, 5);
+        }
+        return led.stages.finished();
+    };
+    EXPECT_TRUE(ends_after(1, 0));
+    EXPECT_FALSE(ends_after(0, 1.5));
+    EXPECT_TRUE(ends_after(0, 2.5));
+}
+
+TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
+    LoadingRequest request;
+    request.platen_speed = 5e-3;
+    Led led(request);
+    EXPECT_EQ(led.program.order, std::vector<std::string>{axial_stage});
+    const double dt = 0.25 * transit;
+    double speed = 0;
+    for (int i = 0; i < 80; ++i) {
+        led.row(i * dt);
+        const IntervalLoading b = led.stages.next(dt);
+        EXPECT_EQ(b.velocity_begin[bottom_platen], speed);  // no jump between intervals
+        EXPECT_EQ(b.velocity_begin[top_platen], -speed);
+        EXPECT_GE(b.velocity_end[bottom_platen], speed);
+        EXPECT_EQ(b.velocity_end[top_platen], -b.velocity_end[bottom_platen]);
+        speed = b.velocity_end[bottom_platen];
+        EXPECT_EQ(led.stages.platens().speed(), speed);
+        if ((i + 1) * dt >= 10 * transit) {
+            EXPECT_EQ(speed, 5e-3);
+        } else {
+            EXPECT_LT(speed, 5e-3);
+        }
+    }
+}
+
+TEST(StandardTest, TensionPulls) {
+    LoadingRequest request;
+    request.test = TestKind::tension;
+    Led led(request);
+    led.row(0);
+    const IntervalLoading b = led.stages.next(transit);
+    EXPECT_LT(b.velocity_end[bottom_platen], 0);
+    EXPECT_GT(b.velocity_end[top_platen], 0);
+}
+
+TEST(StandardTest, PressureFirstThenPlatens) {
+    LoadingRequest request;
+    request.test = TestKind::triaxial;
+    request.confining_pressure = 4e6;
+    Led led(request);
+    const double dt = transit;
+    double time = 0;
+    double pressure = 0;
+    led.row(0);
+    for (int i = 0; i < 10000 && led.is_isotropic(); ++i) {
+        static_cast<void>(led.stages.next(dt));
+        time += dt;
+        EXPECT_GE(led.pressure(time), pressure);
+        EXPECT_LE(led.pressure(time), 4e6);
+        pressure = led.pressure(time);
+        led.row(time, -pressure, 1e-4);  // a specimen that follows at once
+    }
+    EXPECT_FALSE(led.is_isotropic());
+    EXPECT_EQ(led.stages.records()[0].ended_by, "rest");
+    EXPECT_EQ(pressure, 4e6);
+    EXPECT_GT(time, 10 * transit);
+    for (int i = 0; i < 30; ++i) {
+        static_cast<void>(led.stages.next(dt));
+        time += dt;
+        led.row(time, -5e6, 1);
+        EXPECT_EQ(led.pressure(time), 4e6);
+    }
+    EXPECT_EQ(led.stages.platens().speed(), request.platen_speed);
+}
+
+// At rest is a specimen that bears what it should: a low unbalanced ratio alone is none where the servo has not arrived.
+TEST(StandardTest, TheIsotropicStageWaitsForTheServo) {
+    LoadingRequest request;
+    request.test = TestKind::triaxial;
+    request.confining_pressure = 4e6;
+    Led led(request);
+    led.row(0);
+    const auto go = [&](double from, double to, double stress) {
+        for (double time = from; time < to; time += transit) {
+            static_cast<void>(led.stages.next(transit));
+            led.row(time + transit, stress, 1e-5);
+        }
+    };
+    go(0, 150 * transit, -3.98e6);  // 0.5 % too low
+    EXPECT_TRUE(led.is_isotropic());
+    go(150 * transit, 180 * transit, -4e6);
+    EXPECT_FALSE(led.is_isotropic());
+}
+
+TEST(StandardTest, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
+    for (const TestKind test : {TestKind::uniaxial, TestKind::tension}) {
+        LoadingRequest request;
+        request.test = test;
+        request.rate = RateKind::automatic;
+        Led led(request);
+        const double sense = test == TestKind::tension ? -1 : 1;
+        const double time_step = 1e-7;
+        double time = 0;
+        double travel = 0;
+        for (int i = 0; i < 50; ++i) {
+            led.row(time, 0, 0, {.stored_energy = 100});
+            const std::int64_t steps = led.stages.interval_steps(time_step);
+            EXPECT_GE(steps, 20);
+            EXPECT_LE(static_cast<double>(steps) * time_step, 0.5 * transit);
+            const double duration = static_cast<double>(steps) * time_step;
+            const IntervalLoading b = led.stages.next(duration);
+            EXPECT_GT(sense * b.velocity_end[bottom_platen], 0);
+            EXPECT_EQ(b.velocity_end[top_platen], -b.velocity_end[bottom_platen]);
+            travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * duration;
+            time += duration;
+        }
+        expect_close(led.stages.platens().mean_speed(time), sense * travel / time, 1e-12, std::abs(travel / time));
+    }
+}
+
+TEST(StandardTest, BlocksRestBetweenThem) {
+    LoadingRequest request;
+    request.rate = RateKind::blocks;
+    request.block_steps = 100;
+    Led led(request);
+    EXPECT_EQ(std::get<LoadingBlocks>(*led.program.stages.back().platens).rest, default_rest_tolerance);
+    led.row(0);
+    EXPECT_EQ(led.stages.interval_steps(1e-7), 20);
+    double time = 0;
+    const auto next = [&](double unbalanced) {
+        led.row(time += 2e-6, 0, unbalanced);
+        return led.stages.next(2e-6);
+    };
+    for (int block = 0; block < 3; ++block) {
+        double travel = 0;
+        for (int part = 0; part < 5; ++part) {
+            const IntervalLoading b = next(part == 0 ? 1e-5 : 1.0);
+            travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * 2e-6;
+        }
+        expect_close(travel, 4 * 2e-6 * request.platen_speed, 1e-12, travel);  // one part of five is start and stop
+        EXPECT_EQ(next(1.0).velocity_end[bottom_platen], 0);
+    }
+}
+
+TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
+    const auto longest = [](const LoadingRequest& request) { return Led(request).stages.longest(1e-7).time; };
+    LoadingRequest request;
+    request.max_strain = 0.01;
+    const double travel = 0.5 * 0.01 * 0.08;
+    expect_close(longest(request), 10 * transit + travel / 5e-3, 1e-12, 1);  // the platens speed up over ten transits
+    request.rate = RateKind::blocks;
+    expect_close(longest(request), travel / (0.8 * 5e-3), 1e-12, 1);
+    request.rate = RateKind::automatic;
+    request.rate_tolerance = 1e-3;
+    const double slow = longest(request);
+    request.rate_tolerance = 2e-3;
+    expect_close(slow, 2 * longest(request), 1e-3, slow);
+    EXPECT_GT(Led(request).stages.longest(1e-7).rows, 8000U);
+}
+
+TEST(StandardTest, GivesUpOnASpecimenThatDoesNotSettle) {
+    LoadingRequest request;
+    request.test = TestKind::triaxial;
+    request.confining_pressure = 4e6;
+    Led led(request);
+    led.row(0);
+    test::expect_one_line<NumericalError>(
+        [&] {
+            for (int i = 1; i < 100000; ++i) {
+                static_cast<void>(led.stages.next(transit));
+                led.row(i * transit, -1e6, 1);
+            }
+        },
+        {"triaxial", "stage isotropic", "ended by time, not by rest", "--damping"});
+}
+
+TEST(StandardTest, EndsBehindThePeakOfACrackedSpecimen) {
+    Led led(LoadingRequest{});
+    led.row(0);
+    led.row(1e-5, -10e6);
+    led.row(2e-5, -1e6);  // nothing has failed: what swings is no peak
+    EXPECT_FALSE(led.stages.finished());
+    led.row(3e-5, -100e6, 1, {}, 1);
+    led.row(4e-5, -71e6, 1, {}, 1);
+    EXPECT_FALSE(led.stages.finished());
+    led.row(5e-5, -69e6, 1, {}, 1);
+    EXPECT_TRUE(led.stages.finished());
+    EXPECT_EQ(led.stages.records().back().ended_by, "peak_drop");
+}
+
+TEST(StandardTest, WithoutADropItGoesOn) {
+    Led led(LoadingRequest{}, 0);
+    led.row(0);
+    led.row(1e-5, -100e6, 1, {}, 1);
+    led.row(2e-5, 0, 1, {}, 1);
+    EXPECT_FALSE(led.stages.finished());
+    EXPECT_EQ(program_text(parse_program(program_text(led.program), "again.toml")), program_text(led.program));
+}
+
+TEST(StandardTest, SupportsOfTheTests) {
+    const Specimen s = specimen();
+    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
+    const ContactParameters contact = test::augig_contact();
+    LoadingRequest request;
+    request.platen_friction = 5 * test::degree;
+    const Boundary uniaxial = test::boundary_of_test(a, s, request, contact);
+    EXPECT_TRUE(uniaxial.prescribed.empty());
+    EXPECT_EQ(uniaxial.platens[top_platen].position, 0.04);
+    EXPECT_EQ(uniaxial.platens[bottom_platen].side, -1);
+    EXPECT_EQ(uniaxial.platens[top_platen].normal_stiffness, contact.normal_stiffness);
+    expect_close(uniaxial.platens[top_platen].tan_friction, 0.0874887, 1e-6, 1);  // tan 5°
+    EXPECT_FALSE(uniaxial.platens[top_platen].bonded);
+    request.confining_pressure = 4e6;
+    const Boundary triaxial = test::boundary_of_test(a, s, request, contact);
+    ASSERT_EQ(triaxial.prescribed.edges.size(), 16U);
+    for (const LoadedEdge& edge : triaxial.prescribed.edges) {
+        expect_close(std::abs(a.position[edge.nodes[0]].x), 0.02, 1e-12, 0.02);
+        EXPECT_GT((a.position[edge.nodes[1]].y - a.position[edge.nodes[0]].y) * a.position[edge.nodes[0]].x,
+                  0);  // solid on the left
+    }
+    request = {};
+    request.test = TestKind::tension;
+    const Boundary tension = test::boundary_of_test(a, s, request, contact);
+    EXPECT_TRUE(tension.platens[top_platen].bonded);
+    EXPECT_EQ(tension.platens[top_platen].shear_stiffness, 0);
+    EXPECT_EQ(name_of(TestKind::brazilian), "brazilian");
+}
+
+// Written as a file and read again, a test is the same program to the last digit.
+TEST(ProgramText, ReadAgainItIsTheSameProgram) {
+    for (const TestKind test : {TestKind::uniaxial, TestKind::triaxial, TestKind::tension}) {
+        for (const RateKind rate : {RateKind::fixed, RateKind::automatic, RateKind::blocks}) {
+            LoadingRequest request;
+            request.test = test;
+            request.rate = rate;
+            request.platen_speed = 1.0 / 300;
+            request.confining_pressure = test == TestKind::triaxial ? 1e7 / 3 : 0;
+            const Program program = standard_test(request, 0.3, specimen(), test::augig_granite().rock);
+            const std::string text = program_text(program);
+            const Program again = parse_program(text, "again.toml");
+            EXPECT_EQ(program_text(again), text);
+            EXPECT_EQ(again.order, program.order);
+            EXPECT_EQ(again.platens->bonded, test == TestKind::tension);
+        }
+    }
+    const std::string everything = R"(name = "a \"b\""
+stages = ["s 1", "s 2"]
+damping = "none"
+gravity = [0.0, -9.81]
+row_every = 1e-06
+
+[platens]
+bonded = true
+max_strain = 0.02
+
+[boundary.a]
+on = ["left", "right"]
+box = [-0.001, 0.001, 0.0, 0.004]
+velocity_x = "free"
+
+[probe.p]
+point = [0.001, 0.0]
+
+[probe.c]
+circle = [0.0, 0.0, 0.005]
+
+[initial.0]
+on = ["top"]
+velocity = [0.001, 0.0]
+
+[stage."s 1"]
+a.velocity_x = { sine = 1.0, frequency = 1000.0, phase = 0.5, cycles = 2.0 }
+a.pressure = { times = [0.0, 0.001], values = [0.0, 1000000.0] }
+platen_pressure = "keep"
+until = { time = 0.003, rest = 0.001, axial_stress = -2000000.0, c.stress_yy = -1000000.0 }
+must_end_by = "rest"
+
+[stage."s 2"]
+a.traction_y = { ricker = 1000.0, frequency = 10000.0, at = 0.0002 }
+a.pressure = { pulse = 1000000.0, over = 1e-05 }
+platen_speed = 0.001
+until = { peak_drop = 0.2 }
+)";
+    EXPECT_EQ(program_text(parse_program(everything, "everything.toml")), everything);
+}
+
+}  // namespace
+}  // namespace graincrack

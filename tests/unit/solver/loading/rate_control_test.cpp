@@ -1,0 +1,165 @@
+// The automatic rate and loading in blocks: measures in, speed out.
+#include "solver/loading/rate_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "share/base/error.hpp"
+#include "solver/loading/block_control.hpp"
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+constexpr double tolerance = 5e-3;
+constexpr RateScales scales{0.16, 5e-5, 3e-4, 10};
+constexpr double wave_speed = 0.16 / 5e-5;
+constexpr double duration = 0.25 * scales.transit_time;
+
+/// An elastic bar of unit mass and modulus between the platens, without ringing: K = m v²/6, U = ½ E ε² V with c² = E V/m.
+class Bar {
+public:
+    explicit Bar(double near_failure, double tolerance_of_control = tolerance, double share = 1)
+        : control_(tolerance_of_control, scales, share), near_failure_(near_failure) {}
+    /// Speed after further intervals.
+    double speed_after(int intervals) {
+        for (int i = 0; i < intervals; ++i) {
+            const double stored = 0.5 * mass * wave_speed * wave_speed * strain_ * strain_;
+            speed_ = control_.next(
+                {strain_, mass * speed_ * speed_ / 6, stored, unbalanced_ratio, difference, damping_load, near_failure_},
+                duration);
+            strain_ += 2 * speed_ * duration / scales.height;
+        }
+        return speed_;
+    }
+    [[nodiscard]] double strain() const { return strain_; }
+    double unbalanced_ratio = 0;
+    double difference = 0;
+    double damping_load = 0;
+
+private:
+    // With this mass the bar stores `least_energy` at `least_strain`.
+    static constexpr double mass = 2 * scales.min_energy / (wave_speed * wave_speed * scales.min_strain * scales.min_strain);
+    RateControl control_;
+    double near_failure_;
+    double speed_ = 0;
+    double strain_ = 0;
+};
+
+TEST(RateControl, NearDamageTheLoadRisesByTheToleranceInATransit) {
+    Bar bar(1.0);
+    // The speed follows the strain, which grows e-fold in 1/T = 200 transits, with a lag of 4 + 1 transits: 2.5 % below.
+    const double speed = bar.speed_after(4 * 400);
+    expect_close(2 * speed / (wave_speed * bar.strain()), tolerance, 0.03, tolerance);
+}
+
+TEST(RateControl, HalfTheToleranceIsHalfTheSpeed) {
+    Bar whole(1.0);
+    Bar half(1.0, tolerance / 2);
+    const double speed = whole.speed_after(4 * 400) / whole.strain();
+    expect_close(half.speed_after(4 * 800) / half.strain(), speed / 2, 0.02, speed / 2);  // lags as above, 2.5 % and 1.3 %
+}
+
+TEST(RateControl, HalfTheShareIsHalfTheSpeedNearDamageAndFarFromIt) {
+    const RateControl whole(tolerance, scales);
+    const RateControl half(tolerance, scales, 0.5);
+    EXPECT_EQ(half.max_speed(1e-3, 0), whole.max_speed(1e-3, 0) / 2);
+    EXPECT_EQ(half.max_speed(1e-3, 1), whole.max_speed(1e-3, 1) / 2);
+    for (const double near_failure : {0.0, 1.0}) {
+        const double allowed = whole.allowed(near_failure);
+        EXPECT_EQ(half.allowed(near_failure), allowed / 2);
+        EXPECT_EQ(half.min_speed(1e-3, allowed / 2), whole.min_speed(1e-3, allowed) / 2);
+    }
+    Bar faster(1.0);
+    Bar slower(1.0, tolerance, 0.5);
+    const double speed = faster.speed_after(4 * 400) / faster.strain();
+    expect_close(slower.speed_after(4 * 800) / slower.strain(), speed / 2, 0.02, speed / 2);  // lags as above
+}
+
+TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
+    const RateControl control(tolerance, scales);
+    Bar far(0);
+    Bar near(1.0);
+    EXPECT_GT(far.speed_after(400), 3 * near.speed_after(400));
+    const double speed = far.speed_after(400);
+    EXPECT_LE(speed, control.max_speed(far.strain(), 0));
+    // 0.1 is kinetic over stored energy of 1e-3; once contacts are near failure, first peaks ask for less (equilibrium.md).
+    EXPECT_LE(control.max_speed(1e-3, 0) * 2 * scales.transit_time / scales.height, 0.1 * 1e-3);
+    expect_close(control.max_speed(1e-3, 0.1) * 2 * scales.transit_time / scales.height, 0.015e-3, 1e-12, 1e-5);
+    EXPECT_EQ(control.max_speed(1e-3, 1), control.max_speed(1e-3, 0.1));
+    EXPECT_GT(control.allowed(0), 10 * tolerance);
+    EXPECT_LE(control.allowed(0) * control.allowed(0) / 12, 1e-3);  // kinetic over stored energy (quasi-static, as tests ask)
+    EXPECT_EQ(control.allowed(1), tolerance);
+}
+
+TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
+    for (double Bar::*const measure : {&Bar::unbalanced_ratio, &Bar::difference, &Bar::damping_load}) {
+        Bar bar(1.0);
+        const double before = bar.speed_after(1000);
+        bar.*measure = 20 * tolerance;
+        double last = before;
+        for (int i = 0; i < 40; ++i) {
+            const double speed = bar.speed_after(1);
+            EXPECT_GE(speed, last * std::exp(-duration / (3.9 * scales.transit_time)));  // e-fold in four transits
+            last = speed;
+        }
+        EXPECT_LT(bar.speed_after(100), 0.1 * before);
+        const RateControl control(tolerance, scales);
+        expect_close(bar.speed_after(1), control.min_speed(bar.strain(), tolerance), 1e-3, last);
+    }
+}
+
+TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
+    RateControl turning(tolerance, scales);
+    RateControl resting(tolerance, scales);
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_EQ(turning.next({1e-4, -1e-3, 1, 0, 0, 0, 1}, duration), resting.next({1e-4, 0, 1, 0, 0, 0, 1}, duration));
+    }
+}
+
+TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
+    RateControl control(tolerance, scales);
+    double speed = 0;
+    for (int i = 0; i < 2000; ++i) {
+        speed = control.next({1e-3, 0, 100, 0, 0, 0, i == 0 ? 1.0 : 0.0}, duration);
+    }
+    RateControl never_near(tolerance, scales);
+    double free_speed = 0;
+    for (int i = 0; i < 10; ++i) {
+        free_speed = never_near.next({1e-3, 0, 100, 0, 0, 0, 0}, duration);
+    }
+    EXPECT_EQ(speed, control.max_speed(1e-3, 1));  // nothing moves: no measure holds it
+    EXPECT_GT(free_speed, 5 * control.min_speed(1e-3, tolerance));
+    RateControl started(tolerance, scales);
+    EXPECT_EQ(started.next({1e-3, 0, 100, 0, 0, 0, 1}, duration), control.min_speed(1e-3, tolerance));
+    EXPECT_LT(started.next({1e-3, 0, 100, 0, 0, 0, 0}, duration), 1.1 * control.min_speed(1e-3, tolerance));
+}
+
+TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
+    BlockControl control(2.0, 1e-4, 10.0);
+    for (int block = 0; block < 3; ++block) {
+        for (int part = 0; part < parts_of_block - 1; ++part) {
+            EXPECT_EQ(control.next(part == 0 ? 1e-5 : 0.5, 1.0), 2.0);
+        }
+        for (int interval = 0; interval < 5; ++interval) {
+            EXPECT_EQ(control.next(0.5, 1.0), 0.0);
+        }
+    }
+}
+
+TEST(BlockControl, GivesUpOnASpecimenThatDoesNotComeToRest) {
+    BlockControl control(2.0, 1e-4, 10.0);
+    test::expect_one_line<NumericalError>(
+        [&] {
+            for (int i = 0; i < 100; ++i) {
+                static_cast<void>(control.next(0.5, 1.0));
+            }
+        },
+        {"no equilibrium", "--rate-tolerance"});
+}
+
+}  // namespace
+}  // namespace graincrack

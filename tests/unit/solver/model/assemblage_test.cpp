@@ -1,0 +1,212 @@
+// The specimen as the kernels see it.
+#include "solver/model/assemblage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "share/file/specimen_validation.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+Assemblage of(const Specimen& s) { return make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain); }
+
+TEST(Assemblage, MassIsDensityTimesArea) {
+    const Specimen s = test::jittered_grid(5, 7, 0.02, 0.03, 0.2);
+    const Assemblage a = of(s);
+    const double mass = std::accumulate(a.mass.begin(), a.mass.end(), 0.0);
+    expect_close(mass, 2650 * 0.02 * 0.03, 1e-14, mass);
+    for (std::size_t i = 0; i < a.mass.size(); ++i) {
+        ASSERT_GT(a.mass[i], 0);
+        expect_close(a.mass[i] * a.inverse_mass[i], 1, 1e-15, 1);
+    }
+}
+
+TEST(Assemblage, ANodeOfNoElementHasNoMassAndStays) {
+    Specimen s = test::one_diagonal_grid(1, 1, 0.01, 0.01);
+    s.node_position.insert(s.node_position.begin(), {0.5, 0.5});
+    for (auto& e : s.element_nodes) {
+        for (auto& n : e) ++n;
+    }
+    for (auto& c : s.contact_nodes) {
+        for (auto& n : c) ++n;
+    }
+    for (auto& b : s.boundary_edges) {
+        for (auto& n : b) ++n;
+    }
+    const Assemblage a = of(s);
+    const std::int32_t i = a.node_of_specimen[0];
+    EXPECT_EQ(a.mass[i], 0);
+    EXPECT_EQ(a.inverse_mass[i], 0);
+}
+
+TEST(Assemblage, NodesAreRenumberedOnceEach) {
+    Specimen s = test::union_jack_grid(4, 4, 0.02, 0.02);
+    // Any order of nodes is allowed: reverse it.
+    const auto n = static_cast<std::int32_t>(s.n_nodes());
+    std::reverse(s.node_position.begin(), s.node_position.end());
+    const auto turn = [n](auto& rows) {
+        for (auto& row : rows) {
+            for (auto& i : row) i = n - 1 - i;
+        }
+    };
+    turn(s.element_nodes);
+    turn(s.contact_nodes);
+    turn(s.boundary_edges);
+    ASSERT_NO_THROW(validate(s, "reversed"));
+    const Assemblage a = of(s);
+    std::vector<std::int32_t> sorted = a.node_of_specimen;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::int32_t i = 0; i < n; ++i) {
+        ASSERT_EQ(sorted[i], i);
+        EXPECT_EQ(a.position[a.node_of_specimen[i]].x, s.node_position[i][0]);
+        EXPECT_EQ(a.position[a.node_of_specimen[i]].y, s.node_position[i][1]);
+    }
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        EXPECT_GT(a.element_geometry[e].area, 0);
+        EXPECT_EQ(a.element_nodes[e][1], a.node_of_specimen[s.element_nodes[e][1]]);
+    }
+}
+
+using Slots = std::map<std::int32_t, std::vector<std::int32_t>>;
+
+/// The slots of each node, in the order they are summed in.
+template <std::size_t few>
+Slots slots_of(const SlotsOfNodes<few>& table, std::size_t zero_slot) {
+    Slots slots;
+    for (std::size_t i = 0; i < table.first.size(); ++i) {
+        for (const std::int32_t slot : table.first[i]) {
+            if (slot != static_cast<std::int32_t>(zero_slot)) {
+                slots[static_cast<std::int32_t>(i)].push_back(slot);
+            }
+        }
+    }
+    for (const FurtherSlot& further : table.further) {
+        slots[further.node].push_back(further.slot);
+    }
+    return slots;
+}
+
+TEST(Assemblage, ContactGeometryAndSlots) {
+    const Specimen s = test::jittered_grid(4, 5, 0.02, 0.03, 0.2);
+    const Assemblage a = of(s);
+    ASSERT_EQ(a.contacts.size(), s.n_contacts());
+    double length_sum = 0;
+    Slots expected;
+    for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
+        for (std::int32_t k = 0; k < 4; ++k) {
+            expected[a.contacts[c].nodes[k]].push_back(slot_of(c, k));
+        }
+    }
+    EXPECT_EQ(slots_of(a.contact_slots, a.contact_chunks.size() * slot_stride), expected);
+    for (const ContactGeometry& g : a.contacts) {
+        EXPECT_EQ(2 * g.point_area, length(g.edge));
+        length_sum += length(g.edge);
+    }
+    expect_close(a.contact_length, length_sum, 1e-14, length_sum);
+}
+
+// A node inside of a grain is in many elements.
+TEST(Assemblage, EveryElementHasSlotsOfItsNodes) {
+    const Assemblage a = of(test::crossed_blocks(12, 10, 0.02, 0.03, [](int i, int /*j*/) { return i / 4; }));
+    Slots expected;
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        for (std::int32_t k = 0; k < 3; ++k) {
+            expected[a.element_nodes[e][k]].push_back(element_slot_of(e, k));
+        }
+    }
+    EXPECT_FALSE(a.element_slots.further.empty());
+    EXPECT_EQ(slots_of(a.element_slots, a.element_chunks.size() * element_slot_stride), expected);
+}
+
+TEST(Assemblage, ChunksCoverEverything) {
+    const Specimen s = test::jittered_grid(16, 16, 0.02, 0.02, 0.2);
+    const Assemblage a = of(s);
+    EXPECT_GT(a.element_chunks.size(), 4U);
+    EXPECT_GT(a.node_chunks.size(), 4U);
+    EXPECT_GT(a.contact_chunks.size(), 2U);
+    std::int32_t element = 0;
+    for (const Range& chunk : a.element_chunks) {
+        EXPECT_EQ(chunk.begin, element);
+        EXPECT_LE(chunk.size(), elements_per_chunk);
+        element = chunk.end;
+    }
+    EXPECT_EQ(element, a.n_elements());
+    std::int32_t contact = 0;
+    for (const ContactChunk& chunk : a.contact_chunks) {
+        EXPECT_EQ(chunk.contacts.begin, contact);
+        EXPECT_LE(chunk.contacts.size(), contacts_per_chunk);
+        contact = chunk.contacts.end;
+    }
+    EXPECT_EQ(contact, a.n_contacts());
+}
+
+/// A rectangle of 1,200 grains whose phases follow no pattern of its rows.
+Specimen of_three_phases() {
+    Specimen s = test::one_diagonal_grid(20, 30, 0.02, 0.03);
+    s.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
+    }
+    return s;
+}
+
+TEST(Assemblage, SortsContactsByClassIntoChunksOfOne) {
+    const Specimen s = of_three_phases();
+    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    ASSERT_EQ(a.n_contacts(), static_cast<std::int32_t>(s.n_contacts()));
+    ASSERT_EQ(a.contacts.size(), a.specimen_contact.size());
+    std::vector<int> seen(s.n_contacts(), 0);
+    std::int32_t last_class = -1;
+    std::int32_t place = 0;
+    for (const ContactChunk& chunk : a.contact_chunks) {
+        EXPECT_EQ(chunk.contacts.begin, place);
+        EXPECT_GE(chunk.contact_class, last_class);
+        for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
+            const auto of_specimen = static_cast<std::size_t>(a.specimen_contact[static_cast<std::size_t>(c)]);
+            ++seen[of_specimen];
+            EXPECT_EQ(a.contact_of_specimen[of_specimen], c);
+            const auto phase = [&](std::size_t k) {
+                return s.grain_phase[static_cast<std::size_t>(grain[static_cast<std::size_t>(s.contact_nodes[of_specimen][k])])];
+            };
+            EXPECT_EQ(static_cast<std::int32_t>(contact_class(phase(0), phase(2))), chunk.contact_class);
+            EXPECT_EQ(a.contacts[static_cast<std::size_t>(c)].nodes[0],
+                      a.node_of_specimen[static_cast<std::size_t>(s.contact_nodes[of_specimen][0])]);
+        }
+        last_class = chunk.contact_class;
+        place += contacts_per_chunk;
+    }
+    EXPECT_EQ(last_class, 5);
+    EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+        EXPECT_EQ(a.specimen_contact[c] < 0, a.contacts[c].point_area == 0);
+    }
+}
+
+TEST(Assemblage, GrainsHaveTheElasticityAndMassOfTheirPhase) {
+    Specimen s = of_three_phases();
+    const std::vector<Phase> phases{{83.1e9, 0.08, 2650}, {60e9, 0.25, 2600}, {29.3e9, 0.27, 3000}};
+    const Assemblage a = make_assemblage(s, phases, PlaneCondition::stress);
+    double mass = 0;
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        const Phase& phase = phases[s.grain_phase[static_cast<std::size_t>(s.element_grain[e])]];
+        const PlaneElasticity c = make_plane_elasticity(phase.young_modulus, phase.poisson_ratio, PlaneCondition::stress);
+        EXPECT_EQ(a.elasticity[e].c11, c.c11);
+        EXPECT_EQ(a.elasticity[e].mu, c.mu);
+        EXPECT_EQ(a.element_mass[e], phase.density * a.element_geometry[e].area);
+        mass += a.element_mass[e];
+    }
+    EXPECT_NEAR(std::accumulate(a.mass.begin(), a.mass.end(), 0.0), mass, 1e-12 * mass);
+}
+
+}  // namespace
+}  // namespace graincrack
