@@ -161,14 +161,4 @@ void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     if (!out) throw OutputError("stdout: could not be written whole");
 }
 
-const std::string& Call::file() const {
-    if (files.size() == 1) return files.front();
-    throw UsageError(fmt::format("{}: takes one file, not {}", command, files.size()));
-}
-
-std::ostream& Call::diagnostics() const {
-    static std::ostream nowhere(nullptr);
-    return verbosity == Verbosity::quiet ? nowhere : std::cerr;
-}
-
 }  // namespace graincrack

@@ -277,7 +277,7 @@ void Chart::draw_labels(double below_ticks) {
             drawing_.text({{(x_.from + x_.to) / 2, y}, line, letters::label, palette::ink, Anchor::middle});
         }
     }
-    const Column column{page_margin, drawing_.width() - 0.5 * page_margin};
+    const TextColumn column{page_margin, drawing_.width() - 0.5 * page_margin};
     if (!legend_.empty()) y = draw_legend(drawing_, legend_, column, y + 22).bottom - 10;
     if (!notes_.empty()) y = draw_heading(drawing_, {"", notes_}, column, y + (legend_.empty() ? 22 : 10)) - 10;
     drawing_.set_height(y + 24);

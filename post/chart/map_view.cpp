@@ -167,7 +167,7 @@ std::vector<LegendEntry> phase_legend(const Specimen& specimen) {
     return entries;
 }
 
-double draw_scale_bar(Drawing& page, const MapScale& scale, const Column& column, const LegendEnd& end) {
+double draw_scale_bar(Drawing& page, const MapScale& scale, const TextColumn& column, const LegendEnd& end) {
     const double length = round_length(0.3 * scale.width);
     const std::string label = format_quantity(length, Dimension::length);
     const double left = column.right - length * scale.pixels_per_metre;
@@ -181,7 +181,7 @@ double draw_scale_bar(Drawing& page, const MapScale& scale, const Column& column
 }
 
 void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::vector<std::string>& notes) {
-    const Column column{page_margin, drawing_.width() - page_margin};
+    const TextColumn column{page_margin, drawing_.width() - page_margin};
     const LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);
     const double bottom = draw_scale_bar(drawing_, scale(), column, end);
     drawing_.set_height(draw_heading(drawing_, {"", notes}, column, bottom) + 14);

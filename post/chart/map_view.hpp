@@ -42,7 +42,7 @@ struct MapScale {
 };
 /// A bar of a round length at the right of a page, beside the last line of a legend if there is room, else below it.
 /// \param end of the legend \return where both end
-double draw_scale_bar(Drawing& page, const MapScale& scale, const Column& column, const LegendEnd& end);
+double draw_scale_bar(Drawing& page, const MapScale& scale, const TextColumn& column, const LegendEnd& end);
 
 /// What a page with a map has beside it.
 struct MapPage {

@@ -35,7 +35,7 @@ std::string shortened(const std::string& word, double size, double room, bool bo
 
 /// Calls `draw` with each line of a heading: its text, its size, whether it is the title, and its baseline.
 template <class Draw>
-double each_line(const ChartText& text, const Column& column, double top, const Draw& draw) {
+double each_line(const ChartText& text, const TextColumn& column, double top, const Draw& draw) {
     double y = top;
     const auto lines = [&](const std::string& label, double size, bool bold) {
         for (const std::string& line : broken_lines(label, size, column.right - column.left, bold)) {
@@ -87,17 +87,17 @@ std::vector<std::string> broken_lines(const std::string& text, double size, doub
     return lines;
 }
 
-double draw_heading(Drawing& drawing, const ChartText& text, const Column& column, double top) {
+double draw_heading(Drawing& drawing, const ChartText& text, const TextColumn& column, double top) {
     return each_line(text, column, top, [&](const std::string& line, double size, bool bold, double baseline) {
         drawing.text({{column.left, baseline}, line, size, palette::ink, Anchor::start, bold});
     });
 }
 
-double heading_height(const ChartText& text, const Column& column) {
+double heading_height(const ChartText& text, const TextColumn& column) {
     return each_line(text, column, 0, [](const std::string& /*line*/, double /*size*/, bool /*bold*/, double /*baseline*/) {});
 }
 
-LegendEnd draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, const Column& column, double top) {
+LegendEnd draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, const TextColumn& column, double top) {
     Pixel at{column.left, top};
     double bottom = top;
     double end = column.left;

@@ -26,7 +26,7 @@ struct ChartText {
 };
 
 /// Where texts may stand.
-struct Column {
+struct TextColumn {
     double left = 0;
     double right = 0;
 };
@@ -38,9 +38,9 @@ std::string with_minus(std::string word);
 std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold = false);
 
 /// Draws title and subtitle from `top` downwards. \return where they end
-double draw_heading(Drawing& drawing, const ChartText& text, const Column& column, double top);
+double draw_heading(Drawing& drawing, const ChartText& text, const TextColumn& column, double top);
 /// Height of what `draw_heading` draws.
-double heading_height(const ChartText& text, const Column& column);
+double heading_height(const ChartText& text, const TextColumn& column);
 
 /// What stands for a curve, points or an area, and its meaning.
 struct LegendEntry {
@@ -54,7 +54,7 @@ struct LegendEnd {
 };
 inline constexpr double legend_line = 38;
 /// Draws entries one after the other, in as many lines as they need. \param top of the first line
-LegendEnd draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, const Column& column, double top);
+LegendEnd draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, const TextColumn& column, double top);
 
 /// Drawings below one another, or side by side, on one page.
 Drawing stacked(const std::vector<Drawing>& parts);

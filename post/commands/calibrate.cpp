@@ -7,7 +7,7 @@
 
 #include "post/calibrate/folder.hpp"
 #include "post/chart/picture.hpp"
-#include "post/option_parts.hpp"
+#include "post/options/common_options.hpp"
 #include "post/plot/heat_map.hpp"
 #include "share/base/error.hpp"
 #include "share/options/command_line.hpp"

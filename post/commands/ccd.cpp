@@ -1,7 +1,8 @@
 #include "post/commands/ccd.hpp"
 
+#include "post/ccd/design_options.hpp"
 #include "post/ccd/tables.hpp"
-#include "post/option_parts.hpp"
+#include "post/options/common_options.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "post/claims/claims_table.hpp"
-#include "post/option_parts.hpp"
+#include "post/options/common_options.hpp"
 #include "share/base/error.hpp"
 #include "share/options/command_line.hpp"
 

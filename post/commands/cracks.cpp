@@ -1,8 +1,8 @@
 #include "post/commands/cracks.hpp"
 
 #include "post/cracks/class_counts.hpp"
-#include "post/option_parts.hpp"
-#include "post/table/table_form.hpp"
+#include "post/cracks/crack_options.hpp"
+#include "post/options/common_options.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {
@@ -31,7 +31,7 @@ Command cracks_command() {
 
 Command classes_command() {
     struct Options {
-        TableForm form = TableForm::automatic;
+        std::optional<TableFormat> format;
         CrackLabelChoice label;
     };
     return make_command<Options>(
@@ -39,12 +39,12 @@ Command classes_command() {
         {"uniaxial.h5", "uniaxial.h5 brazilian.h5 --crack-event broken --format jsonl"}, several_runs,
         [](CLI::App& app, Options& options) {
             add_crack_label(app, options.label);
-            add_form(app, options.form);
+            add_format(app, options.format);
         },
         [](const Options& options, const Call& call) {
             std::vector<RunClasses> runs;
             for (const std::string& file : call.files) runs.push_back(read_classes(RunReader(file), options.label));
-            write_class_counts(call.out, runs, format_of(options.form, call.out));
+            write_class_counts(call.out, runs, format_for(options.format, call.out));
         });
 }
 

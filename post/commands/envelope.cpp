@@ -3,42 +3,34 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "post/option_parts.hpp"
-#include "post/table/table_form.hpp"
-#include "post/table/terminal_table.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/options/common_options.hpp"
+#include "post/table/column.hpp"
 
 namespace graincrack {
 
 namespace {
 
-constexpr double mega = 1e-6;
-constexpr double degrees = 180 / std::numbers::pi;
-
-/// A row that grows with the names of its columns.
+/// The one row of the table: its columns with their values.
 class RowBuilder {
 public:
-    void add(const std::string& column, Cell value) {
-        columns_.push_back(column);
-        cells_.push_back(std::move(value));
-    }
-    void add(const std::string& column, const std::optional<double>& value, double factor) {
-        add(column, value ? Cell(*value * factor) : Cell());
+    void add(const std::string& column, Cell value) { add(column, unit::none, std::move(value)); }
+    void add(const std::string& column, const ColumnUnit& unit, const Cell& value) {
+        columns_.push_back(script_name(column, unit));
+        cells_.push_back(value.times(unit.factor));
     }
     /// NAME_UNIT, NAME_low_UNIT, NAME_high_UNIT
-    void add_interval(const std::string& name, const std::string& unit, const std::optional<Estimate>& e, double factor) {
-        const std::string suffix = unit.empty() ? "" : "_" + unit;
-        add(name + suffix, e ? std::optional(e->value) : std::nullopt, factor);
-        add(name + "_low" + suffix, e ? e->low : std::nullopt, factor);
-        add(name + "_high" + suffix, e ? e->high : std::nullopt, factor);
+    void add_interval(const std::string& name, const ColumnUnit& unit, const std::optional<Estimate>& e) {
+        add(name, unit, e ? Cell(e->value) : Cell());
+        add(name + "_low", unit, e ? Cell(e->low) : Cell());
+        add(name + "_high", unit, e ? Cell(e->high) : Cell());
     }
-    void add_sample(const std::string& name, const std::string& unit, const std::optional<Sample>& s, double factor) {
-        add_interval(name, unit, s ? std::optional(s->mean) : std::nullopt, factor);
-        add(name + "_deviation" + (unit.empty() ? "" : "_" + unit), s ? s->deviation : std::nullopt, factor);
+    void add_sample(const std::string& name, const ColumnUnit& unit, const std::optional<Sample>& s) {
+        add_interval(name, unit, s ? std::optional(s->mean) : std::nullopt);
+        add(name + "_deviation", unit, s ? Cell(s->deviation) : Cell());
     }
     void write(std::ostream& out, TableFormat format) const { TableWriter(out, columns_, format).row(cells_); }
-    [[nodiscard]] NamedRow named() const { return {columns_, cells_}; }
 
 private:
     std::vector<std::string> columns_;
@@ -50,16 +42,16 @@ std::optional<double> mean(const std::vector<double>& values) {
 }
 
 void add_hoek_brown(RowBuilder& row, const std::string& name, const std::optional<HoekBrown>& fit) {
-    row.add_interval(name + "_sigma_ci", "MPa", fit ? std::optional(fit->sigma_ci) : std::nullopt, mega);
-    row.add_interval(name + "_mi", "", fit ? std::optional(fit->mi) : std::nullopt, 1);
+    row.add_interval(name + "_sigma_ci", unit::megapascal, fit ? std::optional(fit->sigma_ci) : std::nullopt);
+    row.add_interval(name + "_mi", unit::none, fit ? std::optional(fit->mi) : std::nullopt);
 }
 
 void add_tension(RowBuilder& row, const Envelope& envelope, const EnvelopeTests& tests) {
-    row.add("mohr_coulomb_tensile_strength_MPa", envelope.tensile_strength(), mega);
-    row.add("hoek_brown_tensile_strength_MPa",
-            envelope.hoek_brown ? std::optional(envelope.hoek_brown->tensile_strength()) : std::nullopt, mega);
-    row.add("brazilian_tensile_strength_MPa", mean(tests.brazilian), mega);
-    row.add("direct_tensile_strength_MPa", mean(tests.direct_tension), mega);
+    row.add("mohr_coulomb_tensile_strength", unit::megapascal, envelope.tensile_strength());
+    row.add("hoek_brown_tensile_strength", unit::megapascal,
+            envelope.hoek_brown ? std::optional(envelope.hoek_brown->tensile_strength()) : std::nullopt);
+    row.add("brazilian_tensile_strength", unit::megapascal, mean(tests.brazilian));
+    row.add("direct_tensile_strength", unit::megapascal, mean(tests.direct_tension));
     const bool any = !tests.tensile().empty();
     add_hoek_brown(row, "hoek_brown_with_tension",
                    any ? fit_hoek_brown(tests.confining(), tests.strength(), tests.tensile()) : std::nullopt);
@@ -68,18 +60,18 @@ void add_tension(RowBuilder& row, const Envelope& envelope, const EnvelopeTests&
 
 void add_seeds(RowBuilder& row, const std::optional<SeedEnvelopes>& seeds) {
     row.add("whole_seeds", static_cast<std::int64_t>(seeds ? seeds->seeds : 0));
-    row.add_sample("seed_cohesion", "MPa", seeds ? std::optional(seeds->cohesion) : std::nullopt, mega);
-    row.add_sample("seed_friction_angle", "deg", seeds ? std::optional(seeds->friction_angle) : std::nullopt, degrees);
-    row.add_sample("seed_hoek_brown_sigma_ci", "MPa", seeds ? seeds->sigma_ci : std::nullopt, mega);
-    row.add_sample("seed_hoek_brown_mi", "", seeds ? seeds->mi : std::nullopt, 1);
+    row.add_sample("seed_cohesion", unit::megapascal, seeds ? std::optional(seeds->cohesion) : std::nullopt);
+    row.add_sample("seed_friction_angle", unit::degree, seeds ? std::optional(seeds->friction_angle) : std::nullopt);
+    row.add_sample("seed_hoek_brown_sigma_ci", unit::megapascal, seeds ? seeds->sigma_ci : std::nullopt);
+    row.add_sample("seed_hoek_brown_mi", unit::none, seeds ? seeds->mi : std::nullopt);
 }
 
 void add_at(RowBuilder& row, const std::string& place, const EnvelopeAt& at) {
     row.add("runs_at_" + place, static_cast<std::int64_t>(at.runs));
     const auto& envelope = at.envelope;
-    row.add_interval("cohesion_at_" + place, "MPa", envelope ? std::optional(envelope->cohesion) : std::nullopt, mega);
-    row.add_interval("friction_angle_at_" + place, "deg", envelope ? std::optional(envelope->friction_angle) : std::nullopt,
-                     degrees);
+    row.add_interval("cohesion_at_" + place, unit::megapascal, envelope ? std::optional(envelope->cohesion) : std::nullopt);
+    row.add_interval("friction_angle_at_" + place, unit::degree,
+                     envelope ? std::optional(envelope->friction_angle) : std::nullopt);
 }
 
 /// Envelopes of the other stresses of the table `strength`: at first yield and at given strains.
@@ -97,38 +89,53 @@ Cell plane_of_compression(const std::vector<RunData>& runs) {
 }
 
 /// The few quantities that people look for, a line each, with their intervals.
-void write_to_terminal(std::ostream& out, const NamedRow& row) {
-    TerminalTable table({{"quantity", ""}, {"value", ""}, {"95 % interval", ""}, {"unit", ""}});
-    const auto add = [&](const std::string& label, const std::string& name, const std::string& unit) {
-        const std::string suffix = unit.empty() ? "" : "_" + unit;
-        const std::string low = row.shown(name + "_low" + suffix);
-        const std::string value = row.shown(name + suffix);
-        const std::string none = value.empty() ? "" : "not determined by " + row.text("runs") + " tests";
-        table.row({label, value, low.empty() ? none : low + " to " + row.shown(name + "_high" + suffix),
-                   unit == "deg"  ? "°"
-                   : unit.empty() ? " "
-                                  : unit});
+struct Quantity95 {
+    std::string label;
+    Cell value, interval;
+    std::string unit;
+};
+
+const Columns<Quantity95>& terminal_columns() {
+    using unit::none;
+    using Q = Quantity95;
+    static const Columns<Q> all{{"quantity", none, [](const Q& q) { return q.label; }},
+                                {"value", none, [](const Q& q) { return q.value; }},
+                                {"95 % interval", none, [](const Q& q) { return q.interval; }},
+                                {"unit", none, [](const Q& q) { return q.unit; }}};
+    return all;
+}
+
+void write_to_terminal(std::ostream& out, const Envelope& envelope, const EnvelopeTests& tests, const Cell& plane) {
+    TerminalTable table(terminal_columns());
+    const std::size_t runs = tests.compression.size();
+    const auto add = [&](const std::string& label, const ColumnUnit& unit, const std::string& symbol,
+                         const std::optional<Estimate>& e) {
+        const Cell none = e ? Cell() : Cell(fmt::format("not determined by {} tests", runs));
+        table.row(cells_of(terminal_columns(), {label, e ? Cell(e->value).times(unit.factor) : Cell(),
+                                                e && e->low ? interval_cell(e->low, e->high, unit) : none, symbol}));
     };
-    const auto add_value = [&](const std::string& label, const std::string& column) {
-        if (!row.text(column).empty()) table.row({label, row.shown(column), " ", "MPa"});
+    const auto add_value = [&](const std::string& label, const std::optional<double>& stress) {
+        const Cell value = Cell(stress).times(unit::megapascal.factor);
+        if (!value.empty()) table.row(cells_of(terminal_columns(), {label, value, " ", "MPa"}));
     };
-    table.group(fmt::format("{} of {} compression runs, plane {}; strength: {}", row.text("runs"), row.text("compression_runs"),
-                            row.text("plane"), row.text("strength")));
-    add("cohesion C", "cohesion", "MPa");
-    add("friction angle φ", "friction_angle", "deg");
-    add("Hoek–Brown σci", "hoek_brown_sigma_ci", "MPa");
-    add("Hoek–Brown mi", "hoek_brown_mi", "");
+    const auto& hoek_brown = envelope.hoek_brown;
+    table.group(fmt::format("{} of {} compression runs, plane {}; strength: {}", runs, tests.compression_runs(), plane.text(),
+                            name_of(tests.kind)));
+    add("cohesion C", unit::megapascal, "MPa", envelope.cohesion);
+    add("friction angle φ", unit::degree, "°", envelope.friction_angle);
+    add("Hoek–Brown σci", unit::megapascal, "MPa", hoek_brown ? std::optional(hoek_brown->sigma_ci) : std::nullopt);
+    add("Hoek–Brown mi", unit::none, " ", hoek_brown ? std::optional(hoek_brown->mi) : std::nullopt);
     table.group("tensile strength");
-    add_value("where the line has σ1 = 0", "mohr_coulomb_tensile_strength_MPa");
-    add_value("where the Hoek–Brown curve has σ1 = 0", "hoek_brown_tensile_strength_MPa");
-    add_value("Brazilian tests", "brazilian_tensile_strength_MPa");
-    add_value("direct tension", "direct_tensile_strength_MPa");
+    add_value("where the line has σ1 = 0", envelope.tensile_strength());
+    add_value("where the Hoek–Brown curve has σ1 = 0", hoek_brown ? std::optional(hoek_brown->tensile_strength()) : std::nullopt);
+    add_value("Brazilian tests", mean(tests.brazilian));
+    add_value("direct tension", mean(tests.direct_tension));
     table.write(out);
 }
 
 }  // namespace
 
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format,
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
                           const EnvelopeOptions& options, std::ostream& diagnostics) {
     const std::vector<RunData> runs = read_runs(paths);
     const EnvelopeTests tests = collect_envelope_tests(runs, options);
@@ -136,11 +143,11 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     RowBuilder row;
     row.add("runs", static_cast<std::int64_t>(tests.compression.size()));
     row.add("runs_at_strain_limit", static_cast<std::int64_t>(tests.at_strain_limit));
-    row.add_interval("cohesion", "MPa", envelope.cohesion, mega);
-    row.add_interval("friction_angle", "deg", envelope.friction_angle, degrees);
+    row.add_interval("cohesion", unit::megapascal, envelope.cohesion);
+    row.add_interval("friction_angle", unit::degree, envelope.friction_angle);
     row.add("r_squared", envelope.line.r_squared);
     add_hoek_brown(row, "hoek_brown", envelope.hoek_brown);
-    row.add_interval("curvature", "per_MPa", envelope.curvature, 1e6);
+    row.add_interval("curvature", unit::per_megapascal, envelope.curvature);
     row.add("curvature_sign",
             envelope.curvature ? Cell(std::string(envelope.curvature->value < 0 ? "concave" : "convex")) : Cell());
     add_tension(row, envelope, tests);
@@ -156,27 +163,28 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
                    "a strength, so that C and phi depend on that limit\n",
                    tests.at_strain_limit, runs.size());
     }
-    if (format) {
-        row.write(out, *format);
+    if (format == TableFormat::aligned) {
+        write_to_terminal(out, envelope, tests, plane_of_compression(runs));
     } else {
-        write_to_terminal(out, row.named());
+        row.write(out, format);
     }
 }
 
 Command envelope_command() {
     struct Options {
-        TableForm form = TableForm::automatic;
+        std::optional<TableFormat> format;
         EnvelopeOptions envelope;
     };
     return make_command<Options>(
         "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, with 95 % intervals",
         {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
         [](CLI::App& app, Options& options) {
-            add_form(app, options.form);
+            add_format(app, options.format);
             add_envelope_options(app, options.envelope);
         },
         [](const Options& options, const Call& call) {
-            write_envelope_table(call.out, call.files, format_of(options.form, call.out), options.envelope, call.diagnostics());
+            write_envelope_table(call.out, call.files, format_for(options.format, call.out), options.envelope,
+                                 call.diagnostics());
         });
 }
 

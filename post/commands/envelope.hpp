@@ -14,8 +14,8 @@ namespace graincrack {
 
 /// One row for the set of runs. If runs stopped at the strain limit are accepted, the row holds their number and a line on
 /// `diagnostics` reports it; so does a line for each run without the strength that is wanted.
-/// \param format for scripts; empty: a terminal table \throws InputError as collect_envelope_tests and fit_envelope
-void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
+/// \throws InputError as collect_envelope_tests and fit_envelope
+void write_envelope_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
                           const EnvelopeOptions& options, std::ostream& diagnostics);
 
 Command envelope_command();

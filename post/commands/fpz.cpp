@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "post/fit/paper_rock.hpp"
-#include "post/option_parts.hpp"
+#include "post/options/common_options.hpp"
 #include "share/base/units.hpp"
 #include "share/options/command_line.hpp"
 #include "share/rock/incomplete_material.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "post/option_parts.hpp"
+#include "post/options/common_options.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 #include "share/file/output_file.hpp"

@@ -5,8 +5,7 @@
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
-#include "post/option_parts.hpp"
-#include "post/table/table_form.hpp"
+#include "post/options/common_options.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {
@@ -14,13 +13,13 @@ namespace graincrack {
 namespace {
 
 struct StrengthOptions {
-    TableForm form = TableForm::automatic;
+    std::optional<TableFormat> format;
     bool summary = false;
     bool extrapolate = false;
 };
 
 void add_strength_options(CLI::App& app, StrengthOptions& options) {
-    add_form(app, options.form);
+    add_format(app, options.format);
     app.add_flag("--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
         ->excludes(app.add_flag("--extrapolate", options.extrapolate,
                                 "extrapolate to slow loading from the same tests at two rates (--rate-tolerance or "
@@ -35,25 +34,29 @@ Command strength_command() {
         {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary",
          "default.h5 half-as-fast.h5 --extrapolate"},
         several_runs, add_strength_options, [](const StrengthOptions& options, const Call& call) {
-            const std::optional<TableFormat> format = format_of(options.form, call.out);
+            const TableFormat format = format_for(options.format, call.out);
             if (options.extrapolate) return write_rate_limits(call.out, call.files, format);
             (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, format, call.diagnostics());
         });
 }
 
 Command moduli_command() {
-    return make_command<TableForm>(
+    return make_command<std::optional<TableFormat>>(
         "moduli",
         "Young's modulus and Poisson's ratio (chord up to half the peak), predicted values, Voigt and Reuss bounds, crack "
         "thresholds; one row per run",
-        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_form,
-        [](const TableForm& form, const Call& call) { write_moduli_table(call.out, call.files, format_of(form, call.out)); });
+        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs,
+        [](CLI::App& app, std::optional<TableFormat>& format) { add_format(app, format); },
+        [](const std::optional<TableFormat>& format, const Call& call) {
+            write_moduli_table(call.out, call.files, format_for(format, call.out));
+        });
 }
 
 Command toughness_command() {
     return make_command<TableFormat>(
         "toughness", "fracture toughness K_IC from direct tension of rectangles with a central notch, one row per run",
-        {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs, add_format,
+        {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs,
+        [](CLI::App& app, TableFormat& format) { add_format(app, format); },
         [](const TableFormat& format, const Call& call) {
             write_toughness_table(call.out, call.files, format, call.diagnostics());
         });

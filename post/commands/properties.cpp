@@ -1,6 +1,7 @@
 #include "post/commands/properties.hpp"
 
-#include "post/option_parts.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/options/common_options.hpp"
 #include "post/report/properties.hpp"
 #include "share/options/command_line.hpp"
 

@@ -1,6 +1,8 @@
 #include "post/commands/report.hpp"
 
-#include "post/option_parts.hpp"
+#include "post/cracks/crack_options.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/options/common_options.hpp"
 #include "post/report/report.hpp"
 #include "share/file/output_file.hpp"
 

@@ -1,7 +1,8 @@
 #include "post/commands/size_effect.hpp"
 
+#include "post/fit/fit_options.hpp"
 #include "post/fit/size_effect.hpp"
-#include "post/option_parts.hpp"
+#include "post/options/common_options.hpp"
 
 namespace graincrack {
 

@@ -1,6 +1,7 @@
 #include "post/commands/summarize.hpp"
 
-#include "post/option_parts.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/options/common_options.hpp"
 #include "post/summary/summarize.hpp"
 #include "share/options/command_line.hpp"
 

@@ -5,26 +5,50 @@
 #include <cmath>
 
 #include "post/run/contact_classes.hpp"
-#include "post/table/terminal_table.hpp"
+#include "post/table/column.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack {
 
 namespace {
 
-void write_for_scripts(std::ostream& out, const std::vector<RunClasses>& runs, TableFormat format) {
-    TableWriter table(out,
-                      {"file", "class", "contacts", "length_m", "length_share", "tensile_cracks", "shear_cracks",
-                       "tensile_cracks_at_end", "shear_cracks_at_end"},
-                      format);
-    for (const RunClasses& run : runs) {
-        for (const ClassCounts& each : run.classes) {
-            const auto& peak = each.at_peak;
-            table.row({run.run, each.name, static_cast<std::int64_t>(each.contacts), each.length, each.length / run.length(),
-                       peak ? count_cell(peak->tensile) : Cell(), peak ? count_cell(peak->shear) : Cell(),
-                       count_cell(each.at_end.tensile), count_cell(each.at_end.shear)});
-        }
+/// A class of a run, or all of them.
+struct ClassRow {
+    const RunClasses& run;
+    ClassCounts counts;
+    [[nodiscard]] double length_share() const { return counts.length / run.length(); }
+    [[nodiscard]] Cell at_peak(double ModeCounts::*mode) const {
+        return counts.at_peak ? count_cell((*counts.at_peak).*mode) : Cell();
     }
+    [[nodiscard]] Cell at_end(double ModeCounts::*mode) const { return count_cell(counts.at_end.*mode); }
+};
+
+using R = ClassRow;
+
+const Columns<R>& columns() {
+    using namespace unit;
+    static const Columns<R> all{{"file", none, [](const R& r) { return r.run.run; }},
+                                {"class", none, [](const R& r) { return r.counts.name; }},
+                                {"contacts", none, [](const R& r) { return r.counts.contacts; }},
+                                {"length", metre, [](const R& r) { return r.counts.length; }},
+                                {"length_share", none, [](const R& r) { return r.length_share(); }},
+                                {"tensile_cracks", none, [](const R& r) { return r.at_peak(&ModeCounts::tensile); }},
+                                {"shear_cracks", none, [](const R& r) { return r.at_peak(&ModeCounts::shear); }},
+                                {"tensile_cracks_at_end", none, [](const R& r) { return r.at_end(&ModeCounts::tensile); }},
+                                {"shear_cracks_at_end", none, [](const R& r) { return r.at_end(&ModeCounts::shear); }}};
+    return all;
+}
+
+const Columns<R>& terminal_columns() {
+    static constexpr ColumnUnit at_peak{"at peak"}, at_end{"at end"};
+    static const Columns<R> all{{"contacts", unit::none, [](const R& r) { return r.counts.name; }},
+                                {"number", unit::none, [](const R& r) { return r.counts.contacts; }},
+                                {"length", unit::percent, [](const R& r) { return format_number(100 * r.length_share(), 3); }},
+                                {"tensile", at_peak, [](const R& r) { return r.at_peak(&ModeCounts::tensile).text(); }},
+                                {"shear", at_peak, [](const R& r) { return r.at_peak(&ModeCounts::shear).text(); }},
+                                {"tensile", at_end, [](const R& r) { return r.at_end(&ModeCounts::tensile).text(); }},
+                                {"shear", at_end, [](const R& r) { return r.at_end(&ModeCounts::shear).text(); }}};
+    return all;
 }
 
 /// All classes together.
@@ -38,28 +62,6 @@ ClassCounts sum_of(const RunClasses& run) {
         *sum.at_peak += *each.at_peak;
     }
     return sum;
-}
-
-void write_to_terminal(std::ostream& out, const std::vector<RunClasses>& runs) {
-    TerminalTable terminal({{"contacts", ""},
-                            {"number", ""},
-                            {"length", "%"},
-                            {"tensile", "at peak"},
-                            {"shear", "at peak"},
-                            {"tensile", "at end"},
-                            {"shear", "at end"}});
-    for (const RunClasses& run : runs) {
-        terminal.group(run.run + ", " + run.definition);
-        const auto row = [&](const ClassCounts& each) {
-            const auto& peak = each.at_peak;
-            terminal.row({each.name, std::to_string(each.contacts), format_number(100 * each.length / run.length(), 3),
-                          peak ? format_number(peak->tensile, 6) : "", peak ? format_number(peak->shear, 6) : "",
-                          format_number(each.at_end.tensile, 6), format_number(each.at_end.shear, 6)});
-        };
-        for (const ClassCounts& each : run.classes) row(each);
-        row(sum_of(run));
-    }
-    terminal.write(out);
 }
 
 }  // namespace
@@ -102,12 +104,21 @@ RunClasses read_classes(const RunReader& run, const CrackLabelChoice& label) {
             count_by_class(specimen, read_labelled_cracks(run, specimen, label), peak)};
 }
 
-void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, const std::optional<TableFormat>& format) {
-    if (format) {
-        write_for_scripts(out, runs, *format);
-    } else {
-        write_to_terminal(out, runs);
+void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, TableFormat format) {
+    if (format != TableFormat::aligned) {
+        std::vector<ClassRow> rows;
+        for (const RunClasses& run : runs) {
+            for (const ClassCounts& each : run.classes) rows.push_back({run, each});
+        }
+        return write_table(out, columns(), rows, format);
     }
+    TerminalTable table(terminal_columns());
+    for (const RunClasses& run : runs) {
+        table.group(run.run + ", " + run.definition);
+        for (const ClassCounts& each : run.classes) table.row(cells_of(terminal_columns(), {run, each}));
+        table.row(cells_of(terminal_columns(), {run, sum_of(run)}));
+    }
+    table.write(out);
 }
 
 }  // namespace graincrack

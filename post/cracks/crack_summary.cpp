@@ -1,36 +1,18 @@
 #include "post/cracks/crack_summary.hpp"
 
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
+#include "post/run/mode_counts.hpp"
 #include "post/run/run_state.hpp"
+#include "post/table/column.hpp"
 
 namespace graincrack {
 
 namespace {
-
-const std::vector<std::string> first_columns{
-    "file",          "at",     "time_s",  "axial_strain",  "tensile_cracks",       "shear_cracks",   "separated", "fragments",
-    "single_grains", "events", "b_value", "b_value_error", "b_value_completeness", "b_value_events", "peak_kind"};
-
-std::vector<std::string> all_columns() {
-    std::vector<std::string> columns = first_columns;
-    columns.insert(columns.end(), label_columns().begin(), label_columns().end());
-    columns.insert(columns.end(), {"tensile_length_m", "tensile_share_within_30_deg", "facet_share_within_30_deg"});
-    return columns;
-}
-
-std::vector<Cell> balance_cells(const CrackBalance& b) {
-    return {count_cell(b.tensile), count_cell(b.shear), count_cell(b.separated)};
-}
-
-/// Length of the tensile cracks until a time, the share of it along the load, and that of all facets.
-std::vector<Cell> direction_cells(const std::vector<Crack>& cracks, const Specimen& specimen, double time) {
-    const Rosette rosette = crack_rosette(cracks_until(cracks, time), specimen);
-    return {std::accumulate(rosette.tensile.begin(), rosette.tensile.end(), 0.0), cell(share_along_load(rosette.tensile)),
-            cell(share_along_load(rosette.facet))};
-}
 
 std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
     std::vector<double> magnitudes;
@@ -38,6 +20,50 @@ std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
         if (event.moment > 0) magnitudes.push_back(event.magnitude());
     }
     return magnitudes;
+}
+
+/// A moment of a run, and at its end what it has become.
+struct SummaryRow {
+    std::string file, at;
+    double time = 0;  ///< s
+    std::optional<double> axial_strain;
+    CrackBalance balance;
+    std::optional<std::size_t> fragments, single_grains, events;
+    std::optional<GutenbergRichter> fit;  ///< of the events
+    Cell peak_kind;
+    OtherCounts counts;
+    Rosette rosette;
+    [[nodiscard]] Cell of_fit(double GutenbergRichter::*value) const { return fit ? Cell((*fit).*value) : Cell(); }
+};
+
+using R = SummaryRow;
+
+const Columns<R>& columns() {
+    using namespace unit;
+    static const Columns<R> all = [] {
+        Columns<R> list{{"file", none, [](const R& r) { return r.file; }},
+                        {"at", none, [](const R& r) { return r.at; }},
+                        {"time", second, [](const R& r) { return r.time; }},
+                        {"axial_strain", none, [](const R& r) { return r.axial_strain; }},
+                        {"tensile_cracks", none, [](const R& r) { return count_cell(r.balance.tensile); }},
+                        {"shear_cracks", none, [](const R& r) { return count_cell(r.balance.shear); }},
+                        {"separated", none, [](const R& r) { return count_cell(r.balance.separated); }},
+                        {"fragments", none, [](const R& r) { return r.fragments; }},
+                        {"single_grains", none, [](const R& r) { return r.single_grains; }},
+                        {"events", none, [](const R& r) { return r.events; }},
+                        {"b_value", none, [](const R& r) { return r.of_fit(&GutenbergRichter::b); }},
+                        {"b_value_error", none, [](const R& r) { return r.of_fit(&GutenbergRichter::error); }},
+                        {"b_value_completeness", none, [](const R& r) { return r.of_fit(&GutenbergRichter::completeness); }},
+                        {"b_value_events", none, [](const R& r) { return r.fit ? Cell(r.fit->events) : Cell(); }},
+                        {"peak_kind", none, [](const R& r) { return r.peak_kind; }}};
+        append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.counts; });
+        const auto sum = [](const R& r) { return std::accumulate(r.rosette.tensile.begin(), r.rosette.tensile.end(), 0.0); };
+        list.push_back({"tensile_length", metre, sum});
+        list.push_back({"tensile_share_within_30_deg", none, [](const R& r) { return share_along_load(r.rosette.tensile); }});
+        list.push_back({"facet_share_within_30_deg", none, [](const R& r) { return share_along_load(r.rosette.facet); }});
+        return list;
+    }();
+    return all;
 }
 
 }  // namespace
@@ -54,36 +80,27 @@ CrackBalance balance_cracks(const std::vector<Crack>& cracks, double time) {
 
 void write_crack_summary(std::ostream& out, const RunData& run, const std::optional<LoadCurve>& curve, const CrackRows& log,
                          const std::vector<EmissionEvent>& events, const Fragments& fragments, TableFormat format) {
-    TableWriter table(out, all_columns(), format);
     const std::vector<Crack> cracks = labelled(log.all, log.label);
-    const auto begin = [&](const char* at, std::size_t row_index) {
-        const double time = run.history[HistoryColumn::time][row_index];
-        std::vector<Cell> row{run.name, std::string(at), time, curve ? Cell(curve->axial_strain[row_index]) : Cell()};
-        for (Cell& each : balance_cells(balance_cracks(cracks, time))) row.push_back(std::move(each));
+    const auto row_at = [&](const char* at, std::size_t index) {
+        SummaryRow row{run.name, at, run.history[HistoryColumn::time][index], {}, {}, {}, {}, {}, {}, {}, {}, {}};
+        if (curve) {
+            row.axial_strain = curve->axial_strain[index];
+            row.peak_kind = peak_kind(run, *curve);
+        }
+        row.balance = balance_cracks(cracks, row.time);
+        row.counts = count_other_labels(log.all, run.header.crack_event, row.time);
+        row.rosette = crack_rosette(cracks_until(cracks, row.time), log.specimen);
         return row;
     };
-    const Cell kind = curve ? Cell(peak_kind(run, *curve)) : Cell();
-    const auto finish = [&](std::vector<Cell> row, std::size_t row_index) {
-        row.resize(first_columns.size() - 1);
-        row.push_back(kind);
-        const double time = run.history[HistoryColumn::time][row_index];
-        for (Cell& each : label_cells(log.all, run.header.crack_event, time)) row.push_back(std::move(each));
-        for (Cell& each : direction_cells(cracks, log.specimen, time)) row.push_back(std::move(each));
-        table.row(row);
-    };
-    if (curve) finish(begin("peak", curve->peak), curve->peak);
-    const std::size_t last = run.history.size() - 1;
-    std::vector<Cell> row = begin("end", last);
-    row.emplace_back(static_cast<std::int64_t>(fragments.all.size()));
-    row.emplace_back(static_cast<std::int64_t>(fragments.single_grains()));
-    row.emplace_back(static_cast<std::int64_t>(events.size()));
+    std::vector<SummaryRow> rows;
+    if (curve) rows.push_back(row_at("peak", curve->peak));
+    SummaryRow& end = rows.emplace_back(row_at("end", run.history.size() - 1));
+    end.fragments = fragments.all.size();
+    end.single_grains = fragments.single_grains();
+    end.events = events.size();
     const std::vector<double> magnitudes = magnitudes_of(events);
-    const auto fit = magnitudes.empty() ? std::nullopt : fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
-    if (fit) {
-        for (const double value : {fit->b, fit->error, fit->completeness}) row.emplace_back(value);
-        row.emplace_back(static_cast<std::int64_t>(fit->events));
-    }
-    finish(std::move(row), last);
+    if (!magnitudes.empty()) end.fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
+    write_table(out, columns(), rows, format);
 }
 
 }  // namespace graincrack

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "post/table/column.hpp"
 #include "share/base/union_find.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 
@@ -107,15 +108,21 @@ double GutenbergRichter::distance_by_chance() const {
 }
 
 void write_events(std::ostream& out, const std::vector<EmissionEvent>& events, TableFormat format) {
-    TableWriter table(out,
-                      {"event", "time_s", "duration_s", "x_mm", "y_mm", "contacts", "tensile_share", "length_mm", "energy_J",
-                       "moment_N_m", "magnitude"},
-                      format);
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        const EmissionEvent& e = events[i];
-        table.row({static_cast<std::int64_t>(i), e.time, e.duration, e.position[0] * 1e3, e.position[1] * 1e3,
-                   count_cell(e.contacts), e.tensile_share, e.length * 1e3, e.energy, e.moment, e.magnitude()});
-    }
+    using namespace unit;
+    using Event = EmissionEvent;
+    const Event* const first = events.data();
+    const Columns<Event> columns{{"event", none, [first](const Event& e) { return &e - first; }},
+                                 {"time", second, [](const Event& e) { return e.time; }},
+                                 {"duration", second, [](const Event& e) { return e.duration; }},
+                                 {"x", millimetre, [](const Event& e) { return e.position[0]; }},
+                                 {"y", millimetre, [](const Event& e) { return e.position[1]; }},
+                                 {"contacts", none, [](const Event& e) { return count_cell(e.contacts); }},
+                                 {"tensile_share", none, [](const Event& e) { return e.tensile_share; }},
+                                 {"length", millimetre, [](const Event& e) { return e.length; }},
+                                 {"energy", joule, [](const Event& e) { return e.energy; }},
+                                 {"moment", newton_metre, [](const Event& e) { return e.moment; }},
+                                 {"magnitude", none, [](const Event& e) { return e.magnitude(); }}};
+    write_table(out, columns, events, format);
 }
 
 }  // namespace graincrack

@@ -1,6 +1,7 @@
 #include "post/cracks/export.hpp"
 
 #include <fmt/format.h>
+#include <array>
 
 #include <algorithm>
 #include <functional>
@@ -16,6 +17,7 @@
 #include "post/cracks/rosette.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/file/output_file.hpp"
 #include "share/file/output_lock.hpp"
@@ -109,57 +111,48 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
     return breakup;
 }
 
+Cell mode_cell(const Crack& crack, const CrackLabel& label) {
+    const std::optional<CrackMode> mode = mode_of(crack, label);
+    return mode ? Cell(*mode == CrackMode::tensile ? "tensile" : "shear") : Cell();
+}
+
 }  // namespace
 
 void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format) {
+    using namespace unit;
     const ContactClasses classes = classes_of(specimen);
     const bool has_phases = specimen.phase_names.size() > 1;
-    TableWriter table(out,
-                      {"time_s",
-                       "step",
-                       "contact",
-                       "point",
-                       "mode",
-                       "mode_angle_rad",
-                       "x_m",
-                       "y_m",
-                       "orientation_rad",
-                       "length_m",
-                       "opening_m",
-                       "sliding_m",
-                       "energy_released_J",
-                       "time_damaged_10_s",
-                       "opening_damaged_10_m",
-                       "sliding_damaged_10_m",
-                       "time_damaged_50_s",
-                       "opening_damaged_50_m",
-                       "sliding_damaged_50_m",
-                       "time_broken_s",
-                       "opening_broken_m",
-                       "sliding_broken_m",
-                       "time_separated_s",
-                       "opening_separated_m",
-                       "sliding_separated_m",
-                       "mode_by_sign",
-                       "mode_damaged_50_by_sign",
-                       "mode_broken_by_sign",
-                       "class"},
-                      format);
-    for (const Crack& c : log) {
-        const auto mode = [&c](const CrackLabel& label) {
-            const std::optional<CrackMode> found = mode_of(c, label);
-            return found ? Cell(std::string(*found == CrackMode::tensile ? "tensile" : "shear")) : Cell();
-        };
-        std::vector<Cell> row{c.time,       c.step,        std::int64_t{c.contact}, std::int64_t{c.point}, mode({}),
-                              c.mode_angle, c.position[0], c.position[1],           c.orientation,         c.length,
-                              c.opening,    c.sliding,     c.energy_released};
-        for (const CrackMoment& moment : {c.damaged_10, c.damaged_50, c.broken, c.separated}) {
-            row.insert(row.end(), {moment.time, moment.opening, moment.sliding});
-        }
-        for (const CrackEvent event : all_crack_events) row.push_back(mode({event, CrackModeRule::sign}));
-        row.push_back(has_phases ? Cell(classes.name_of(c)) : Cell());
-        table.row(row);
+    Columns<Crack> columns{{"time", second, [](const Crack& c) { return c.time; }},
+                           {"step", none, [](const Crack& c) { return c.step; }},
+                           {"contact", none, [](const Crack& c) { return c.contact; }},
+                           {"point", none, [](const Crack& c) { return static_cast<int>(c.point); }},
+                           {"mode", none, [](const Crack& c) { return mode_cell(c, {}); }},
+                           {"mode_angle", radian, [](const Crack& c) { return c.mode_angle; }},
+                           {"x", metre, [](const Crack& c) { return c.position[0]; }},
+                           {"y", metre, [](const Crack& c) { return c.position[1]; }},
+                           {"orientation", radian, [](const Crack& c) { return c.orientation; }},
+                           {"length", metre, [](const Crack& c) { return c.length; }},
+                           {"opening", metre, [](const Crack& c) { return c.opening; }},
+                           {"sliding", metre, [](const Crack& c) { return c.sliding; }},
+                           {"energy_released", joule, [](const Crack& c) { return c.energy_released; }}};
+    const auto add = [&](const std::string& ending, CrackMoment Crack::*moment) {
+        columns.push_back({"time" + ending, second, [moment](const Crack& c) { return (c.*moment).time; }});
+        columns.push_back({"opening" + ending, metre, [moment](const Crack& c) { return (c.*moment).opening; }});
+        columns.push_back({"sliding" + ending, metre, [moment](const Crack& c) { return (c.*moment).sliding; }});
+    };
+    add("_damaged_10", &Crack::damaged_10);
+    add("_damaged_50", &Crack::damaged_50);
+    add("_broken", &Crack::broken);
+    add("_separated", &Crack::separated);
+    constexpr std::array names{"mode_by_sign", "mode_damaged_50_by_sign", "mode_broken_by_sign"};
+    static_assert(names.size() == all_crack_events.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        columns.push_back({names[i], none, [i](const Crack& c) {
+                               return mode_cell(c, {all_crack_events[i], CrackModeRule::sign});
+                           }});
     }
+    columns.push_back({"class", none, [&](const Crack& c) { return has_phases ? Cell(classes.name_of(c)) : Cell(); }});
+    write_table(out, columns, log, format);
 }
 
 std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "post/table/column.hpp"
 #include "share/base/union_find.hpp"
 
 namespace graincrack {
@@ -74,13 +75,17 @@ Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<
 }
 
 void write_fragments(std::ostream& out, const Fragments& fragments, TableFormat format) {
-    TableWriter table(out, {"fragment", "grains", "area_mm2", "diameter_mm", "share_of_area", "x_mm", "y_mm"}, format);
+    using namespace unit;
     const double total = total_area(fragments);
-    for (std::size_t i = 0; i < fragments.all.size(); ++i) {
-        const Fragment& f = fragments.all[i];
-        table.row({static_cast<std::int64_t>(i), static_cast<std::int64_t>(f.grains), f.area * 1e6, f.diameter() * 1e3,
-                   f.area / total, f.centre[0] * 1e3, f.centre[1] * 1e3});
-    }
+    const Fragment* const first = fragments.all.data();
+    const Columns<Fragment> columns{{"fragment", none, [first](const Fragment& f) { return &f - first; }},
+                                    {"grains", none, [](const Fragment& f) { return f.grains; }},
+                                    {"area", square_millimetre, [](const Fragment& f) { return f.area; }},
+                                    {"diameter", millimetre, [](const Fragment& f) { return f.diameter(); }},
+                                    {"share_of_area", none, [total](const Fragment& f) { return f.area / total; }},
+                                    {"x", millimetre, [](const Fragment& f) { return f.centre[0]; }},
+                                    {"y", millimetre, [](const Fragment& f) { return f.centre[1]; }}};
+    write_table(out, columns, fragments.all, format);
 }
 
 FragmentCount count_fragments(const Fragments& fragments, double time) {
@@ -88,10 +93,13 @@ FragmentCount count_fragments(const Fragments& fragments, double time) {
 }
 
 void write_fragment_counts(std::ostream& out, const std::vector<FragmentCount>& counts, TableFormat format) {
-    TableWriter table(out, {"time_s", "fragments", "single_grains", "largest_share_of_area"}, format);
-    for (const FragmentCount& c : counts) {
-        table.row({c.time, static_cast<std::int64_t>(c.fragments), static_cast<std::int64_t>(c.single_grains), c.largest_share});
-    }
+    using namespace unit;
+    static const Columns<FragmentCount> columns{
+        {"time", second, [](const FragmentCount& c) { return c.time; }},
+        {"fragments", none, [](const FragmentCount& c) { return c.fragments; }},
+        {"single_grains", none, [](const FragmentCount& c) { return c.single_grains; }},
+        {"largest_share_of_area", none, [](const FragmentCount& c) { return c.largest_share; }}};
+    write_table(out, columns, counts, format);
 }
 
 }  // namespace graincrack

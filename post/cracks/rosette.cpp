@@ -1,4 +1,5 @@
 #include "post/cracks/rosette.hpp"
+#include "post/table/column.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -41,21 +42,21 @@ std::optional<double> share_along_load(const std::array<double, Rosette::n_bins>
 }
 
 void write_rosette(std::ostream& out, const Rosette& rosette, TableFormat format) {
-    TableWriter table(out,
-                      {"orientation_low_deg", "orientation_high_deg", "tensile_length_m", "tensile_share", "shear_length_m",
-                       "shear_share", "facet_length_m", "facet_share"},
-                      format);
-    constexpr std::int64_t width = 180 / static_cast<std::int64_t>(Rosette::n_bins);
-    for (std::size_t i = 0; i < Rosette::n_bins; ++i) {
-        const auto low = width * static_cast<std::int64_t>(i);
-        std::vector<Cell> row{low, low + width};
-        for (const auto* lengths : {&rosette.tensile, &rosette.shear, &rosette.facet}) {
-            const double total = std::accumulate(lengths->begin(), lengths->end(), 0.0);
-            row.emplace_back((*lengths)[i]);
-            row.push_back(total > 0 ? Cell((*lengths)[i] / total) : Cell());
-        }
-        table.row(row);
-    }
+    using namespace unit;
+    constexpr std::size_t width = 180 / Rosette::n_bins;  // deg
+    Columns<std::size_t> columns{{"orientation_low_deg", none, [](std::size_t bin) { return width * bin; }},
+                                 {"orientation_high_deg", none, [](std::size_t bin) { return width * (bin + 1); }}};
+    const auto add = [&](const std::string& name, const std::array<double, Rosette::n_bins>& lengths) {
+        const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+        columns.push_back({name + "_length", metre, [&lengths](std::size_t bin) { return lengths[bin]; }});
+        columns.push_back({name + "_share", none, [&lengths, total](std::size_t bin) { return Cell(lengths[bin] / total); }});
+    };
+    add("tensile", rosette.tensile);
+    add("shear", rosette.shear);
+    add("facet", rosette.facet);
+    std::vector<std::size_t> bins(Rosette::n_bins);
+    std::iota(bins.begin(), bins.end(), 0);
+    write_table(out, columns, bins, format);
 }
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include "post/fit/paper_rock.hpp"
 #include "post/run/comparable.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack {
@@ -17,37 +18,42 @@ namespace {
 
 constexpr double millimetre = 1e-3;
 
-const std::vector<std::string> columns{"test",
-                                       "confining_pressure_MPa",
-                                       "fit",
-                                       "runs",
-                                       "runs_at_strain_limit",
-                                       "smallest_edge_mm",
-                                       "largest_edge_mm",
-                                       "exponent",
-                                       "exponent_low",
-                                       "exponent_high",
-                                       "coefficient",
-                                       "theory_exponent",
-                                       "paper_exponent",
-                                       "zone_over_smallest_edge",
-                                       "zone_over_largest_edge"};
-
 std::vector<double> logarithms(const std::vector<double>& values, double unit) {
     std::vector<double> out;
     for (const double value : values) out.push_back(std::log(value / unit));
     return out;
 }
 
-void write_row(TableWriter& table, const SizeSeries& s, const std::string& name, const std::optional<PowerLaw>& law) {
-    const auto [small, large] = std::minmax_element(s.edge.begin(), s.edge.end());
-    const bool tensile = s.test == "brazilian" || s.test == "tension";
-    table.row({s.test, s.confining_pressure * 1e-6, name, static_cast<std::int64_t>(s.edge.size()),
-               static_cast<std::int64_t>(s.at_strain_limit), *small / millimetre, *large / millimetre,
-               law ? Cell(law->exponent.value) : Cell(), law ? cell(law->exponent.low) : Cell(),
-               law ? cell(law->exponent.high) : Cell(), law ? Cell(law->coefficient * 1e-6) : Cell(),
-               tensile ? Cell(theory_exponent) : Cell(), cell(s.exponent_of_paper()), s.contact_zone_length / *small,
-               s.contact_zone_length / *large});
+/// A fit to a series.
+struct FitRow {
+    const SizeSeries& series;
+    std::string fit;
+    std::optional<PowerLaw> law;
+    [[nodiscard]] double small() const { return *std::min_element(series.edge.begin(), series.edge.end()); }
+    [[nodiscard]] double large() const { return *std::max_element(series.edge.begin(), series.edge.end()); }
+    [[nodiscard]] bool is_tensile() const { return series.test == "brazilian" || series.test == "tension"; }
+};
+
+const Columns<FitRow>& columns() {
+    using namespace unit;
+    using R = FitRow;
+    static const Columns<R> all{
+        {"test", none, [](const R& r) { return r.series.test; }},
+        {"confining_pressure", megapascal, [](const R& r) { return r.series.confining_pressure; }},
+        {"fit", none, [](const R& r) { return r.fit; }},
+        {"runs", none, [](const R& r) { return r.series.edge.size(); }},
+        {"runs_at_strain_limit", none, [](const R& r) { return r.series.at_strain_limit; }},
+        {"smallest_edge", unit::millimetre, [](const R& r) { return r.small(); }},
+        {"largest_edge", unit::millimetre, [](const R& r) { return r.large(); }},
+        {"exponent", none, [](const R& r) { return r.law ? Cell(r.law->exponent.value) : Cell(); }},
+        {"exponent_low", none, [](const R& r) { return r.law ? Cell(r.law->exponent.low) : Cell(); }},
+        {"exponent_high", none, [](const R& r) { return r.law ? Cell(r.law->exponent.high) : Cell(); }},
+        {"coefficient", none, [](const R& r) { return r.law ? Cell(r.law->coefficient * 1e-6) : Cell(); }},
+        {"theory_exponent", none, [](const R& r) { return r.is_tensile() ? Cell(theory_exponent) : Cell(); }},
+        {"paper_exponent", none, [](const R& r) { return r.series.exponent_of_paper(); }},
+        {"zone_over_smallest_edge", none, [](const R& r) { return r.series.contact_zone_length / r.small(); }},
+        {"zone_over_largest_edge", none, [](const R& r) { return r.series.contact_zone_length / r.large(); }}};
+    return all;
 }
 
 void require_sizes(const SizeSeries& s) {
@@ -120,11 +126,12 @@ void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs
                    "as a strength, so that the exponent depends on that limit\n",
                    at_strain_limit, runs.size());
     }
-    TableWriter table(out, columns, format);
+    std::vector<FitRow> rows;
     for (const SizeSeries& s : all) {
-        write_row(table, s, "log-log", fit_power_law_log(s.edge, s.strength));
-        write_row(table, s, "non-linear", fit_power_law(s.edge, s.strength));
+        rows.push_back({s, "log-log", fit_power_law_log(s.edge, s.strength)});
+        rows.push_back({s, "non-linear", fit_power_law(s.edge, s.strength)});
     }
+    write_table(out, columns(), rows, format);
 }
 
 }  // namespace graincrack

@@ -5,75 +5,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "post/measure/terminal_tables.hpp"
 #include "post/measure/thresholds.hpp"
 #include "post/statistics/statistics.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack {
 
 namespace {
-
-const std::vector<std::string> columns{"file",
-                                       "young_modulus_GPa",
-                                       "poisson_ratio",
-                                       "plane_young_modulus_GPa",
-                                       "plane_poisson_ratio",
-                                       "platen_young_modulus_GPa",
-                                       "predicted_young_modulus_GPa",
-                                       "predicted_poisson_ratio",
-                                       "voigt_young_modulus_GPa",
-                                       "reuss_young_modulus_GPa",
-                                       "tangent_young_modulus_GPa",
-                                       "tangent_poisson_ratio",
-                                       "plane_tangent_young_modulus_GPa",
-                                       "plane_tangent_poisson_ratio",
-                                       "average_young_modulus_GPa",
-                                       "average_poisson_ratio",
-                                       "plane_average_young_modulus_GPa",
-                                       "plane_average_poisson_ratio",
-                                       "secant_young_modulus_GPa",
-                                       "secant_poisson_ratio",
-                                       "plane_secant_young_modulus_GPa",
-                                       "plane_secant_poisson_ratio",
-                                       "post_peak_slope_over_young_modulus",
-                                       "peak_kind",
-                                       "crack_initiation_crack_strain_2d_MPa",
-                                       "crack_initiation_lateral_response_2d_MPa",
-                                       "crack_damage_2d_MPa",
-                                       "crack_initiation_crack_strain_pseudo_3d_MPa",
-                                       "crack_initiation_lateral_response_pseudo_3d_MPa",
-                                       "crack_damage_pseudo_3d_MPa",
-                                       "crack_initiation_count_MPa",
-                                       "threshold_note",
-                                       "warning",
-                                       "crack_initiation_count_damage_10_MPa",
-                                       "crack_initiation_count_damage_50_MPa",
-                                       "crack_initiation_count_damage_90_MPa",
-                                       "plane"};
-constexpr std::size_t n_damage_columns = std::tuple_size_v<InitiationByDamage>;
-
-void append(std::vector<Cell>& row, const ElasticPair& pair) {
-    for (const Cell& cell : {Cell(pair.young_modulus * 1e-9), Cell(pair.poisson_ratio), Cell(pair.plane_young_modulus * 1e-9),
-                             Cell(pair.plane_poisson_ratio)}) {
-        row.push_back(cell);
-    }
-}
-
-Cell megapascal(const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); }
-
-/// Thresholds of a compression test that had a peak, by both definitions of volumetric strain, with the name of each definition.
-void append_thresholds(std::vector<Cell>& row, const RunData& run, const LoadCurve& curve) {
-    for (const VolumeKind kind : {VolumeKind::plane, VolumeKind::pseudo_3d}) {
-        const Thresholds thresholds = measure_thresholds(curve, kind);
-        row.push_back(megapascal(thresholds.initiation_by_crack_strain));
-        row.push_back(megapascal(thresholds.initiation_by_lateral_response));
-        row.push_back(megapascal(thresholds.damage));
-    }
-    row.push_back(megapascal(initiation_by_count(run, curve)));
-    row.emplace_back(std::string("plane ") + std::string(name_of(run.header.plane)) +
-                     ": thresholds by 2D strains do not compare with laboratory ones directly");
-}
 
 /// Caveats of the moduli of a run; empty if there are none.
 std::string warning(const Moduli& moduli, const std::string& kind) {
@@ -90,38 +29,142 @@ std::string warning(const Moduli& moduli, const std::string& kind) {
     return label;
 }
 
-std::vector<Cell> moduli_row(const std::string& path) {
+/// What the table tells of a run.
+struct ModuliRow {
+    std::string file;
+    std::string plane;
+    std::optional<Moduli> measured;
+    fpz::AssemblageModuli predicted;
+    GrainModuli grains;
+    std::string peak_kind;
+    // Of a compression test that had a peak.
+    std::optional<Thresholds> by_plane, by_pseudo_3d;
+    std::optional<double> initiation_by_count;
+    InitiationByDamage initiation_by_damage;
+
+    [[nodiscard]] Cell pair(ElasticPair Moduli::*convention, double ElasticPair::*value) const {
+        return measured ? Cell((*measured).*convention.*value) : Cell();
+    }
+    [[nodiscard]] static Cell of(const std::optional<Thresholds>& thresholds, std::optional<double> Thresholds::*stress) {
+        return thresholds ? Cell((*thresholds).*stress) : Cell();
+    }
+    [[nodiscard]] Cell note() const {
+        return by_plane ? Cell("plane " + plane + ": thresholds by 2D strains do not compare with laboratory ones directly")
+                        : Cell();
+    }
+    [[nodiscard]] std::string caveat() const { return measured ? warning(*measured, peak_kind) : ""; }
+};
+
+ModuliRow read_row(const std::string& path) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
-    const std::optional<Moduli> measured = measure_moduli(run);
     const Specimen specimen = reader.specimen();
-    const fpz::AssemblageModuli predicted = predict_moduli(run.header, specimen);
-    const GrainModuli grains = grain_moduli(run.header, specimen);
     const LoadCurve curve = load_curve(run);
-    const std::string kind = peak_kind(run, curve);
-    std::vector<Cell> row{run.name};
-    if (measured) append(row, measured->chord);
-    row.resize(5);
-    row.push_back(measured ? Cell(measured->platen_young_modulus * 1e-9) : Cell());
-    row.emplace_back(predicted.young_modulus * 1e-9);
-    row.emplace_back(predicted.poisson_ratio);
-    row.emplace_back(grains.voigt * 1e-9);
-    row.emplace_back(grains.reuss * 1e-9);
-    if (measured) {
-        for (const ElasticPair& pair : {measured->tangent, measured->average, measured->secant}) append(row, pair);
-        row.push_back(cell(measured->post_peak_slope_ratio));
+    ModuliRow row{run.name,
+                  std::string(name_of(run.header.plane)),
+                  measure_moduli(run),
+                  predict_moduli(run.header, specimen),
+                  grain_moduli(run.header, specimen),
+                  peak_kind(run, curve),
+                  {},
+                  {},
+                  {},
+                  {}};
+    if (is_compression(run.header) && !row.peak_kind.empty()) {
+        row.by_plane = measure_thresholds(curve, VolumeKind::plane);
+        row.by_pseudo_3d = measure_thresholds(curve, VolumeKind::pseudo_3d);
+        row.initiation_by_count = initiation_by_count(run, curve);
+        row.initiation_by_damage = initiation_by_damage(run, curve, reader.cracks());
     }
-    row.resize(23);
-    row.emplace_back(kind);
-    if (is_compression(run.header) && !kind.empty()) append_thresholds(row, run, curve);
-    row.resize(columns.size() - n_damage_columns - 2);
-    row.push_back(measured ? Cell(warning(*measured, kind)) : Cell());
-    if (is_compression(run.header) && !kind.empty()) {
-        for (const auto& stress : initiation_by_damage(run, curve, reader.cracks())) row.push_back(megapascal(stress));
-    }
-    row.resize(columns.size() - 1);
-    row.emplace_back(std::string(name_of(run.header.plane)));
     return row;
+}
+
+using R = ModuliRow;
+
+/// The four values by one convention, each under a prefix: "secant_", "plane_secant_".
+void append_pair(Columns<R>& columns, const std::string& prefix, ElasticPair Moduli::*convention) {
+    const auto add = [&](const std::string& name, const ColumnUnit& unit, double ElasticPair::*value) {
+        columns.push_back({name, unit, [convention, value](const R& r) { return r.pair(convention, value); }});
+    };
+    add(prefix + "young_modulus", unit::gigapascal, &ElasticPair::young_modulus);
+    add(prefix + "poisson_ratio", unit::none, &ElasticPair::poisson_ratio);
+    add("plane_" + prefix + "young_modulus", unit::gigapascal, &ElasticPair::plane_young_modulus);
+    add("plane_" + prefix + "poisson_ratio", unit::none, &ElasticPair::plane_poisson_ratio);
+}
+
+void append_thresholds(Columns<R>& columns, const std::string& strain, std::optional<Thresholds> R::*thresholds) {
+    const auto add = [&](const std::string& name, std::optional<double> Thresholds::*stress) {
+        columns.push_back(
+            {name + strain, unit::megapascal, [thresholds, stress](const R& r) { return R::of(r.*thresholds, stress); }});
+    };
+    add("crack_initiation_crack_strain_", &Thresholds::initiation_by_crack_strain);
+    add("crack_initiation_lateral_response_", &Thresholds::initiation_by_lateral_response);
+    add("crack_damage_", &Thresholds::damage);
+}
+
+Cell of_platens(const R& r) { return r.measured ? Cell(r.measured->platen_young_modulus) : Cell(); }
+
+Columns<R> all_columns() {
+    using namespace unit;
+    Columns<R> columns{{"file", none, [](const R& r) { return r.file; }}};
+    append_pair(columns, "", &Moduli::chord);
+    columns.insert(columns.end(), {{"platen_young_modulus", gigapascal, of_platens},
+                                   {"predicted_young_modulus", gigapascal, [](const R& r) { return r.predicted.young_modulus; }},
+                                   {"predicted_poisson_ratio", none, [](const R& r) { return r.predicted.poisson_ratio; }},
+                                   {"voigt_young_modulus", gigapascal, [](const R& r) { return r.grains.voigt; }},
+                                   {"reuss_young_modulus", gigapascal, [](const R& r) { return r.grains.reuss; }}});
+    append_pair(columns, "tangent_", &Moduli::tangent);
+    append_pair(columns, "average_", &Moduli::average);
+    append_pair(columns, "secant_", &Moduli::secant);
+    columns.push_back({"post_peak_slope_over_young_modulus", none,
+                       [](const R& r) { return r.measured ? Cell(r.measured->post_peak_slope_ratio) : Cell(); }});
+    columns.push_back({"peak_kind", none, [](const R& r) { return r.peak_kind; }});
+    append_thresholds(columns, "2d", &R::by_plane);
+    append_thresholds(columns, "pseudo_3d", &R::by_pseudo_3d);
+    columns.push_back({"crack_initiation_count", megapascal, [](const R& r) { return r.initiation_by_count; }});
+    columns.push_back({"threshold_note", none, [](const R& r) { return r.note(); }});
+    columns.push_back({"warning", none, [](const R& r) { return r.caveat(); }});
+    constexpr std::array damages{"10", "50", "90"};
+    for (std::size_t i = 0; i < damages.size(); ++i) {
+        columns.push_back({std::string("crack_initiation_count_damage_") + damages[i], megapascal,
+                           [i](const R& r) { return r.initiation_by_damage[i]; }});
+    }
+    columns.push_back({"plane", none, [](const R& r) { return r.plane; }});
+    return columns;
+}
+
+const Columns<R>& terminal_columns() {
+    using namespace unit;
+    static const Columns<R> all{
+        {"run", none, [](const R& r) { return r.file; }},
+        {"E", gigapascal, [](const R& r) { return r.pair(&Moduli::chord, &ElasticPair::young_modulus); }},
+        {"ν", none, [](const R& r) { return r.pair(&Moduli::chord, &ElasticPair::poisson_ratio); }},
+        {"E in the plane", gigapascal, [](const R& r) { return r.pair(&Moduli::chord, &ElasticPair::plane_young_modulus); }},
+        {"ν in the plane", none, [](const R& r) { return r.pair(&Moduli::chord, &ElasticPair::plane_poisson_ratio); }},
+        {"E by platens", gigapascal, of_platens},
+        {"E predicted", gigapascal, [](const R& r) { return r.predicted.young_modulus; }},
+        {"ν predicted", none, [](const R& r) { return r.predicted.poisson_ratio; }},
+        {"E Voigt", gigapascal, [](const R& r) { return r.grains.voigt; }},
+        {"E Reuss", gigapascal, [](const R& r) { return r.grains.reuss; }},
+        {"crack initiation", megapascal, [](const R& r) { return r.initiation_by_count; }},
+        {"crack damage", megapascal, [](const R& r) { return R::of(r.by_plane, &Thresholds::damage); }}};
+    return all;
+}
+
+void write_to_terminal(std::ostream& out, const std::vector<R>& rows) {
+    TerminalTable table(terminal_columns());
+    const auto title = [](const R& r) {
+        return "plane " + r.plane +
+               (r.plane == "strain" ? ": E and ν are material values, converted from those in the plane" : "");
+    };
+    for (const auto& [name, members] : grouped<R>(rows, title)) {
+        table.group(name);
+        for (const R* r : members) table.row(cells_of(terminal_columns(), *r));
+    }
+    table.write(out);
+    for (const R& r : rows) {
+        if (const std::string caveat = r.caveat(); !caveat.empty()) out << r.file << ": warning: " << caveat << '\n';
+    }
 }
 
 /// Slopes of a curve: stress and lateral strain, each by axial strain.
@@ -242,14 +285,14 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
     return fpz::assemblage_moduli(rock, header.plane, normal, shear, contact_length_per_area(specimen));
 }
 
-void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format) {
-    if (format) {
-        write_file_rows(out, columns, runs, moduli_row, *format);
-        return;
+void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
+    std::vector<ModuliRow> rows;
+    for (const std::string& run : runs) rows.push_back(read_row(run));
+    if (format == TableFormat::aligned) {
+        write_to_terminal(out, rows);
+    } else {
+        write_table(out, all_columns(), rows, format);
     }
-    std::vector<std::vector<Cell>> rows;
-    for (const std::string& run : runs) rows.push_back(moduli_row(run));
-    write_moduli_to_terminal(out, {columns, rows});
 }
 
 }  // namespace graincrack

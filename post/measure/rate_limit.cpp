@@ -10,7 +10,7 @@
 #include "post/measure/strength.hpp"
 #include "post/run/comparable.hpp"
 #include "post/run/test_label.hpp"
-#include "post/table/terminal_table.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 
@@ -101,30 +101,52 @@ std::optional<std::pair<std::vector<double>, std::vector<double>>> strengths_of(
     return strengths;
 }
 
-const std::vector<std::string> columns{
-    "test",     "confining_pressure_MPa", "strength",           "specimens",           "rate_ratio", "fast_MPa",
-    "slow_MPa", "change_percent",         "change_low_percent", "change_high_percent", "limit_MPa",  "error_MPa"};
+struct RateRow {
+    std::string test;
+    double confining_pressure = 0;  ///< Pa
+    StrengthKind kind{};
+    std::size_t specimens = 0;
+    double rate_ratio = 0;
+    double fast = 0, slow = 0;  ///< means, Pa
+    RateLimit limit;
+};
 
-void write_to_terminal(std::ostream& out, const std::vector<std::vector<Cell>>& rows) {
-    TerminalTable terminal({{"test", ""},
-                            {"specimens", ""},
-                            {"faster", "MPa"},
-                            {"slower", "MPa"},
-                            {"change", "%"},
-                            {"95 % interval", "%"},
-                            {"limit", "MPa"},
-                            {"error", "MPa"}});
-    for (const std::vector<Cell>& cells : rows) {
-        const NamedRow row(columns, cells);
-        const auto low = row.number("change_low_percent");
-        terminal.row(
-            {series_label(row.text("test"), 1e6 * row.number("confining_pressure_MPa").value_or(0)) + ", " + row.text("strength"),
-             row.text("specimens"), row.shown("fast_MPa"), row.shown("slow_MPa"),
-             fmt::format("{:+.2f}", row.number("change_percent").value_or(0)),
-             low ? fmt::format("{:+.2f} to {:+.2f}", *low, row.number("change_high_percent").value_or(0)) : "",
-             row.shown("limit_MPa"), format_number(row.number("error_MPa").value_or(0), 2)});
-    }
-    terminal.write(out);
+using R = RateRow;
+
+const Columns<R>& columns() {
+    using namespace unit;
+    static const Columns<R> all{{"test", none, [](const R& r) { return r.test; }},
+                                {"confining_pressure", megapascal, [](const R& r) { return r.confining_pressure; }},
+                                {"strength", none, [](const R& r) { return name_of(r.kind); }},
+                                {"specimens", none, [](const R& r) { return r.specimens; }},
+                                {"rate_ratio", none, [](const R& r) { return r.rate_ratio; }},
+                                {"fast", megapascal, [](const R& r) { return r.fast; }},
+                                {"slow", megapascal, [](const R& r) { return r.slow; }},
+                                {"change", percent, [](const R& r) { return r.limit.change.value; }},
+                                {"change_low", percent, [](const R& r) { return r.limit.change.low; }},
+                                {"change_high", percent, [](const R& r) { return r.limit.change.high; }},
+                                {"limit", megapascal, [](const R& r) { return r.limit.limit; }},
+                                {"error", megapascal, [](const R& r) { return r.limit.error; }}};
+    return all;
+}
+
+Cell change_interval(const R& r) {
+    const Estimate& change = r.limit.change;
+    return change.low ? Cell(fmt::format("{:+.2f} to {:+.2f}", 100 * *change.low, 100 * change.high.value_or(0))) : Cell();
+}
+
+const Columns<R>& terminal_columns() {
+    using namespace unit;
+    static const Columns<R> all{
+        {"test", none, [](const R& r) { return series_label(r.test, r.confining_pressure) + ", " + name_of(r.kind); }},
+        {"specimens", none, [](const R& r) { return r.specimens; }},
+        {"faster", megapascal, [](const R& r) { return r.fast; }},
+        {"slower", megapascal, [](const R& r) { return r.slow; }},
+        {"change", percent, [](const R& r) { return fmt::format("{:+.2f}", 100 * r.limit.change.value); }},
+        {"95 % interval", percent, change_interval},
+        {"limit", megapascal, [](const R& r) { return r.limit.limit; }},
+        {"error", megapascal, [](const R& r) { return format_number(r.limit.error * megapascal.factor, 2); }}};
+    return all;
 }
 
 }  // namespace
@@ -142,8 +164,8 @@ RateLimit extrapolate_rate(std::span<const double> fast, std::span<const double>
             std::max(std::abs(mean_excess.value), half_interval)};
 }
 
-void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format) {
-    std::vector<std::vector<Cell>> rows;
+void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths, TableFormat format) {
+    std::vector<RateRow> rows;
     const std::vector<RunData> runs = read_runs(paths);
     for (const auto& [test, pairs] : pairs_of(runs)) {
         for (const StrengthKind kind : {StrengthKind::largest, StrengthKind::first_peak}) {
@@ -158,16 +180,11 @@ void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths,
                                 pairs.front().fast->name, name_of(kind), 100 * limit.change.value,
                                 series_label(test.second, test.first), 100 * largest_change));
             }
-            const auto percent = [](const std::optional<double>& value) { return value ? Cell(100 * *value) : Cell(); };
-            rows.push_back({test.second, test.first * 1e-6, name_of(kind), static_cast<std::int64_t>(pairs.size()),
-                            pairs.front().ratio(), sample(fast).mean.value * 1e-6, sample(slow).mean.value * 1e-6,
-                            percent(limit.change.value), percent(limit.change.low), percent(limit.change.high),
-                            limit.limit * 1e-6, limit.error * 1e-6});
+            rows.push_back({test.second, test.first, kind, pairs.size(), pairs.front().ratio(), sample(fast).mean.value,
+                            sample(slow).mean.value, limit});
         }
     }
-    if (!format) return write_to_terminal(out, rows);
-    TableWriter table(out, columns, *format);
-    for (const auto& row : rows) table.row(row);
+    write_table(out, columns(), terminal_columns(), rows, format);
 }
 
 }  // namespace graincrack

@@ -26,8 +26,8 @@ RateLimit extrapolate_rate(std::span<const double> fast, std::span<const double>
 
 /// Table `strength --extrapolate`, a row for each test, pressure and strength (largest; first peak where all runs have one).
 /// \param runs the tests of some specimens at two rates each, in any order
-/// \param format for scripts; empty: an aligned table \throws InputError if a test has no partner at another rate or more
+/// \throws InputError if a test has no partner at another rate or more
 ///        than one, differs from it in more than the rate, or differs from it by more than 5 % in the mean
-void write_rate_limits(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format);
+void write_rate_limits(std::ostream& out, const std::vector<std::string>& runs, TableFormat format);
 
 }  // namespace graincrack

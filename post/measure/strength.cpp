@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 
 #include "post/measure/caveats.hpp"
-#include "post/measure/terminal_tables.hpp"
 #include "post/run/mode_counts.hpp"
 #include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
+#include "post/statistics/statistics.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 
@@ -17,136 +18,138 @@ namespace graincrack {
 
 namespace {
 
-const std::vector<std::string> first_columns{"file",
-                                             "test",
-                                             "seed",
-                                             "grains",
-                                             "mean_edge_mm",
-                                             "confining_pressure_MPa",
-                                             "peak_compressive_stress_MPa",
-                                             "tensile_strength_MPa",
-                                             "strain_at_peak",
-                                             "peak_kind",
-                                             "first_yield_MPa",
-                                             "tensile_cracks",
-                                             "shear_cracks",
-                                             "energy_balance_error",
-                                             "platen_force_difference",
-                                             "steps",
-                                             "wall_time_s",
-                                             "ns_per_grain_step",
-                                             "stress_at_1_percent_MPa",
-                                             "stress_at_2_percent_MPa",
-                                             "stress_at_3_percent_MPa",
-                                             "spanning_strength_MPa",
-                                             "first_crack_radius_over_R",
-                                             "loading_arc_deg",
-                                             "warning",
-                                             "achieved_confining_pressure_MPa",
-                                             "contact_law",
-                                             "contact_tensile_strength_MPa",
-                                             "contact_cohesion_MPa",
-                                             "contact_friction_angle_deg",
-                                             "damping_load",
-                                             "first_peak_MPa",
-                                             "residual_MPa",
-                                             "drop_percent",
-                                             "rehardening_GPa",
-                                             "contact_fracture_energy_J/m2",
-                                             "contact_open_shear_strength_MPa",
-                                             "grain_young_modulus_GPa",
-                                             "grain_poisson_ratio",
-                                             "max_strain",
-                                             "rate_tolerance"};
-std::vector<std::string> all_columns() {
-    std::vector<std::string> columns = first_columns;
-    columns.insert(columns.end(), label_columns().begin(), label_columns().end());
-    columns.emplace_back("plane");
-    return columns;
-}
-
-constexpr double degree = std::numbers::pi / 180;
-
-Cell megapascal(const std::optional<double>& pascal) { return pascal ? Cell(*pascal * 1e-6) : Cell(); }
-
-/// The columns of a Brazilian test, empty for others. \return the split, empty for others
-std::optional<BrazilianSplit> append_split(std::vector<Cell>& row, const RunReader& reader, const RunData& run) {
-    if (run.header.test != "brazilian") {
-        row.insert(row.end(), 4, Cell());
-        return std::nullopt;
+/// What the table tells of a run.
+struct StrengthRow {
+    RunData run;
+    Strength strength;
+    std::optional<BrazilianSplit> split;  ///< of a Brazilian test
+    double loading_arc = 0;               ///< of its disc, rad
+    OtherCounts cracks;                   ///< at the peak
+    [[nodiscard]] const RunHeader& header() const { return run.header; }
+    [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
+    /// What a checkpoint does not have yet.
+    [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
+    [[nodiscard]] double grain_steps() const {
+        return static_cast<double>(header().integrations) * static_cast<double>(run.specimen.grains);
     }
-    const Specimen specimen = reader.specimen();
-    BrazilianSplit split = measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen));
-    row.push_back(megapascal(split.spanning_stress));
-    row.push_back(cell(split.first_crack_radius));
-    row.emplace_back(specimen.loading_arc / degree);
-    row.emplace_back(split.warning());
-    return split;
-}
-
-void append_first_peak(std::vector<Cell>& row, const std::optional<FirstPeak>& peak) {
-    row.push_back(peak ? Cell(peak->stress * 1e-6) : Cell());
-    row.push_back(peak ? megapascal(peak->residual) : Cell());
-    row.push_back(peak && peak->drop ? Cell(100 * *peak->drop) : Cell());
-    row.push_back(peak && peak->rehardening ? Cell(*peak->rehardening * 1e-9) : Cell());
-}
-
-/// Caveats of the strengths of some runs: a line for each run and reason, and the runs counted.
-struct Doubts {
-    std::vector<std::string> lines;
-    CaveatCount count;
-    void add(const RunData& run, const std::vector<Caveat>& caveats) {
-        for (const Caveat& caveat : caveats) lines.push_back(printable(run.name) + ": warning: " + caveat.text);
-        count.add(run, caveats);
+    [[nodiscard]] bool is_timed() const { return grain_steps() > 0 && run.wall_time > 0; }
+    [[nodiscard]] Cell of_peak(std::optional<double> FirstPeak::*member) const {
+        return strength.first_peak ? Cell((*strength.first_peak).*member) : Cell();
+    }
+    [[nodiscard]] Cell of_split(std::optional<double> BrazilianSplit::*member) const {
+        return split ? Cell((*split).*member) : Cell();
     }
 };
 
-std::vector<Cell> strength_row(const std::string& path, Doubts& doubts) {
+StrengthRow read_row(const std::string& path) {
     const RunReader reader(path);
-    const RunData run = run_data(reader);
-    const Strength strength = measure_strength(run);
-    const double grain_steps = static_cast<double>(run.header.integrations) * static_cast<double>(run.specimen.grains);
-    // A checkpoint does not have yet what is found at the end of a run.
-    const auto at_end = [&](double value) { return run.header.stop_reason == "checkpoint" ? Cell() : Cell(value); };
-    const bool timed = grain_steps > 0 && run.wall_time > 0;
-    std::vector<Cell> row{run.name,
-                          run.header.test,
-                          run.specimen.seed,
-                          run.specimen.grains,
-                          run.specimen.mean_edge * 1e3,
-                          run.header.confining_pressure * 1e-6,
-                          megapascal(strength.peak_compressive_stress),
-                          megapascal(strength.tensile_strength),
-                          strength.strain_at_peak,
-                          strength.peak_kind,
-                          megapascal(strength.first_yield),
-                          count_cell(strength.tensile_cracks),
-                          count_cell(strength.shear_cracks),
-                          at_end(run.header.energy_balance_error),
-                          at_end(run.header.platen_force_difference),
-                          run.header.steps,
-                          timed ? Cell(run.wall_time) : Cell(),
-                          timed ? Cell(run.wall_time * 1e9 / grain_steps) : Cell(),
-                          megapascal(strength.stress_at_marks[0]),
-                          megapascal(strength.stress_at_marks[1]),
-                          megapascal(strength.stress_at_marks[2])};
-    doubts.add(run, caveats_of(run, append_split(row, reader, run)));
-    row.push_back(run.header.confining_pressure > 0 ? Cell(run.header.confinement_mean * 1e-6) : Cell());
-    const ContactParameters& contact = run.header.contact;
-    row.emplace_back(run.header.contact_law);
-    for (const double value : {contact.tensile_strength * 1e-6, contact.cohesion * 1e-6, contact.friction_angle / degree}) {
-        row.emplace_back(value);
+    StrengthRow row{run_data(reader), {}, std::nullopt, 0, {}};
+    row.strength = measure_strength(row.run);
+    const LoadCurve curve = load_curve(row.run);
+    if (row.header().test == "brazilian") {
+        const Specimen specimen = reader.specimen();
+        row.split = measure_split(row.run, curve, specimen, read_cracks(reader, specimen));
+        row.loading_arc = specimen.loading_arc;
     }
-    row.push_back(at_end(run.header.damping_load));
-    append_first_peak(row, strength.first_peak);
-    for (const double value : {contact.fracture_energy, contact.open_shear_strength * 1e-6, run.header.rock.young_modulus * 1e-9,
-                               run.header.rock.poisson_ratio, run.header.max_strain, run.header.rate_tolerance}) {
-        row.emplace_back(value);
-    }
-    const double time_of_peak = run.history[HistoryColumn::time][load_curve(run).peak];
-    for (Cell& each : label_cells(reader.cracks(), run.header.crack_event, time_of_peak)) row.push_back(std::move(each));
-    row.emplace_back(std::string(name_of(run.header.plane)));
+    row.cracks = count_other_labels(reader.cracks(), row.header().crack_event, row.run.history[HistoryColumn::time][curve.peak]);
     return row;
+}
+
+using R = StrengthRow;
+
+const Columns<R>& columns() {
+    using namespace unit;
+    static const Columns<R> all = [] {
+        Columns<R> list{
+            {"file", none, [](const R& r) { return r.run.name; }},
+            {"test", none, [](const R& r) { return r.header().test; }},
+            {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
+            {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
+            {"mean_edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
+            {"confining_pressure", megapascal, [](const R& r) { return r.header().confining_pressure; }},
+            {"peak_compressive_stress", megapascal, [](const R& r) { return r.strength.peak_compressive_stress; }},
+            {"tensile_strength", megapascal, [](const R& r) { return r.strength.tensile_strength; }},
+            {"strain_at_peak", none, [](const R& r) { return r.strength.strain_at_peak; }},
+            {"peak_kind", none, [](const R& r) { return r.strength.peak_kind; }},
+            {"first_yield", megapascal, [](const R& r) { return r.strength.first_yield; }},
+            {"tensile_cracks", none, [](const R& r) { return count_cell(r.strength.tensile_cracks); }},
+            {"shear_cracks", none, [](const R& r) { return count_cell(r.strength.shear_cracks); }},
+            {"energy_balance_error", none, [](const R& r) { return r.at_end(r.header().energy_balance_error); }},
+            {"platen_force_difference", none, [](const R& r) { return r.at_end(r.header().platen_force_difference); }},
+            {"steps", none, [](const R& r) { return r.header().steps; }},
+            {"wall_time", second, [](const R& r) { return r.is_timed() ? Cell(r.run.wall_time) : Cell(); }},
+            {"ns_per_grain_step", none,
+             [](const R& r) { return r.is_timed() ? Cell(r.run.wall_time * 1e9 / r.grain_steps()) : Cell(); }},
+            {"stress_at_1_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[0]; }},
+            {"stress_at_2_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[1]; }},
+            {"stress_at_3_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[2]; }},
+            {"spanning_strength", megapascal, [](const R& r) { return r.of_split(&BrazilianSplit::spanning_stress); }},
+            {"first_crack_radius_over_R", none, [](const R& r) { return r.of_split(&BrazilianSplit::first_crack_radius); }},
+            {"loading_arc", degree, [](const R& r) { return r.split ? Cell(r.loading_arc) : Cell(); }},
+            {"warning", none, [](const R& r) { return r.split ? Cell(r.split->warning()) : Cell(); }},
+            {"achieved_confining_pressure", megapascal,
+             [](const R& r) { return r.header().confining_pressure > 0 ? Cell(r.header().confinement_mean) : Cell(); }},
+            {"contact_law", none, [](const R& r) { return r.header().contact_law; }},
+            {"contact_tensile_strength", megapascal, [](const R& r) { return r.contact().tensile_strength; }},
+            {"contact_cohesion", megapascal, [](const R& r) { return r.contact().cohesion; }},
+            {"contact_friction_angle", degree, [](const R& r) { return r.contact().friction_angle; }},
+            {"damping_load", none, [](const R& r) { return r.at_end(r.header().damping_load); }},
+            {"first_peak", megapascal, [](const R& r) { return r.strength.value(StrengthKind::first_peak); }},
+            {"residual", megapascal, [](const R& r) { return r.of_peak(&FirstPeak::residual); }},
+            {"drop", percent, [](const R& r) { return r.of_peak(&FirstPeak::drop); }},
+            {"rehardening", gigapascal, [](const R& r) { return r.of_peak(&FirstPeak::rehardening); }},
+            {"contact_fracture_energy", joule_per_area, [](const R& r) { return r.contact().fracture_energy; }},
+            {"contact_open_shear_strength", megapascal, [](const R& r) { return r.contact().open_shear_strength; }},
+            {"grain_young_modulus", gigapascal, [](const R& r) { return r.header().rock.young_modulus; }},
+            {"grain_poisson_ratio", none, [](const R& r) { return r.header().rock.poisson_ratio; }},
+            {"max_strain", none, [](const R& r) { return r.header().max_strain; }},
+            {"rate_tolerance", none, [](const R& r) { return r.header().rate_tolerance; }}};
+        append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.cracks; });
+        list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }});
+        return list;
+    }();
+    return all;
+}
+
+std::string ending(const R& r) {
+    const std::string& kind = r.strength.peak_kind;
+    return kind == "drop" ? "peak" : kind == "cap" ? "strain limit" : "stopped";
+}
+
+const Columns<R>& terminal_columns() {
+    using namespace unit;
+    static constexpr ColumnUnit cracks{"cracks"};
+    static const Columns<R> all{{"run", none, [](const R& r) { return r.run.name; }},
+                                {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
+                                {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
+                                {"mean edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
+                                {"strength", megapascal, [](const R& r) { return r.strength.value(); }},
+                                {"at strain", percent, [](const R& r) { return r.strength.strain_at_peak; }},
+                                {"ended by", none, ending},
+                                {"tensile", cracks, [](const R& r) { return whole_contacts(r.strength.tensile_cracks); }},
+                                {"shear", cracks, [](const R& r) { return whole_contacts(r.strength.shear_cracks); }}};
+    return all;
+}
+
+/// Runs of one test under a title, in the order in which the tests first come, with their mean.
+void write_to_terminal(std::ostream& out, const std::vector<R>& rows) {
+    TerminalTable table(terminal_columns());
+    const auto title = [](const R& r) { return series_label(r.header()) + ", plane " + std::string(name_of(r.header().plane)); };
+    for (const auto& [name, members] : grouped<R>(rows, title)) {
+        table.group(name);
+        std::vector<double> strengths;
+        for (const R* r : members) {
+            strengths.push_back(r->strength.value());
+            table.row(cells_of(terminal_columns(), *r));
+        }
+        if (strengths.size() < 2) continue;
+        const Sample all = sample(strengths);
+        std::vector<Cell> mean(terminal_columns().size(), " ");
+        mean[0] = fmt::format("mean of {}, s.d. {}", all.n, Cell(all.deviation).times(unit::megapascal.factor).text(2));
+        mean[4] = all.mean.value * unit::megapascal.factor;
+        table.row(mean);
+    }
+    table.write(out);
 }
 
 }  // namespace
@@ -197,22 +200,26 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
     return true;
 }
 
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
                           std::ostream& diagnostics) {
-    Doubts doubts;
-    const std::vector<std::string> columns = all_columns();
-    std::vector<std::vector<Cell>> rows;
-    for (const std::string& run : runs) rows.push_back(strength_row(run, doubts));
-    if (format) {
-        TableWriter table(out, columns, *format);
-        for (const auto& row : rows) table.row(row);
+    std::vector<StrengthRow> rows;
+    CaveatCount count;
+    std::vector<std::string> doubts;
+    for (const std::string& run : runs) {
+        const StrengthRow& row = rows.emplace_back(read_row(run));
+        const std::vector<Caveat> caveats = caveats_of(row.run, row.split);
+        for (const Caveat& caveat : caveats) doubts.push_back(printable(row.run.name) + ": warning: " + caveat.text);
+        count.add(row.run, caveats);
+    }
+    if (format == TableFormat::aligned) {
+        write_to_terminal(out, rows);
     } else {
-        write_strengths_to_terminal(out, {columns, rows});
+        write_table(out, columns(), rows, format);
     }
     out.flush();
     if (!out) return;  // the command says so
-    for (const std::string& line : doubts.lines) diagnostics << "strength: " << line << '\n';
-    const std::string tension = doubts.count.tension_line();
+    for (const std::string& line : doubts) diagnostics << "strength: " << line << '\n';
+    const std::string tension = count.tension_line();
     if (!tension.empty()) diagnostics << "strength: warning: " << tension << '\n';
 }
 

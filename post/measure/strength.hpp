@@ -54,9 +54,8 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
                              const std::string& what);
 
 /// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
-/// written. \param format for scripts; empty: a terminal table \param diagnostics gets, after the table, a line for each
+/// written. \param diagnostics gets, after the table, a line for each
 /// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
-                          std::ostream& diagnostics);
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics);
 
 }  // namespace graincrack

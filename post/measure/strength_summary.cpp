@@ -7,8 +7,9 @@
 #include "post/measure/caveats.hpp"
 #include "post/measure/grain_size.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/terminal_tables.hpp"
 #include "post/run/comparable.hpp"
+#include "post/run/test_label.hpp"
+#include "post/table/column.hpp"
 
 namespace graincrack {
 
@@ -55,38 +56,60 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     return groups;
 }
 
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, std::optional<TableFormat> format,
+namespace {
+
+struct SummaryRow {
+    StrengthGroup group;
+    double mean_edge = 0;  ///< m
+};
+
+using R = SummaryRow;
+
+const Columns<R>& columns() {
+    using namespace unit;
+    static const Columns<R> all{{"test", none, [](const R& r) { return r.group.test; }},
+                                {"confining_pressure", megapascal, [](const R& r) { return r.group.confining_pressure; }},
+                                {"runs", none, [](const R& r) { return r.group.strength.n; }},
+                                {"runs_without_peak", none, [](const R& r) { return r.group.without_peak; }},
+                                {"strength", megapascal, [](const R& r) { return r.group.strength.mean.value; }},
+                                {"strength_deviation", megapascal, [](const R& r) { return r.group.strength.deviation; }},
+                                {"strength_low", megapascal, [](const R& r) { return r.group.strength.mean.low; }},
+                                {"strength_high", megapascal, [](const R& r) { return r.group.strength.mean.high; }},
+                                {"ratio_to_brazilian", none, [](const R& r) { return r.group.ratio_to_brazilian; }},
+                                {"plane", none, [](const R& r) { return name_of(r.group.plane); }},
+                                {"mean_edge", millimetre, [](const R& r) { return r.mean_edge; }}};
+    return all;
+}
+
+const Columns<R>& terminal_columns() {
+    using namespace unit;
+    static const Columns<R> all{
+        {"test", none, [](const R& r) { return series_label(r.group.test, r.group.confining_pressure); }},
+        {"plane", none, [](const R& r) { return name_of(r.group.plane); }},
+        {"edge", millimetre, [](const R& r) { return r.mean_edge; }},
+        {"runs", none, [](const R& r) { return r.group.strength.n; }},
+        {"without peak", none, [](const R& r) { return r.group.without_peak; }},
+        {"strength", megapascal, [](const R& r) { return r.group.strength.mean.value; }},
+        {"s.d.", megapascal, [](const R& r) { return r.group.strength.deviation; }},
+        {"95 % interval of the mean", megapascal,
+         [](const R& r) { return interval_cell(r.group.strength.mean.low, r.group.strength.mean.high, megapascal); }},
+        {"over Brazilian", none, [](const R& r) { return r.group.ratio_to_brazilian; }}};
+    return all;
+}
+
+}  // namespace
+
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
                             std::ostream& diagnostics) {
-    static const std::vector<std::string> columns{"test",
-                                                  "confining_pressure_MPa",
-                                                  "runs",
-                                                  "runs_without_peak",
-                                                  "strength_MPa",
-                                                  "strength_deviation_MPa",
-                                                  "strength_low_MPa",
-                                                  "strength_high_MPa",
-                                                  "ratio_to_brazilian",
-                                                  "plane",
-                                                  "mean_edge_mm"};
     CaveatCount doubts;
-    std::vector<std::vector<Cell>> rows;
-    const auto megapascal = [](const std::optional<double>& stress) { return stress ? Cell(*stress * 1e-6) : Cell(); };
+    std::vector<SummaryRow> rows;
     const std::vector<RunData> runs = read_doubted_runs(paths, doubts);
-    for (const SizedStrengths& row : group_strengths_by_size(runs)) {
-        const StrengthGroup& g = row.group;
+    for (const SizedStrengths& sized : group_strengths_by_size(runs)) {
         double edges = 0;
-        for (const std::size_t i : row.runs) edges += runs[i].specimen.mean_edge;
-        rows.push_back({g.test, g.confining_pressure * 1e-6, static_cast<std::int64_t>(g.strength.n),
-                        static_cast<std::int64_t>(g.without_peak), g.strength.mean.value * 1e-6, megapascal(g.strength.deviation),
-                        megapascal(g.strength.mean.low), megapascal(g.strength.mean.high), cell(g.ratio_to_brazilian),
-                        std::string(name_of(g.plane)), 1e3 * edges / static_cast<double>(row.runs.size())});
+        for (const std::size_t i : sized.runs) edges += runs[i].specimen.mean_edge;
+        rows.push_back({sized.group, edges / static_cast<double>(sized.runs.size())});
     }
-    if (format) {
-        TableWriter table(out, columns, *format);
-        for (const auto& row : rows) table.row(row);
-    } else {
-        write_summary_to_terminal(out, {columns, rows});
-    }
+    write_table(out, columns(), terminal_columns(), rows, format);
     out.flush();
     if (!out) return;  // the command says so
     for (const std::string& line : doubts.lines()) diagnostics << "strength: warning: " << line << '\n';

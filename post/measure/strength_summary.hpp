@@ -27,9 +27,9 @@ struct StrengthGroup {
 /// \throws InputError if the runs are not of one material
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
 
-/// Table `strength --summary`, a row for each test, pressure and grain size. \param format for scripts; empty: the table for
-/// people \param diagnostics gets, after the table, the caveats of the strengths, with numbers of runs
-void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, std::optional<TableFormat> format,
+/// Table `strength --summary`, a row for each test, pressure and grain size.
+/// \param diagnostics gets, after the table, the caveats of the strengths, with numbers of runs
+void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
                             std::ostream& diagnostics);
 
 }  // namespace graincrack

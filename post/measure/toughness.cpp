@@ -8,6 +8,7 @@
 
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/units.hpp"
@@ -37,25 +38,30 @@ std::optional<double> requested_notch(const RunReader& reader) {
     return std::nullopt;
 }
 
-std::vector<Cell> toughness_row(const std::string& path, std::vector<std::string>& warnings) {
-    const RunReader reader(path);
-    const RunData run = run_data(reader);
-    const Toughness toughness = measure_toughness(reader, run);
-    const std::string warning = toughness.warning();
-    if (!warning.empty()) warnings.push_back(printable(run.name) + ": warning: " + warning);
-    return {run.name,
-            run.specimen.seed,
-            run.specimen.grains,
-            run.specimen.mean_edge * 1e3,
-            toughness.notch_length * 1e3,
-            toughness.strength * 1e-6,
-            toughness.mode_i_toughness * 1e-6,
-            toughness.predicted * 1e-6,
-            toughness.requested_notch_length ? Cell(*toughness.requested_notch_length * 1e3) : Cell(),
-            toughness.characteristic_length * 1e3,
-            toughness.notch_ratio(),
-            warning,
-            std::string(name_of(run.header.plane))};
+struct ToughnessRow {
+    RunData run;
+    Toughness toughness;
+};
+
+using R = ToughnessRow;
+
+const Columns<R>& columns() {
+    using namespace unit;
+    static const Columns<R> all{
+        {"file", none, [](const R& r) { return r.run.name; }},
+        {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
+        {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
+        {"mean_edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
+        {"notch", millimetre, [](const R& r) { return r.toughness.notch_length; }},
+        {"strength", megapascal, [](const R& r) { return r.toughness.strength; }},
+        {"mode_i_toughness", unit::toughness, [](const R& r) { return r.toughness.mode_i_toughness; }},
+        {"predicted_mode_i_toughness", unit::toughness, [](const R& r) { return r.toughness.predicted; }},
+        {"requested_notch", millimetre, [](const R& r) { return r.toughness.requested_notch_length; }},
+        {"characteristic_length", millimetre, [](const R& r) { return r.toughness.characteristic_length; }},
+        {"half_notch_over_characteristic_length", none, [](const R& r) { return r.toughness.notch_ratio(); }},
+        {"warning", none, [](const R& r) { return r.toughness.warning(); }},
+        {"plane", none, [](const R& r) { return name_of(r.run.header.plane); }}};
+    return all;
 }
 
 }  // namespace
@@ -111,25 +117,19 @@ std::string Toughness::warning() const {
 
 void write_toughness_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
                            std::ostream& diagnostics) {
-    static const std::vector<std::string> columns{"file",
-                                                  "seed",
-                                                  "grains",
-                                                  "mean_edge_mm",
-                                                  "notch_mm",
-                                                  "strength_MPa",
-                                                  "mode_i_toughness_MPa.m^0.5",
-                                                  "predicted_mode_i_toughness_MPa.m^0.5",
-                                                  "requested_notch_mm",
-                                                  "characteristic_length_mm",
-                                                  "half_notch_over_characteristic_length",
-                                                  "warning",
-                                                  "plane"};
-    std::vector<std::string> warnings;
-    write_file_rows(
-        out, columns, runs, [&](const std::string& path) { return toughness_row(path, warnings); }, format);
+    std::vector<ToughnessRow> rows;
+    for (const std::string& path : runs) {
+        const RunReader reader(path);
+        ToughnessRow& row = rows.emplace_back(ToughnessRow{run_data(reader), {}});
+        row.toughness = measure_toughness(reader, row.run);
+    }
+    write_table(out, columns(), rows, format);
     out.flush();
     if (!out) return;  // the command says so
-    for (const std::string& warning : warnings) diagnostics << "toughness: " << warning << '\n';
+    for (const ToughnessRow& row : rows) {
+        const std::string warning = row.toughness.warning();
+        if (!warning.empty()) diagnostics << "toughness: " << printable(row.run.name) << ": warning: " << warning << '\n';
+    }
 }
 
 }  // namespace graincrack

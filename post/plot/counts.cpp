@@ -10,6 +10,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/cracks/crack_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "post/chart/map_view.hpp"
+#include "post/cracks/crack_options.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/load_curve.hpp"
@@ -216,7 +217,7 @@ MapBox common_view(const Scene& scene, const std::vector<std::size_t>& frames) {
 Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     const double page_width = scene.style.page_width;
     const std::size_t in_a_row = maps_in_a_row(frames.size(), page_width);
-    const Column column{page_margin, page_width - page_margin};
+    const TextColumn column{page_margin, page_width - page_margin};
     ChartText text{scene.style.title.empty() ? test_title(scene.data.header) : scene.style.title,
                    {fmt::format("plane {}", name_of(scene.data.header.plane))}};
     const MapBox view = common_view(scene, frames);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
+#include "post/cracks/crack_options.hpp"
 #include "post/cracks/export.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/run/run_state.hpp"

@@ -10,6 +10,8 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
 

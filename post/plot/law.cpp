@@ -10,6 +10,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "share/base/error.hpp"
 #include "share/file/run_file.hpp"
@@ -195,7 +196,7 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
                      contact.ultimate_opening * micro, contact.fracture_energy),
          fmt::format("sliding: δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}};
     Drawing page(static_cast<int>(style.page_width), 0);
-    const Column column{page_margin, page.width() - page_margin};
+    const TextColumn column{page_margin, page.width() - page_margin};
     page.set_height(draw_heading(page, heading, column, 14));
     const std::vector<Drawing> charts{
         draw_open(curves, contact, "opening, unloaded half-way", 1.05 * contact.ultimate_opening, part),

@@ -1,5 +1,6 @@
 #include "post/plot/make_plot.hpp"
 
+#include "post/options/common_options.hpp"
 #include "share/base/quantities.hpp"
 #include "share/options/command_line.hpp"
 

@@ -10,7 +10,6 @@
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/option_parts.hpp"
 #include "post/options/command.hpp"
 
 namespace graincrack {

@@ -9,6 +9,7 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
+#include "post/cracks/crack_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
@@ -106,7 +107,7 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
         scale = std::max(scale, *std::max_element(lengths.begin(), lengths.end()));
     }
     Drawing drawing(static_cast<int>(style.page_width), 0);
-    const Column column{page_margin, drawing.width() - page_margin};
+    const TextColumn column{page_margin, drawing.width() - page_margin};
     const ChartText text{style.title.empty() ? title : style.title,
                          {"share of crack length by direction, in bins of 10°; load is vertical"}};
     const double top = draw_heading(drawing, text, column, 14) + 20;

@@ -6,6 +6,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
+#include "post/fit/fit_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/run/test_label.hpp"
 

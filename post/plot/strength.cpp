@@ -10,6 +10,7 @@
 #include "post/measure/grain_size.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/run/test_label.hpp"
 

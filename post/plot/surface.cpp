@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "post/ccd/design_options.hpp"
 #include "post/chart/chart.hpp"
 #include "post/chart/contour.hpp"
 #include "post/chart/labels.hpp"

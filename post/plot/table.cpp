@@ -5,6 +5,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
+#include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
 #include "share/options/command_line.hpp"

@@ -9,6 +9,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
+#include "post/fit/fit_options.hpp"
 #include "post/plot/make_plot.hpp"
 
 namespace graincrack {

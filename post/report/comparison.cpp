@@ -41,9 +41,9 @@ std::vector<SizedTests> by_size(const std::vector<TestReport>& tests) {
 std::string with_size(const std::string& label, const std::string& size) { return size.empty() ? label : label + ", " + size; }
 
 /// Rows of one of the tables.
-class Column {
+class ComparisonColumn {
 public:
-    explicit Column(const std::optional<Material>& material)
+    explicit ComparisonColumn(const std::optional<Material>& material)
         : material_(material),
           table_({"quantity", "model\u00a0(s.d.;\u00a0n)\n95\u00a0%\u00a0interval", "laboratory", "difference"}) {}
 
@@ -108,9 +108,9 @@ std::vector<double> pressures(const std::vector<TestReport>& tests) {
 }
 
 /// Where a row belongs: the column of its property.
-using ColumnOf = std::function<Column&(const std::string& property)>;
+using ComparisonColumnOf = std::function<ComparisonColumn&(const std::string& property)>;
 
-void add_strengths(const ColumnOf& column, const std::vector<TestReport>& tests, const std::vector<SizedTests>& sets,
+void add_strengths(const ComparisonColumnOf& column, const std::vector<TestReport>& tests, const std::vector<SizedTests>& sets,
                    const std::vector<SizedEnvelope>& envelopes) {
     column("tensile_strength").add("σt, Brazilian, MPa", sets, strength_of("brazilian", 0), "tensile_strength", mega);
     column("compressive_strength").add("UCS, MPa", sets, strength_of("uniaxial", 0), "compressive_strength", mega);
@@ -125,7 +125,7 @@ void add_strengths(const ColumnOf& column, const std::vector<TestReport>& tests,
     column("direct_tensile_strength").add("direct tensile strength, MPa", sets, strength_of("tension", 0), "", mega);
 }
 
-void add_moduli(const ColumnOf& column, const std::vector<SizedTests>& sets) {
+void add_moduli(const ComparisonColumnOf& column, const std::vector<SizedTests>& sets) {
     const auto uniaxial = [](const Value& value) {
         return [value](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; };
     };
@@ -152,12 +152,12 @@ void add_moduli(const ColumnOf& column, const std::vector<SizedTests>& sets) {
 
 std::string comparison_columns(const std::vector<TestReport>& tests, const std::vector<SizedEnvelope>& envelopes,
                                const std::optional<Material>& material) {
-    Column fitted(material);
-    Column others(material);
+    ComparisonColumn fitted(material);
+    ComparisonColumn others(material);
     const FittedProperties known = material ? material->fitted : FittedProperties{};
     const bool line_is_fitted =
         std::any_of(known.begin(), known.end(), [](const auto& p) { return p.first.starts_with("confined_strength"); });
-    const ColumnOf column_of = [&](const std::string& property) -> Column& {
+    const ComparisonColumnOf column_of = [&](const std::string& property) -> ComparisonColumn& {
         return known.count(property) > 0 || (property == "envelope" && line_is_fitted) ? fitted : others;
     };
     const std::vector<SizedTests> sets = by_size(tests);

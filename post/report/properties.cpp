@@ -10,6 +10,7 @@
 #include "post/fit/paper_rock.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/table/column.hpp"
 
 namespace graincrack {
 
@@ -177,17 +178,24 @@ std::vector<Property> measure_properties(const std::vector<RunData>& runs, const
 }
 
 void write_properties(std::ostream& out, const std::vector<Property>& properties, TableFormat format) {
-    TableWriter table(out,
-                      {"property", "laboratory", "published", "ours", "low", "high", "deviation", "specimens", "without_peak",
-                       "off_laboratory_percent", "half_interval_percent", "specimens_for_3_percent"},
-                      format);
-    for (const Property& p : properties) {
-        const auto needed = p.specimens_for_3_percent();
-        table.row({p.name, cell(p.laboratory), cell(p.published), p.ours.value, cell(p.ours.low), cell(p.ours.high),
-                   cell(p.deviation), static_cast<std::int64_t>(p.specimens),
-                   p.without_peak ? Cell(static_cast<std::int64_t>(*p.without_peak)) : Cell(), cell(p.off_laboratory_percent()),
-                   cell(p.half_interval_percent()), needed ? count_cell(*needed) : Cell()});
-    }
+    using unit::none;
+    using P = Property;
+    static const Columns<P> columns{{"property", none, [](const P& p) { return p.name; }},
+                                    {"laboratory", none, [](const P& p) { return p.laboratory; }},
+                                    {"published", none, [](const P& p) { return p.published; }},
+                                    {"ours", none, [](const P& p) { return p.ours.value; }},
+                                    {"low", none, [](const P& p) { return p.ours.low; }},
+                                    {"high", none, [](const P& p) { return p.ours.high; }},
+                                    {"deviation", none, [](const P& p) { return p.deviation; }},
+                                    {"specimens", none, [](const P& p) { return p.specimens; }},
+                                    {"without_peak", none, [](const P& p) { return p.without_peak; }},
+                                    {"off_laboratory_percent", none, [](const P& p) { return p.off_laboratory_percent(); }},
+                                    {"half_interval_percent", none, [](const P& p) { return p.half_interval_percent(); }},
+                                    {"specimens_for_3_percent", none, [](const P& p) {
+                                         const auto needed = p.specimens_for_3_percent();
+                                         return needed ? count_cell(*needed) : Cell();
+                                     }}};
+    write_table(out, columns, properties, format);
 }
 
 }  // namespace graincrack

@@ -13,27 +13,11 @@ ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, d
     return counts;
 }
 
-const std::vector<std::string>& label_columns() {
-    static const std::vector<std::string> columns = [] {
-        std::vector<std::string> names;
-        for (const char* ending : {"_by_sign", "_broken", "_broken_by_sign"}) {
-            names.push_back(std::string("tensile_cracks") + ending);
-            names.push_back(std::string("shear_cracks") + ending);
-        }
-        return names;
-    }();
-    return columns;
-}
-
-std::vector<Cell> label_cells(const std::vector<Crack>& log, CrackEvent event, double time) {
-    std::vector<Cell> cells;
+OtherCounts count_other_labels(const std::vector<Crack>& log, CrackEvent event, double time) {
+    OtherCounts counts;
     const std::array labels = table_labels(event);
-    for (std::size_t i = 1; i < labels.size(); ++i) {
-        const ModeCounts counts = count_modes(log, labels[i], time);
-        cells.push_back(count_cell(counts.tensile));
-        cells.push_back(count_cell(counts.shear));
-    }
-    return cells;
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = count_modes(log, labels[i + 1], time);
+    return counts;
 }
 
 void count_in_history(std::vector<Crack> cracks, History& history) {

@@ -14,6 +14,7 @@ std::string test_title(const RunHeader& header);
 
 /// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension".
 std::string series_label(const std::string& test, double confining_pressure);
+inline std::string series_label(const RunHeader& run) { return series_label(run.test, run.confining_pressure); }
 
 /// "peak", or for a run without one "largest stress".
 std::string peak_label(const RunData& run);

@@ -11,56 +11,59 @@ namespace {
 constexpr std::size_t terminal_width = 120;
 constexpr std::size_t most_side_by_side = 6;
 
-std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
-    }
-    return widths;
-}
-
-std::size_t line_width(const std::vector<std::size_t>& widths) {
-    std::size_t sum = 0;
-    for (const std::size_t width : widths) sum += width + 2;
-    return sum;
-}
-
-std::vector<std::vector<std::string>> transposed(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::vector<std::string>> out(rows.front().size());
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) out[i].push_back(row[i]);
-    }
-    return out;
-}
-
-}  // namespace
-
+/// Characters of a text in UTF-8.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
-std::string padded(const std::string& text, std::size_t width, bool left) {
-    const std::string room(width - std::min(width, width_of(text)), ' ');
-    return left ? text + room : room + text;
+std::string shown(const std::string& text) { return text.empty() ? "-" : printable(text); }
+
+bool is_title(const AlignedLine& line, std::size_t columns) { return line.size() == 1 && columns > 1; }
+
+std::vector<std::size_t> widths_of(const std::vector<AlignedLine>& lines) {
+    std::vector<std::size_t> widths(lines.front().size(), 0);
+    for (const AlignedLine& line : lines) {
+        if (is_title(line, widths.size())) continue;
+        for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width_of(shown(line[i])));
+    }
+    return widths;
 }
 
-void write_aligned(std::ostream& out, std::vector<std::vector<std::string>> rows) {
-    if (rows.empty() || rows.front().empty()) return;
-    for (auto& row : rows) {
-        for (std::string& text : row) text = text.empty() ? "-" : printable(text);
+}  // namespace
+
+void write_aligned(std::ostream& out, const std::vector<AlignedLine>& lines) {
+    if (lines.empty() || lines.front().empty()) return;
+    const std::vector<std::size_t> widths = widths_of(lines);
+    for (const AlignedLine& line : lines) {
+        if (is_title(line, widths.size())) {
+            out << '\n' << printable(line.front()) << '\n';
+            continue;
+        }
+        std::string text;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const std::string entry = shown(line[i]);
+            const std::string blanks(widths[i] - width_of(entry), ' ');
+            text += i == 0 ? entry + blanks : "  " + blanks + entry;
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        out << text << '\n';
     }
-    std::vector<std::size_t> widths = widths_of(rows);
-    if (rows.size() <= most_side_by_side + 1 && line_width(widths) > terminal_width) {
-        rows = transposed(rows);
-        widths = widths_of(rows);
+}
+
+std::vector<AlignedLine> transposed(const std::vector<AlignedLine>& lines) {
+    std::vector<AlignedLine> out(lines.front().size());
+    for (const AlignedLine& line : lines) {
+        for (std::size_t i = 0; i < line.size(); ++i) out[i].push_back(line[i]);
     }
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) line += (i == 0 ? "" : "  ") + padded(row[i], widths[i], i == 0);
-        line.erase(line.find_last_not_of(' ') + 1);
-        out << line << '\n';
-    }
+    return out;
+}
+
+bool is_wide(const std::vector<AlignedLine>& lines) {
+    if (lines.empty() || lines.size() > most_side_by_side + 1) return false;
+    std::size_t sum = 0;
+    for (const std::size_t width : widths_of(lines)) sum += width + 2;
+    return sum > terminal_width;
 }
 
 }  // namespace graincrack

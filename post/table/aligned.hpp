@@ -7,12 +7,16 @@
 
 namespace graincrack {
 
-/// Characters of a text in UTF-8.
-std::size_t width_of(const std::string& text);
-/// The text with blanks to this width, behind it (`left`) or before it.
-std::string padded(const std::string& text, std::size_t width, bool left);
-/// Columns as wide as their widest text, the first aligned left, the others right; an empty text shows as a dash. Rows that would
-/// be wider than a terminal stand side by side as columns, under the first, if they are few. \pre rows are equally long
-void write_aligned(std::ostream& out, std::vector<std::vector<std::string>> rows);
+/// A line of texts, one a column; a line with a single text where there are more columns is a title above the lines that follow.
+using AlignedLine = std::vector<std::string>;
+
+/// Columns as wide as their widest text, the first aligned left, the others right; an empty text shows as a dash.
+void write_aligned(std::ostream& out, const std::vector<AlignedLine>& lines);
+
+/// The lines side by side as columns, the first of them as the first column. \pre lines are equally long
+std::vector<AlignedLine> transposed(const std::vector<AlignedLine>& lines);
+
+/// Whether the lines, which are few, would be wider than a terminal and stand better side by side. \pre lines are equally long
+bool is_wide(const std::vector<AlignedLine>& lines);
 
 }  // namespace graincrack

@@ -13,7 +13,6 @@ namespace graincrack {
 
 namespace {
 
-constexpr int digits = 7;
 constexpr int terminal_digits = 5;
 
 std::string tsv_text(const Cell& cell) {
@@ -45,21 +44,38 @@ std::string json_text(const Cell& cell) {
     return cell.is_number() ? cell.text() : json_string(cell.text());
 }
 
-/// As people read it: five digits of a real number.
-std::string aligned_text(const Cell& cell) {
-    const bool real = cell.is_number() && cell.text().find_first_of(".e") != std::string::npos;
-    return real ? format_number(std::stod(cell.text()), terminal_digits) : cell.text();
+/// Fewer digits of a real number, but not of one that has none behind the point.
+std::string terminal_text(const Cell& cell) {
+    std::string text = cell.text();
+    return cell.is_number() && text.find_first_of(".e") != std::string::npos ? cell.text(terminal_digits) : text;
 }
 
 }  // namespace
 
-Cell::Cell(double value) : is_number_(true) {
-    if (std::isfinite(value)) text_ = format_number(value == 0 ? 0.0 : value, digits);
+Cell::Cell(double value) {
+    if (std::isfinite(value)) {
+        value_ = value == 0 ? 0.0 : value;  // no -0
+    } else {
+        value_ = std::monostate{};
+    }
 }
-Cell::Cell(std::int64_t value) : text_(std::to_string(value)), is_number_(true) {}
-Cell::Cell(std::string text) : text_(std::move(text)) {}
 
-Cell cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+bool Cell::empty() const {
+    const auto* const text = std::get_if<std::string>(&value_);
+    return text != nullptr ? text->empty() : std::holds_alternative<std::monostate>(value_);
+}
+
+std::string Cell::text(int digits) const {
+    if (const auto* const real = std::get_if<double>(&value_)) return format_number(*real, digits);
+    if (const auto* const whole = std::get_if<std::int64_t>(&value_)) return std::to_string(*whole);
+    const auto* const text = std::get_if<std::string>(&value_);
+    return text != nullptr ? *text : "";
+}
+
+Cell Cell::times(double factor) const {
+    const auto* const real = std::get_if<double>(&value_);
+    return real != nullptr && factor != 1 ? Cell(*real * factor) : *this;
+}
 
 Cell count_cell(double count) {
     if (count == std::floor(count) && std::abs(count) < 9e15) return static_cast<std::int64_t>(count);
@@ -80,13 +96,13 @@ TableWriter::TableWriter(std::ostream& out, std::vector<std::string> columns, Ta
     out_ << '\n';
 }
 
-TableWriter::~TableWriter() { write_aligned(out_, std::move(aligned_)); }
+TableWriter::~TableWriter() { write_aligned(out_, is_wide(aligned_) ? transposed(aligned_) : aligned_); }
 
 void TableWriter::row(const std::vector<Cell>& cells) {
     assert(cells.size() == columns_.size());
     if (format_ == TableFormat::aligned) {
         std::vector<std::string>& row = aligned_.emplace_back();
-        for (const Cell& each : cells) row.push_back(aligned_text(each));
+        for (const Cell& each : cells) row.push_back(terminal_text(each));
         return;
     }
     if (format_ == TableFormat::markdown) return write_markdown_row(out_, cells);
@@ -100,15 +116,6 @@ void TableWriter::row(const std::vector<Cell>& cells) {
         }
     }
     out_ << (json ? "}\n" : "\n");
-}
-
-void write_file_rows(std::ostream& out, const std::vector<std::string>& columns, const std::vector<std::string>& files,
-                     const std::function<std::vector<Cell>(const std::string&)>& row_of, TableFormat format) {
-    std::vector<std::vector<Cell>> rows;
-    rows.reserve(files.size());
-    for (const std::string& file : files) rows.push_back(row_of(file));
-    TableWriter table(out, columns, format);
-    for (const auto& row : rows) table.row(row);
 }
 
 }  // namespace graincrack

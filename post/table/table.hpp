@@ -2,40 +2,49 @@
 // locale.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace graincrack {
 
 enum class TableFormat { tsv, jsonl, markdown, aligned };
 
-/// One entry: empty, a number or a text. Empty, NaN and infinity are written empty (TSV) or null (JSON): the value
-/// does not apply. Reals carry 7 significant digits.
+/// One entry: empty, a number or a text. NaN and infinity are empty: the value does not apply.
 class Cell {
 public:
     Cell() = default;
     Cell(double value);
-    Cell(std::int64_t value);
-    Cell(std::string text);
-    [[nodiscard]] bool empty() const { return text_.empty(); }
-    [[nodiscard]] bool is_number() const { return is_number_; }
-    [[nodiscard]] const std::string& text() const { return text_; }
+    template <std::integral Integer>
+    Cell(Integer value) : value_(static_cast<std::int64_t>(value)) {}
+    Cell(std::string text) : value_(std::move(text)) {}
+    Cell(std::string_view text) : value_(std::string(text)) {}
+    Cell(const char* text) : value_(std::string(text)) {}
+    template <class Value>
+    Cell(const std::optional<Value>& value) : Cell(value ? Cell(*value) : Cell()) {}
+    [[nodiscard]] bool empty() const;
+    [[nodiscard]] bool is_number() const { return !std::holds_alternative<std::string>(value_); }
+    /// A real number with some significant digits, a whole one with all. \return "" if empty
+    [[nodiscard]] std::string text(int digits = 7) const;
+    /// A real number times a factor; anything else as it is.
+    [[nodiscard]] Cell times(double factor) const;
 
 private:
-    std::string text_;
-    bool is_number_ = false;
+    std::variant<std::monostate, double, std::int64_t, std::string> value_;
 };
 /// A cell from a value that may be missing.
-Cell cell(const std::optional<double>& value);
+inline Cell cell(const std::optional<double>& value) { return value; }
 /// A count as an integer cell, or as a number if it is a half.
 Cell count_cell(double count);
 
-/// Writes rows as they come; aligned columns at its end, since their widths are those of all rows.
+/// Writes rows as they come, reals with 7 significant digits, what is empty as nothing (TSV) or null (JSON); aligned columns,
+/// with 5 digits, at its end, since their widths are those of all rows.
 class TableWriter {
 public:
     TableWriter(std::ostream& out, std::vector<std::string> columns, TableFormat format);
@@ -51,9 +60,5 @@ private:
     TableFormat format_;
     std::vector<std::vector<std::string>> aligned_;  ///< names and rows so far
 };
-
-/// A table of one row a file; all rows are made before the first is written.
-void write_file_rows(std::ostream& out, const std::vector<std::string>& columns, const std::vector<std::string>& files,
-                     const std::function<std::vector<Cell>(const std::string&)>& row_of, TableFormat format);
 
 }  // namespace graincrack

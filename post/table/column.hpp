@@ -1,0 +1,110 @@
+// A table as a list of its columns: name, unit and value stand in one place, and give every form of the table.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "post/table/table.hpp"
+
+namespace graincrack {
+
+/// ColumnUnit in which a column shows its SI values.
+struct ColumnUnit {
+    std::string_view name = "";
+    double factor = 1;  ///< from SI
+};
+namespace unit {
+inline constexpr ColumnUnit none{}, second{"s"}, metre{"m"}, radian{"rad"}, joule{"J"}, newton_metre{"N_m"},
+    joule_per_area{"J/m2"}, millimetre{"mm", 1e3}, square_millimetre{"mm2", 1e6}, megapascal{"MPa", 1e-6},
+    per_megapascal{"per_MPa", 1e6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi}, percent{"percent", 1e2},
+    toughness{"MPa.m^0.5", 1e-6};
+}
+
+/// A column of a table of which each row shows one `Row`.
+template <class Row>
+struct Column {
+    std::string name;
+    ColumnUnit unit;
+    std::function<Cell(const Row&)> value;  ///< SI; texts and whole numbers are shown as they are
+};
+template <class Row>
+using Columns = std::vector<Column<Row>>;
+
+/// "LOW to HIGH" in a unit, for terminal tables; empty without them.
+Cell interval_cell(const std::optional<double>& low, const std::optional<double>& high, const ColumnUnit& unit);
+
+/// The name of a column for scripts: its unit ends it, as in "mean_edge_mm".
+inline std::string script_name(const std::string& name, const ColumnUnit& unit) {
+    return unit.name.empty() ? name : name + "_" + std::string(unit.name);
+}
+template <class Row>
+std::vector<std::string> script_names(const Columns<Row>& columns) {
+    std::vector<std::string> names;
+    for (const Column<Row>& column : columns) names.push_back(script_name(column.name, column.unit));
+    return names;
+}
+template <class Row>
+std::vector<Cell> cells_of(const Columns<Row>& columns, const Row& row) {
+    std::vector<Cell> cells;
+    for (const Column<Row>& column : columns) cells.push_back(column.value(row).times(column.unit.factor));
+    return cells;
+}
+
+/// The table for scripts, a row for each of `rows`.
+template <class Row>
+void write_table(std::ostream& out, const Columns<Row>& columns, const std::vector<Row>& rows, TableFormat format) {
+    TableWriter table(out, script_names(columns), format);
+    for (const Row& row : rows) table.row(cells_of(columns, row));
+}
+
+/// Rows under one title each, in the order in which the titles first come. The rows must outlive them.
+template <class Row>
+std::vector<std::pair<std::string, std::vector<const Row*>>> grouped(const std::vector<Row>& rows,
+                                                                     const std::function<std::string(const Row&)>& title_of) {
+    std::vector<std::pair<std::string, std::vector<const Row*>>> groups;
+    for (const Row& row : rows) {
+        const std::string title = title_of(row);
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& each) { return each.first == title; });
+        if (group == groups.end()) group = groups.insert(group, {title, {}});
+        group->second.push_back(&row);
+    }
+    return groups;
+}
+
+/// A table for reading: few columns, their units in a line below their names, rows in groups under a title, four digits.
+class TerminalTable {
+public:
+    template <class Row>
+    explicit TerminalTable(const Columns<Row>& columns) {
+        for (const Column<Row>& column : columns) head(column.name, column.unit);
+    }
+    /// A title above the rows that follow.
+    void group(const std::string& title) { lines_.push_back({title}); }
+    /// \pre one cell a column
+    void row(const std::vector<Cell>& cells);
+    void write(std::ostream& out) const;
+
+private:
+    void head(const std::string& name, const ColumnUnit& unit);
+    std::vector<std::string> names_, units_;
+    std::vector<std::vector<std::string>> lines_;
+};
+
+/// The table for scripts or, aligned, the one for reading.
+template <class Row>
+void write_table(std::ostream& out, const Columns<Row>& columns, const Columns<Row>& terminal_columns,
+                 const std::vector<Row>& rows, TableFormat format) {
+    if (format != TableFormat::aligned) return write_table(out, columns, rows, format);
+    TerminalTable table(terminal_columns);
+    for (const Row& row : rows) table.row(cells_of(terminal_columns, row));
+    table.write(out);
+}
+
+}  // namespace graincrack
