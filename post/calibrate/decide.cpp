@@ -64,7 +64,7 @@ public:
 private:
     [[nodiscard]] const Study& study() const { return problem_.study; }
     [[nodiscard]] const Target* target(const char* name) const;
-    void note(std::string stage, std::string what, std::string result) {
+    void record(std::string stage, std::string what, std::string result) {
         decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
     }
     /// The finished runs of `n` specimens. What is missing is noted, and less is returned.
@@ -156,7 +156,7 @@ void Calibration::find_elasticity() {
         const double measured_nu = mean(nu, wanted_nu);
         const std::string grains = fmt::format("grains E {:.5g} GPa, ν {:.4g}", grain_modulus_ * 1e-9, grain_ratio_);
         const std::string assemblage = fmt::format("assemblage E {:.5g} GPa, ν {:.4g}", measured_e * 1e-9, measured_nu);
-        note("elasticity", grains, assemblage);
+        record("elasticity", grains, assemblage);
         if (std::abs(measured_e / wanted_e - 1) <= 0.01 && std::abs(measured_nu - wanted_nu) <= 0.0075) return;
         grain_modulus_ *= wanted_e / measured_e;
         grain_ratio_ += wanted_nu - measured_nu;
@@ -244,7 +244,7 @@ void Calibration::fit(const Box& box) {
     fit_.optimum = find_optimum(box, first_guess(problem_.parameters), aims, shares);
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
     decision.fit = fit_;
-    note("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
+    record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
          label_of(point_at(problem_.parameters, fit_.optimum.place)));
 }
 
@@ -273,13 +273,13 @@ void Calibration::find_place() {
         if (!moving.empty() && moves < study().moves) {
             ++moves;
             box = moved;
-            note("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
+            record("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
         } else if (zooms < study().zooms) {
             ++zooms;
             box = box.about(at, 0.5, limits);
-            note("zoom", "a box of half the width about the optimum", "");
+            record("zoom", "a box of half the width about the optimum", "");
         } else {
-            if (!moving.empty()) note("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
+            if (!moving.empty()) record("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
             return;
         }
     }
