@@ -222,17 +222,11 @@ $(HERE)/material.toml: $$(if $$(call same,$$(file <$$@),$$(file <$$(MATERIAL_FIL
 	@mkdir -p $(@D) && cp $(MATERIAL_FILE) $@
 FORCE:
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
-# $(call column,NAME,EXPRESSION): a column of `summarize`. $(call sample,EXPRESSION,UNIT): deviation and 95 % interval of a mean.
-column = --column '$(1)=$(2)'
-sample = $(call column,deviation_$(2),deviation($(1))) $(call column,low_$(2),low($(1))) $(call column,high_$(2),high($(1)))
-without_peak = $(call column,without_peak,n(peak_kind where peak_kind!=drop))
-# Whichever strength a test measures, MPa.
-strength = tensile_strength_MPa | peak_compressive_stress_MPa
+# The query among the prerequisites, *.sql, of the tables among them.
+query = $(POST) summarize $(filter %.tsv,$^) --sql $(filter %.sql,$^)
 # Verdicts on the claims of a study: its claims.tsv is the first prerequisite, the tables of results are the others. A study may set
 # claim_settings, --set NAME=VALUE for each {NAME} in its claims.
 claims = $(call table,$(POST) --quiet claims $(filter %.tsv,$^) --study $(STUDY) $(claim_settings))
-# $(call mean_and_half,EXPRESSION): a mean with half of its 95 % interval, as a text
-mean_and_half = [{mean($(1)):.1f} ± {half_interval($(1)):.1f};{mean($(1)):.1f}]
 # A page, and the same as HTML: a text of the study, its claims, its tables and pictures, in the order of the prerequisites.
 define page
 $(call table,$(page_command))
@@ -242,14 +236,8 @@ page_command = $(POST) page $(filter-out $(RUNS)/% $(checks),$^) $(filter $(chec
 # Quality checks of the runs of a page, a row for each test and pressure, at the end of the page.
 checks = $(HERE)/checks.tsv
 $(HERE)/page.md: $$(if $$(strip $$(runs)),$(checks))
-# $(call at_most,COLUMN,FORMAT): in per cent
-at_most = {100 * largest($(1)):$(2)}
-check_columns = $(call column,runs,n(file)) $(call column,damping_carried_at_most_percent,$(call at_most,damping_load,.2f)) \
-                $(call column,energy_balance_off_by_at_most_percent,$(call at_most,energy_balance_error,.3f)) \
-                $(call column,platen_forces_differ_at_most_percent,$(call at_most,platen_force_difference,.2f)) \
-                $(call column,damping_carried_more_than_2_percent_in,[{file where damping_load>0.02};none])
 $(checks): $$(runs) $(runs_list)
-	$(call table,($(call of_runs,strength)) | $(POST) summarize - --by test --by confining_pressure_MPa $(check_columns))
+	$(call table,($(call of_runs,strength)) | $(POST) summarize strength=- --sql $(STUDIES)/lib/checks.sql)
 
 .PHONY: all clean distclean print-runs print-here
 # For job-array: the files of the runs, a line each, and the folder of the study.
