@@ -141,10 +141,10 @@ $(RUNS)/%.h5: $$(call changed_run,$$@) | $(SPECIMENS)/$$(specimen_$$@).h5
 	@echo "[$(call position,$@)/$(words $(runs))] $*$$($(time_left))"
 	@mkdir -p $(@D)$(if $(call changed_run,$@), && rm -f $@ $@.checkpoint $@.options)
 	@$(if $(material_$@),$(POST) material with $(MATERIAL_FILE) $(material_$@) >$@.toml)
-	@$(LAUNCH) $(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) \
-	    --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) --quiet $(OPTIONS) \
-	    $$(! test -e $@.checkpoint || echo --restart $@.checkpoint) -o $@
+	@$(LAUNCH) $(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) $(other_options) -o $@
 	@echo '$(call run_options,$@)' >$@.options$(if $(material_$@), && rm $@.toml)
+other_options = --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) --quiet $(OPTIONS) \
+                $$(! test -e $@.checkpoint || echo --restart $@.checkpoint)
 # Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))
 # When this make began, and the runs that it has to make; set when it is first asked for.
