@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "post/summary/functions.hpp"
-#include "post/table/condition.hpp"
+#include "post/table/number.hpp"
 #include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
 
@@ -125,6 +125,13 @@ std::vector<std::string> load(sqlite3* database, const std::vector<const NamedTa
     return columns;
 }
 
+/// For messages.
+std::string what_there_is(const std::map<std::string, std::vector<std::string>>& tables) {
+    std::string text;
+    for (const auto& [table, columns] : tables) text += fmt::format("; {} has {}", table, fmt::join(columns, ", "));
+    return text;
+}
+
 }  // namespace
 
 Database::Database(const std::vector<std::string>& files, const std::string& label) {
@@ -145,9 +152,22 @@ Database::Database(const std::vector<std::string>& files, const std::string& lab
         for (const NamedTable& other : read_files) {
             if (other.name == each.name) parts.push_back(&other);
         }
-        columns_ += fmt::format("; {} has {}", each.name, fmt::join(load(database, parts, label), ", "));
+        columns_[each.name] = load(database, parts, label);
     }
     sqlite3_set_authorizer(database, authorize, nullptr);
+}
+
+bool Database::has(const std::string& table, const std::string& column) const {
+    const auto found = columns_.find(table);
+    return found != columns_.end() && std::find(found->second.begin(), found->second.end(), column) != found->second.end();
+}
+
+std::vector<std::vector<Cell>> Database::answer_of_file(const std::string& sql, const std::string& name) const {
+    try {
+        return query(sql, name, {}).rows;
+    } catch (const UsageError& error) {
+        throw InputError(error.what());
+    }
 }
 
 Answer Database::query(const std::string& sql, const std::string& name,
@@ -159,7 +179,7 @@ Answer Database::query(const std::string& sql, const std::string& name,
     const std::string message = sqlite3_errmsg(database_.get());
     const char* const forbidden = "not allowed; a query is SELECT or WITH … SELECT, without recursion";
     if (code == SQLITE_AUTH) refuse(forbidden);
-    if (code != SQLITE_OK) refuse(message + (message.starts_with("no such") ? columns_ : ""));
+    if (code != SQLITE_OK) refuse(message + (message.starts_with("no such") ? what_there_is(columns_) : ""));
     if (!statement) refuse("no query; SELECT … FROM " + tables_.front() + " is one");
     if (prepare(database_.get(), rest) || sqlite3_errcode(database_.get()) != SQLITE_OK)
         refuse("more than one query; one is needed");

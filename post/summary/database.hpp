@@ -30,17 +30,21 @@ public:
 
     /// Names of the tables, in the order of the files.
     [[nodiscard]] const std::vector<std::string>& tables() const { return tables_; }
+    /// Whether there is such a table with such a column.
+    [[nodiscard]] bool has(const std::string& table, const std::string& column) const;
 
     /// \param name of the query, for messages \param settings values of :NAME in it
     /// \throws UsageError for what is no query, a :NAME without a value or a value without :NAME; InputError for a text where a
     ///         number is needed
     [[nodiscard]] Answer query(const std::string& sql, const std::string& name,
                                const std::map<std::string, std::string>& settings) const;
+    /// The rows of a query that stands in a file of input. \throws InputError instead of UsageError
+    [[nodiscard]] std::vector<std::vector<Cell>> answer_of_file(const std::string& sql, const std::string& name) const;
 
 private:
     std::shared_ptr<sqlite3> database_;
     std::vector<std::string> tables_;
-    std::string columns_;  ///< of all tables, for messages
+    std::map<std::string, std::vector<std::string>> columns_;
 };
 
 }  // namespace graincrack::summary

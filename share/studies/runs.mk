@@ -82,7 +82,7 @@ unless = $(and $(4),$(if $(strip $(foreach o,$(2),$(findstring $(o)~,$(1)))),,$(
 # triaxial8 with the pressure in MPa. SIZE: e4, a mean edge in mm, or g452, a number of grains, and settings of the mesh; empty: the usual
 # one. LABELS: entries of label_columns.
 run = $(call note,$(1)_$(run_specimen),$(run_specimen),$(run_mesh),$(6),$(run_test),$(4),$(5))
-# Its parts, in which $(1) to $(6) are those of `run`.
+# What it is made of; $(1) to $(6) are those of `run`.
 run_shape = $(if $(filter brazilian,$(1)),disc,rectangle)
 run_sizes = $(call sizes_of,$(or $(2),$(SIZE_$(run_shape)))) $(FABRIC)
 run_specimen = $(run_shape)$(extent_$(run_shape))$(call names_of,$(run_sizes))-s$(3)
