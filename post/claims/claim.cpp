@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "post/table/number.hpp"
 #include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
 #include "share/base/toml_file.hpp"
@@ -15,11 +16,6 @@
 namespace graincrack::claims {
 
 namespace {
-
-Condition condition_of(const std::string& text, const std::string& where) {
-    if (auto condition = parse_condition(text)) return *condition;
-    throw InputError(fmt::format("{}: condition \"{}\"; {}", where, text, condition_form));
-}
 
 const std::vector<std::string> needed_columns{"claim", "kind", "table", "column", "paper"};
 const std::vector<std::string> further_columns{"where",   "value", "tolerance", "interval", "by",  "pair",
@@ -140,7 +136,7 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
     claim.name = file.text(row, "claim");
     claim.kind = parse_kind(file.text(row, "kind"), where);
     claim.table = file.text(row, "table");
-    for (const std::string& part : split(file.text(row, "where"), ';')) claim.where.push_back(condition_of(part, where));
+    claim.where = file.text(row, "where");
     claim.column = file.text(row, "column");
     claim.paper = file.text(row, "paper");
     claim.value = file.text(row, "value");
@@ -150,9 +146,9 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
     claim.by = file.text(row, "by");
     claim.pair = file.text(row, "pair");
     claim.against = file.text(row, "against");
-    const std::string needs = file.text(row, "needs");
-    claim.only_if_measured = needs == "rows";
-    if (!needs.empty() && !claim.only_if_measured) claim.needs = condition_of(needs, where);
+    claim.needs = file.text(row, "needs");
+    claim.only_if_measured = claim.needs == "rows";
+    if (claim.only_if_measured) claim.needs.clear();
     const std::string factor = file.text(row, "factor");
     if (!factor.empty()) {
         const auto number = parse_number(factor);

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "post/report/html.hpp"
-#include "post/table/condition.hpp"
+#include "post/table/number.hpp"
 #include "post/table/table.hpp"
 #include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
