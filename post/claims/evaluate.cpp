@@ -76,8 +76,9 @@ struct Joined {
 };
 Joined join(const Claim& claim, const summary::Database& tables, const std::string& where) {
     const std::size_t colon = claim.against.find(':');
-    if (colon == std::string::npos)
+    if (colon == std::string::npos) {
         throw InputError(fmt::format("{}: against \"{}\"; TABLE:COLUMN is needed", where, claim.against));
+    }
     const std::string sql = fmt::format(
         "SELECT ours, theirs FROM (SELECT {0} AS key, {1} AS ours FROM {2} WHERE {3}) JOIN (SELECT {0} AS key, {4} AS theirs "
         "FROM {5}) USING (key) WHERE ours IS NOT NULL AND theirs IS NOT NULL",

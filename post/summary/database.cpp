@@ -83,8 +83,9 @@ int authorize(void* /*unused*/, int action, const char* /*a*/, const char* /*b*/
 }
 
 void execute(sqlite3* database, const std::string& sql, const std::string& file) {
-    if (sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+    if (sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) {
         throw InputError(fmt::format("{}: {}", file, sqlite3_errmsg(database)));
+    }
 }
 
 /// Makes the table of files that have one name. \return its columns
@@ -92,11 +93,13 @@ std::vector<std::string> load(sqlite3* database, const std::vector<const NamedTa
     std::vector<std::string> columns;
     if (!label.empty()) columns.push_back(label);
     for (const NamedTable* part : parts) {
-        if (!label.empty() && part->file.has(label))
+        if (!label.empty() && part->file.has(label)) {
             throw InputError(fmt::format("{}: has a column {}; --label needs the name of a new one", part->file.name(), label));
+        }
         const std::vector<std::string>& own = part->file.columns();
-        if (std::set<std::string>(own.begin(), own.end()).size() < own.size())
+        if (std::set<std::string>(own.begin(), own.end()).size() < own.size()) {
             throw InputError(fmt::format("{}: has two columns of one name: {}", part->file.name(), fmt::join(own, ", ")));
+        }
         for (const std::string& column : own) {
             if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
         }
@@ -181,8 +184,9 @@ Answer Database::query(const std::string& sql, const std::string& name,
     if (code == SQLITE_AUTH) refuse(forbidden);
     if (code != SQLITE_OK) refuse(message + (message.starts_with("no such") ? what_there_is(columns_) : ""));
     if (!statement) refuse("no query; SELECT … FROM " + tables_.front() + " is one");
-    if (prepare(database_.get(), rest) || sqlite3_errcode(database_.get()) != SQLITE_OK)
+    if (prepare(database_.get(), rest) || sqlite3_errcode(database_.get()) != SQLITE_OK) {
         refuse("more than one query; one is needed");
+    }
     std::set<std::string> unused;
     for (const auto& [key, value] : settings) unused.insert(key);
     for (int i = 1; i <= sqlite3_bind_parameter_count(statement.get()); ++i) {

@@ -138,9 +138,10 @@ std::optional<std::string> filled(int n, sqlite3_value** arguments) {
             continue;
         }
         const std::size_t close = format.find('}', at);
-        if (close == std::string::npos || argument == n)
+        if (close == std::string::npos || argument == n) {
             throw UsageError(fmt::format("text: {}: {} is needed", shortened(format, 80),
                                          close == std::string::npos ? "}" : "another argument"));
+        }
         const std::string inner = format.substr(at + 1, close - at - 1);
         sqlite3_value* const value = arguments[argument++];
         if (sqlite3_value_type(value) == SQLITE_NULL) return std::nullopt;
@@ -153,8 +154,9 @@ std::optional<std::string> filled(int n, sqlite3_value** arguments) {
 }  // namespace
 
 void add_functions(sqlite3* database) {
-    for (const auto& [name, statistic] : statistics())
+    for (const auto& [name, statistic] : statistics()) {
         Gathered<Columns>::add_to(database, name, static_cast<int>(statistic.arguments), &statistic);
+    }
     Gathered<MeanAndHalf>::add_to(database, "mean_and_half", 2);
     Gathered<Entries>::add_to(database, "entries", 1);
     sqlite3_create_function_v2(

@@ -42,8 +42,9 @@ std::size_t place_of(std::vector<Entry>& entries, const Entry& entry, Same same)
 }
 
 Answer pivoted(const Answer& answer) {
-    if (answer.columns.size() < 2)
+    if (answer.columns.size() < 2) {
         throw UsageError("--pivot: the query has one column; a name and a value are its last two columns");
+    }
     const std::size_t n_keys = answer.columns.size() - 2;
     std::vector<std::string> names;
     std::vector<std::vector<Cell>> keys;
@@ -55,9 +56,10 @@ Answer pivoted(const Answer& answer) {
             return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_text);
         });
         const std::size_t column = place_of(names, row[n_keys].text(), std::equal_to<>());
-        if (!values.emplace(std::pair(at, column), row.back()).second)
+        if (!values.emplace(std::pair(at, column), row.back()).second) {
             throw UsageError(fmt::format("--pivot: the query has two rows of {} for the same {}", names[column],
                                          n_keys > 0 ? answer.columns.front() : "row"));
+        }
     }
     Answer wide{{answer.columns.begin(), answer.columns.end() - 2}, std::move(keys)};
     wide.columns.insert(wide.columns.end(), names.begin(), names.end());

@@ -65,9 +65,7 @@ void append_rows(H5Output& file, const History& history, std::size_t first) {
 History read_history(const H5Input& file) {
     History history;
     const std::size_t rows = rows_of(file, history_path(0));
-    for (std::size_t i = 0; i < n_history_columns; ++i) {
-        history.columns[i] = read_finite(file, history_path(i), {rows});
-    }
+    for (std::size_t i = 0; i < n_history_columns; ++i) history.columns[i] = read_finite(file, history_path(i), {rows});
     const std::vector<double>& time = history[HistoryColumn::time];
     if (!std::is_sorted(time.begin(), time.end())) {
         throw InputError(fmt::format("{}: the times of {} do not ascend", file.name(), history_path(0)));

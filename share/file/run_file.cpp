@@ -138,9 +138,7 @@ void RunWriter::thin_frames() {
 
 std::vector<FrameRole> RunWriter::frame_roles() const {
     std::vector<FrameRole> roles;
-    for (const State::Slot& slot : state_->frames) {
-        roles.push_back(slot.role);
-    }
+    for (const State::Slot& slot : state_->frames) roles.push_back(slot.role);
     return roles;
 }
 
@@ -151,18 +149,14 @@ void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks
                        const std::vector<SensitivityRow>& sensitivity) {
     write_header(state_->file, header);
     write_cracks(state_->file, cracks);
-    if (!sensitivity.empty()) {
-        write_sensitivity(state_->file, sensitivity);
-    }
+    if (!sensitivity.empty()) write_sensitivity(state_->file, sensitivity);
     for (std::size_t i = 0; i < state_->frames.size(); ++i) {
         std::string& group = state_->frames[i].group;
         const std::string numbered = fmt::format("{}/{:04}", schema::frames_group, i);
         state_->file.move(group, numbered);
         group = numbered;
     }
-    if (!state_->frames.empty()) {
-        link_last_frame(state_->file, state_->frames.back().group);
-    }
+    if (!state_->frames.empty()) link_last_frame(state_->file, state_->frames.back().group);
     write_provenance(state_->file, provenance);
     state_->file.commit();
 }
@@ -198,9 +192,7 @@ const H5Input& RunReader::file() const { return state_->file; }
 
 History RunReader::history() const {
     History history = read_history(state_->file);
-    if (history.size() == 0) {
-        throw InputError(fmt::format("{}: {} has no rows", name(), schema::history_group));
-    }
+    if (history.size() == 0) throw InputError(fmt::format("{}: {} has no rows", name(), schema::history_group));
     return history;
 }
 

@@ -117,9 +117,7 @@ namespace {
 class PropertyTable {
 public:
     void operator()(const char* name, const double& value, Dimension dimension) const {
-        if (columns_.find(name) == columns_.end()) {
-            order_.emplace_back(name, dimension);
-        }
+        if (columns_.find(name) == columns_.end()) order_.emplace_back(name, dimension);
         columns_[name].push_back(value);
     }
     void write(H5Output& file, const std::string& group, const std::vector<std::string>& names) const {
@@ -142,14 +140,10 @@ void write_fabric(H5Output& file, const RunHeader& header, const std::vector<std
     const Fabric fabric =
         header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, phase_names.size()) : header.fabric;
     const PropertyTable phases;
-    for (const Phase& phase : fabric.phases) {
-        visit_phase(phase, phases);
-    }
+    for (const Phase& phase : fabric.phases) visit_phase(phase, phases);
     phases.write(file, schema::phases_group, phase_names);
     const PropertyTable classes;
-    for (const ContactParameters& contact : fabric.contacts) {
-        visit_contact(contact, classes);
-    }
+    for (const ContactParameters& contact : fabric.contacts) visit_contact(contact, classes);
     classes.write(file, schema::classes_group, contact_class_names(phase_names));
 }
 

@@ -31,9 +31,7 @@ Quantity quantity_of(Action action) { return any(name_of(action), is_velocity(ac
 /// Two components, x and y.
 std::optional<Vector2> read_vector(TomlTable& table, const std::string& key, const Quantity& quantity) {
     const auto values = table.quantities(key, quantity);
-    if (values && values->size() != 2) {
-        table.refuse(key, fmt::format("has {} components; two, x and y, fit", values->size()));
-    }
+    if (values && values->size() != 2) table.refuse(key, fmt::format("has {} components; two, x and y, fit", values->size()));
     return values ? std::optional<Vector2>({(*values)[0], (*values)[1]}) : std::nullopt;
 }
 
@@ -151,21 +149,15 @@ std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
         return PressureServo{*read_function(table, "platen_pressure", any("platen_pressure", Dimension::stress), false)};
     }
     auto speed = table.has_value("platen_speed") ? std::nullopt : table.table("platen_speed");
-    if (speed && speed->has("auto")) {
-        return read_automatic_rate(*speed);
-    }
-    if (speed && speed->has("blocks")) {
-        return read_blocks(*speed);
-    }
+    if (speed && speed->has("auto")) return read_automatic_rate(*speed);
+    if (speed && speed->has("blocks")) return read_blocks(*speed);
     const auto function = read_function(table, "platen_speed", any("platen_speed", Dimension::speed), false);
     return function ? std::optional<PlatenMotion>(*function) : std::nullopt;
 }
 
 /// Whether the platens come to their strain limit by themselves.
 bool moves_on(const std::optional<PlatenMotion>& motion) {
-    if (!motion || std::holds_alternative<PressureServo>(*motion)) {
-        return false;
-    }
+    if (!motion || std::holds_alternative<PressureServo>(*motion)) return false;
     const auto* const function = std::get_if<TimeFunction>(&*motion);
     return function == nullptr || (function->kind == TimeFunction::Kind::constant && function->value != 0) ||
            (function->kind == TimeFunction::Kind::ramp && function->value != 0);
@@ -182,9 +174,7 @@ Settings read_settings(TomlTable& table) {
 
 void read_boundary_conditions(TomlTable& file, Program& program) {
     auto boundary = file.table("boundary");
-    if (!boundary) {
-        return;
-    }
+    if (!boundary) return;
     for (TomlTable& table : boundary->tables()) {
         BoundaryCondition condition;
         condition.name = table.name();
@@ -201,17 +191,13 @@ void read_boundary_conditions(TomlTable& file, Program& program) {
 
 void read_probes(TomlTable& file, Program& program) {
     auto probes = file.table("probe");
-    if (!probes) {
-        return;
-    }
+    if (!probes) return;
     for (TomlTable& table : probes->tables()) {
         ProbeRequest probe;
         probe.name = table.name();
         const auto point = read_vector(table, "point", coordinate);
         const auto circle = table.quantities("circle", coordinate);
-        if (point.has_value() == circle.has_value()) {
-            table.refuse("", "needs either point = [x, y] or circle = [x, y, radius]");
-        }
+        if (point.has_value() == circle.has_value()) table.refuse("", "needs either point = [x, y] or circle = [x, y, radius]");
         if (circle && (circle->size() != 3 || (*circle)[2] <= 0)) {
             table.refuse("circle", "is no circle; [x, y, radius] with a radius above 0 fits");
         }
@@ -230,23 +216,17 @@ void read_probes(TomlTable& file, Program& program) {
 
 const std::vector<ProbeColumn>* columns_of(const Program& program, const std::string& probe) {
     for (const BoundaryCondition& condition : program.boundary_conditions) {
-        if (condition.name == probe) {
-            return &boundary_columns();
-        }
+        if (condition.name == probe) return &boundary_columns();
     }
     for (const ProbeRequest& request : program.probes) {
-        if (request.name == probe) {
-            return request.is_circle ? &circle_columns() : &point_columns();
-        }
+        if (request.name == probe) return request.is_circle ? &circle_columns() : &point_columns();
     }
     return nullptr;
 }
 
 void read_probe_conditions(const Program& program, TomlTable table, Stage& stage) {
     const std::vector<ProbeColumn>* columns = columns_of(program, table.name());
-    if (columns == nullptr) {
-        table.refuse("", "there is no probe and no boundary of this name");
-    }
+    if (columns == nullptr) table.refuse("", "there is no probe and no boundary of this name");
     for (std::size_t i = 0; i < columns->size(); ++i) {
         const ProbeColumn& column = (*columns)[i];
         if (const auto value = table.quantity(column.name, any(column.name, column.dimension))) {
@@ -267,16 +247,12 @@ void read_until(const Program& program, TomlTable table, Stage& stage) {
     stage.peak_drop = table.quantity("peak_drop", quantity::peak_drop);
     for (std::size_t i = 0; i < history_datasets.size(); ++i) {
         const std::string name(history_datasets[i].name);
-        if (name == "time" || name == "step") {
-            continue;
-        }
+        if (name == "time" || name == "step") continue;
         if (const auto value = table.quantity(name, any(name, history_datasets[i].dimension))) {
             stage.until.push_back({"", i, name, *value});
         }
     }
-    for (const TomlTable& probe : table.tables()) {
-        read_probe_conditions(program, probe, stage);
-    }
+    for (const TomlTable& probe : table.tables()) read_probe_conditions(program, probe, stage);
     table.refuse_others();
 }
 
@@ -284,9 +260,7 @@ Stage read_stage(Program& program, TomlTable& table) {
     Stage stage;
     stage.name = table.name();
     stage.platens = read_platen_motion(table);
-    if (!program.platens && stage.platens) {
-        table.refuse("", "there are no platens to move; add a table [platens]");
-    }
+    if (!program.platens && stage.platens) table.refuse("", "there are no platens to move; add a table [platens]");
     for (BoundaryCondition& condition : program.boundary_conditions) {
         if (auto own = table.table(condition.name)) {
             const Settings settings = read_settings(*own);
@@ -301,9 +275,7 @@ Stage read_stage(Program& program, TomlTable& table) {
     const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == ended_by_rest && stage.rest) ||
                          (stage.must_end_by == "peak_drop" && stage.peak_drop) ||
                          std::any_of(stage.until.begin(), stage.until.end(), is_end);
-    if (!has_end) {
-        table.refuse("must_end_by", "is none of the ends in until; one of them other than time fits");
-    }
+    if (!has_end) table.refuse("must_end_by", "is none of the ends in until; one of them other than time fits");
     table.refuse_others();
     return stage;
 }
@@ -316,9 +288,7 @@ void read_stages(TomlTable& file, Program& program) {
     program.order = *order;
     TomlTable stages = file.needed_table("stage", "describe each stage by a table [stage.NAME]");
     for (const std::string& name : program.order) {
-        if (!stages.table(name)) {
-            file.refuse("stages", fmt::format("there is no table [stage.{}]", name));
-        }
+        if (!stages.table(name)) file.refuse("stages", fmt::format("there is no table [stage.{}]", name));
     }
     for (TomlTable& table : stages.tables()) {
         if (std::find(order->begin(), order->end(), table.name()) == order->end()) {
@@ -350,15 +320,11 @@ void note_actions(Program& program) {
 
 void read_initial(TomlTable& file, Program& program) {
     auto initial = file.table("initial");
-    if (!initial) {
-        return;
-    }
+    if (!initial) return;
     for (TomlTable& table : initial->tables()) {
         const Region region = read_region(table);
         const auto velocity = read_vector(table, "velocity", any("velocity", Dimension::speed));
-        if (!velocity) {
-            table.refuse("velocity", "missing; two components fit, such as [\"0 m/s\", \"-1 m/s\"]");
-        }
+        if (!velocity) table.refuse("velocity", "missing; two components fit, such as [\"0 m/s\", \"-1 m/s\"]");
         table.refuse_others();
         program.initial_velocities.push_back({region, *velocity});
     }
@@ -367,9 +333,7 @@ void read_initial(TomlTable& file, Program& program) {
 
 void read_platens(TomlTable& file, Program& program) {
     auto table = file.table("platens");
-    if (!table) {
-        return;
-    }
+    if (!table) return;
     ProgramPlatens platens;
     platens.bonded = table->flag("bonded").value_or(table->flag("glued").value_or(false));  // `glued` is the former name
     platens.max_strain = table->quantity("max_strain", quantity::max_strain).value_or(platens.max_strain);

@@ -20,9 +20,7 @@ std::string number(double value) {
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
-    for (const char c : text) {
-        out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    }
+    for (const char c : text) out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
     return out + "\"";
 }
 
@@ -52,9 +50,7 @@ std::string number_list(const std::vector<double>& values) {
 using Entries = std::vector<std::pair<std::string, std::string>>;
 std::string inline_table(const Entries& entries) {
     std::vector<std::string> items;
-    for (const auto& [key, value] : entries) {
-        items.push_back(key + " = " + value);
-    }
+    for (const auto& [key, value] : entries) items.push_back(key + " = " + value);
     return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 
@@ -66,9 +62,7 @@ std::string function_text(const TimeFunction& f) {
         case TimeFunction::Kind::table: return inline_table({{"times", number_list(f.times)}, {"values", number_list(f.values)}});
         case TimeFunction::Kind::sine: {
             Entries entries{{"sine", number(f.value)}, {"frequency", number(f.frequency)}, {"phase", number(f.phase)}};
-            if (f.duration > 0) {
-                entries.emplace_back("cycles", number(f.duration * f.frequency));
-            }
+            if (f.duration > 0) entries.emplace_back("cycles", number(f.duration * f.frequency));
             return inline_table(entries);
         }
         case TimeFunction::Kind::ricker:
@@ -95,9 +89,7 @@ struct MotionLine {
 
 std::string region_lines(const Region& region) {
     std::string lines;
-    if (!region.parts.empty()) {
-        lines += "on = " + quoted_list(region.parts) + "\n";
-    }
+    if (!region.parts.empty()) lines += "on = " + quoted_list(region.parts) + "\n";
     if (std::isfinite(region.left)) {
         lines += "box = " + number_list({region.left, region.right, region.bottom, region.top}) + "\n";
     }
@@ -116,47 +108,29 @@ std::string settings_lines(const std::string& before, const Settings& settings) 
 
 std::string until_line(const Stage& stage) {
     Entries entries;
-    if (std::isfinite(stage.longest_time)) {
-        entries.emplace_back("time", number(stage.longest_time));
-    }
-    if (stage.rest) {
-        entries.emplace_back("rest", number(*stage.rest));
-    }
-    if (stage.peak_drop) {
-        entries.emplace_back("peak_drop", number(*stage.peak_drop));
-    }
-    for (const Condition& condition : stage.until) {
-        entries.emplace_back(condition.name, number(condition.value));
-    }
+    if (std::isfinite(stage.longest_time)) entries.emplace_back("time", number(stage.longest_time));
+    if (stage.rest) entries.emplace_back("rest", number(*stage.rest));
+    if (stage.peak_drop) entries.emplace_back("peak_drop", number(*stage.peak_drop));
+    for (const Condition& condition : stage.until) entries.emplace_back(condition.name, number(condition.value));
     return "until = " + inline_table(entries) + "\n";
 }
 
 std::string stage_text(const Stage& stage) {
     std::string text = fmt::format("\n[stage.{}]\n", key(stage.name));
-    for (const auto& [condition, settings] : stage.settings) {
-        text += settings_lines(key(condition) + ".", settings);
-    }
-    if (stage.platens) {
-        text += std::visit(MotionLine{}, *stage.platens) + "\n";
-    }
+    for (const auto& [condition, settings] : stage.settings) text += settings_lines(key(condition) + ".", settings);
+    if (stage.platens) text += std::visit(MotionLine{}, *stage.platens) + "\n";
     text += until_line(stage);
     return stage.must_end_by.empty() ? text : text + "must_end_by = " + quoted(stage.must_end_by) + "\n";
 }
 
 std::string top_lines(const Program& program) {
     std::string text = fmt::format("name = {}\nstages = {}\n", quoted(program.name), quoted_list(program.order));
-    if (program.damping) {
-        text += "damping = " + (*program.damping == 0 ? "\"none\"" : number(*program.damping)) + "\n";
-    }
+    if (program.damping) text += "damping = " + (*program.damping == 0 ? "\"none\"" : number(*program.damping)) + "\n";
     if (program.gravity.x != 0 || program.gravity.y != 0) {
         text += "gravity = " + number_list({program.gravity.x, program.gravity.y}) + "\n";
     }
-    if (program.row_interval) {
-        text += "row_every = " + number(*program.row_interval) + "\n";
-    }
-    if (!program.start_from.empty()) {
-        text += "start_from = " + quoted(program.start_from) + "\n";
-    }
+    if (program.row_interval) text += "row_every = " + number(*program.row_interval) + "\n";
+    if (!program.start_from.empty()) text += "start_from = " + quoted(program.start_from) + "\n";
     return text;
 }
 
@@ -182,9 +156,7 @@ std::string program_text(const Program& program) {
         text += fmt::format("\n[initial.{}]\n{}velocity = {}\n", i, region_lines(initial.region),
                             number_list({initial.velocity.x, initial.velocity.y}));
     }
-    for (const Stage& stage : program.stages) {
-        text += stage_text(stage);
-    }
+    for (const Stage& stage : program.stages) text += stage_text(stage);
     return text;
 }
 

@@ -32,14 +32,10 @@ std::vector<std::pair<int, std::string>> TomlTable::keys() const {
         }
     };
     for (const TomlEntry& e : file_->entries) {
-        if (e.section == section_) {
-            add(e.line, e.key);
-        }
+        if (e.section == section_) add(e.line, e.key);
     }
     for (const TomlSection& s : file_->sections) {
-        if (is_inside(s.name) && s.name.size() > section_.size()) {
-            add(s.line, s.name[section_.size()]);
-        }
+        if (is_inside(s.name) && s.name.size() > section_.size()) add(s.line, s.name[section_.size()]);
     }
     std::stable_sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return keys;
@@ -56,12 +52,8 @@ std::string TomlTable::name() const { return section_.empty() ? "" : section_.ba
 
 std::string TomlTable::where(const std::string& key) const {
     int line = 0;
-    for (const TomlSection& s : file_->sections) {
-        line = line == 0 && is_inside(s.name) && !section_.empty() ? s.line : line;
-    }
-    for (const auto& [at, name] : keys()) {
-        line = name == key ? at : line;
-    }
+    for (const TomlSection& s : file_->sections) line = line == 0 && is_inside(s.name) && !section_.empty() ? s.line : line;
+    for (const auto& [at, name] : keys()) line = name == key ? at : line;
     const std::string dotted = path_.empty() ? key : key.empty() ? path_ : path_ + "." + key;
     return line == 0 ? fmt::format("{}: {}", file_->file, dotted) : fmt::format("{}: line {}: {}", file_->file, line, dotted);
 }
@@ -72,18 +64,12 @@ void TomlTable::refuse(const std::string& key, const std::string& wrong_and_righ
 
 std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key) {
     asked_.push_back(key);
-    if (has_table(key)) {
-        refuse(key, "is a table; a text, or an array of texts, fits");
-    }
+    if (has_table(key)) refuse(key, "is a table; a text, or an array of texts, fits");
     const TomlEntry* found = entry(key);
-    if (found == nullptr) {
-        return std::nullopt;
-    }
+    if (found == nullptr) return std::nullopt;
     std::vector<std::string> words;
     for (const TomlValue& value : found->values) {
-        if (value.kind != TomlValue::Kind::text) {
-            refuse(key, fmt::format("{} is no text; a text in quotes fits", value.text));
-        }
+        if (value.kind != TomlValue::Kind::text) refuse(key, fmt::format("{} is no text; a text in quotes fits", value.text));
         words.push_back(value.text);
     }
     return words;
@@ -91,21 +77,15 @@ std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key)
 
 std::optional<std::string> TomlTable::text(const std::string& key) {
     const auto words = texts(key);
-    if (!words) {
-        return std::nullopt;
-    }
-    if (entry(key)->is_array) {
-        refuse(key, "is an array; one text in quotes fits");
-    }
+    if (!words) return std::nullopt;
+    if (entry(key)->is_array) refuse(key, "is an array; one text in quotes fits");
     return words->front();
 }
 
 std::optional<bool> TomlTable::flag(const std::string& key) {
     asked_.push_back(key);
     const TomlEntry* found = entry(key);
-    if (found == nullptr && !has_table(key)) {
-        return std::nullopt;
-    }
+    if (found == nullptr && !has_table(key)) return std::nullopt;
     if (found == nullptr || found->is_array || found->values.front().kind != TomlValue::Kind::boolean) {
         refuse(key, "is neither true nor false");
     }
@@ -115,19 +95,13 @@ std::optional<bool> TomlTable::flag(const std::string& key) {
 std::optional<std::vector<double>> TomlTable::quantities(const std::string& key, const Quantity& quantity) {
     asked_.push_back(key);
     const TomlEntry* found = entry(key);
-    if (found == nullptr && !has_table(key)) {
-        return std::nullopt;
-    }
+    if (found == nullptr && !has_table(key)) return std::nullopt;
     const std::string fits = fmt::format("an array of texts with units of a {} or of bare numbers in {} fits",
                                          name_of(quantity.dimension), quantity.unit());
-    if (found == nullptr || !found->is_array) {
-        refuse(key, "is no array; " + fits);
-    }
+    if (found == nullptr || !found->is_array) refuse(key, "is no array; " + fits);
     std::vector<double> values;
     for (const TomlValue& value : found->values) {
-        if (value.kind == TomlValue::Kind::boolean) {
-            refuse(key, value.text + " is no quantity; " + fits);
-        }
+        if (value.kind == TomlValue::Kind::boolean) refuse(key, value.text + " is no quantity; " + fits);
         try {
             values.push_back(parse_quantity(value.text, quantity, where(key)));
         } catch (const UsageError& error) {
@@ -140,9 +114,7 @@ std::optional<std::vector<double>> TomlTable::quantities(const std::string& key,
 std::optional<double> TomlTable::quantity(const std::string& key, const Quantity& quantity) {
     asked_.push_back(key);
     const TomlEntry* found = entry(key);
-    if (found == nullptr && !has_table(key)) {
-        return std::nullopt;
-    }
+    if (found == nullptr && !has_table(key)) return std::nullopt;
     if (found == nullptr || found->is_array || found->values.front().kind == TomlValue::Kind::boolean) {
         refuse(key, fmt::format("is no quantity; a text with a unit of a {} or a bare number in {} fits",
                                 name_of(quantity.dimension), quantity.unit()));
@@ -167,12 +139,8 @@ std::optional<double> TomlTable::quantity_or(const std::string& key, const std::
 
 std::optional<TomlTable> TomlTable::table(const std::string& key) {
     asked_.push_back(key);
-    if (has_value(key)) {
-        refuse(key, "is a value; a table fits");
-    }
-    if (!has_table(key)) {
-        return std::nullopt;
-    }
+    if (has_value(key)) refuse(key, "is a value; a table fits");
+    if (!has_table(key)) return std::nullopt;
     std::vector<std::string> section = section_;
     section.push_back(key);
     return TomlTable(file_, section);
@@ -181,32 +149,24 @@ std::optional<TomlTable> TomlTable::table(const std::string& key) {
 std::vector<TomlTable> TomlTable::tables() {
     std::vector<TomlTable> found;
     for (const auto& [line, key] : keys()) {
-        if (has_table(key)) {
-            found.push_back(*table(key));
-        }
+        if (has_table(key)) found.push_back(*table(key));
     }
     return found;
 }
 
 std::string TomlTable::needed_text(const std::string& key, const std::string& what) {
     auto value = text(key);
-    if (!value) {
-        refuse(key, "missing; " + what);
-    }
+    if (!value) refuse(key, "missing; " + what);
     return *value;
 }
 double TomlTable::needed_quantity(const std::string& key, const Quantity& quantity_wanted, const std::string& what) {
     const auto value = quantity(key, quantity_wanted);
-    if (!value) {
-        refuse(key, "missing; " + what);
-    }
+    if (!value) refuse(key, "missing; " + what);
     return *value;
 }
 TomlTable TomlTable::needed_table(const std::string& key, const std::string& what) {
     auto found = table(key);
-    if (!found) {
-        refuse(key, "missing; " + what);
-    }
+    if (!found) refuse(key, "missing; " + what);
     return *found;
 }
 

@@ -18,19 +18,13 @@ namespace {
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
     const auto coordinate = [&](std::int32_t i) { return along_y ? a.position[i].y : a.position[i].x; };
     double mean = 0;
-    for (const std::int32_t i : nodes) {
-        mean += coordinate(i);
-    }
+    for (const std::int32_t i : nodes) mean += coordinate(i);
     mean /= static_cast<double>(std::max<std::size_t>(nodes.size(), 1));
     double square = 0;
-    for (const std::int32_t i : nodes) {
-        square += (coordinate(i) - mean) * (coordinate(i) - mean);
-    }
+    for (const std::int32_t i : nodes) square += (coordinate(i) - mean) * (coordinate(i) - mean);
     Gauge gauge{along_y, {}, {}};
     if (square > 0) {
-        for (const std::int32_t i : nodes) {
-            gauge.terms.push_back({i, (coordinate(i) - mean) / square});
-        }
+        for (const std::int32_t i : nodes) gauge.terms.push_back({i, (coordinate(i) - mean) / square});
     }
     return gauge;
 }
@@ -51,9 +45,7 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
             const Vector2& p = a.position[i];
             const bool near_axis = s.boundary_part[e] == static_cast<std::uint8_t>(BoundaryPart::rim) && side * p.x > 0 &&
                                    std::abs(p.y) <= tan_15_degrees * std::abs(p.x);
-            if (s.boundary_part[e] == part || near_axis) {
-                nodes.push_back(i);
-            }
+            if (s.boundary_part[e] == part || near_axis) nodes.push_back(i);
         }
     }
     std::sort(nodes.begin(), nodes.end());
@@ -153,9 +145,7 @@ void add_platen_energies(const Boundary& boundary, double time_step, const State
 
 void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
                              Measurement& m) {
-    if (prescribed.empty()) {
-        return;
-    }
+    if (prescribed.empty()) return;
     for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
         m.energies.external += load_half_work(a, prescribed, block, time_step, s);
     }
@@ -167,9 +157,7 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
 /// Motions, tractions, damage and states of all contact points, into a frame.
 template <class Law>
 void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, Frame& frame) {
-    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) {
-        pairs->resize(a.n_contacts());
-    }
+    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) pairs->resize(a.n_contacts());
     frame.traction.resize(a.n_contacts());
     frame.state.resize(a.n_contacts());
     for_each_contact(a, [&](std::int32_t place, std::int32_t contact_class) {
@@ -203,9 +191,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
     std::vector<std::int32_t> central;
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         const Vector2& p = a.position[i];
-        if (std::abs(p.y) <= s.height / 4 && (s.shape != "disc" || std::abs(p.x) <= s.width / 4)) {
-            central.push_back(i);
-        }
+        if (std::abs(p.y) <= s.height / 4 && (s.shape != "disc" || std::abs(p.x) <= s.width / 4)) central.push_back(i);
     }
     Gauges gauges{slope_gauge(a, true, central), slope_gauge(a, false, central), {}};
     for (const double side : {-1.0, 1.0}) {
@@ -214,9 +200,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
             gauges.widening.terms.push_back({i, side / (static_cast<double>(nodes.size()) * s.width)});
         }
     }
-    for (Gauge* gauge : {&gauges.axial, &gauges.lateral, &gauges.widening}) {
-        cut_terms(a, *gauge);
-    }
+    for (Gauge* gauge : {&gauges.axial, &gauges.lateral, &gauges.widening}) cut_terms(a, *gauge);
     return gauges;
 }
 

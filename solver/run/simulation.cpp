@@ -119,18 +119,12 @@ public:
         }
         writer_.emplace(H5Output(std::move(place), "run"), specimen_, header_);
         frames_.emplace(is_stream && request_.frames < 0 ? 0 : std::abs(request_.frames), 1.0 / 64, *writer_);
-        if (frames_so_far_) {
-            frames_->go_on(*frames_so_far_, RunReader(request_.restart));
-        }
+        if (frames_so_far_) frames_->go_on(*frames_so_far_, RunReader(request_.restart));
     }
 
     RunHeader run() {
-        if (request_.restart.empty()) {
-            start(assemblage_, parameters_, state_);
-        }
-        if (history_.size() == 0) {
-            record();
-        }
+        if (request_.restart.empty()) start(assemblage_, parameters_, state_);
+        if (history_.size() == 0) record();
         while (header_.stop_reason.empty()) {
             stop_if_asked();
             const std::int64_t steps = driver_.interval_steps(parameters_.time_step);
@@ -154,13 +148,9 @@ public:
         frames_->last(assemblage_, parameters_.laws, state_);
         append_rows();
         driver_.write(writer_->file());
-        if (request_.save_state) {
-            write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_balance_error_);
-        }
+        if (request_.save_state) write_saved_state(writer_->file(), state_, driver_.saved(state_.time), largest_balance_error_);
         writer_->finish(header_, crack_log_.rows(assemblage_, state_), provenance, sensitivity);
-        if (!checkpoint_.empty()) {
-            remove_checkpoint(checkpoint_);
-        }
+        if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
     }
     [[nodiscard]] const CrackLog& crack_log() const { return crack_log_; }
     [[nodiscard]] TestOutcome outcome() const { return {header_, history_}; }
@@ -169,9 +159,7 @@ public:
 
 private:
     [[nodiscard]] bool writes_checkpoint_now() {
-        if (!writer_ || checkpoint_.empty()) {
-            return false;
-        }
+        if (!writer_ || checkpoint_.empty()) return false;
         const bool is_asked = take_checkpoint_request();
         return is_asked || (request_.checkpoint_interval && since_checkpoint_.elapsed() >= *request_.checkpoint_interval);
     }
@@ -179,9 +167,7 @@ private:
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() const {
         const bool asked = request_.stops_after && request_.stops_after(history_.size());
-        if (stop_signal() == 0 && !asked) {
-            return;
-        }
+        if (stop_signal() == 0 && !asked) return;
         if (writer_ && !checkpoint_.empty()) {
             write_checkpoint();
             if (verbosity_ != Verbosity::quiet) {
@@ -223,9 +209,7 @@ private:
             history_[HistoryColumn::step].back() != static_cast<double>(state_.step)) {
             throw InputError(run.name() + ": its state is not that of the last row of its history: the file is damaged");
         }
-        for (const double work : history_[HistoryColumn::energy_external]) {
-            worked_ = std::max(worked_, std::abs(work));
-        }
+        for (const double work : history_[HistoryColumn::energy_external]) worked_ = std::max(worked_, std::abs(work));
         last_axial_stress_ = history_[HistoryColumn::axial_stress].back();
         peak_ = run.header().peak_axial_stress;
     }
@@ -261,9 +245,7 @@ private:
             const bool keeps_peak = frames_->peak(is_highest, has_fallen, assemblage_, parameters_.laws, state_);
             const bool keeps_this = frames_->regular(driver_.progress(view()), assemblage_, parameters_.laws, state_);
             const double flush_interval = keeps_peak || keeps_this ? flush_interval_of_frames : longest_flush_interval;
-            if (rows_written_ == 0 || since_flush_.elapsed() >= flush_interval) {
-                append_rows();
-            }
+            if (rows_written_ == 0 || since_flush_.elapsed() >= flush_interval) append_rows();
         }
     }
 
@@ -418,9 +400,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
     summary.tensile_cracks = whole_contacts(simulation.crack_log().tensile_points());
     summary.shear_cracks = whole_contacts(simulation.crack_log().shear_points());
-    if (request.sensitivity) {
-        summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
-    }
+    if (request.sensitivity) summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     provenance.wall_time = summary.wall_time;
     provenance.threads = simulation.threads();
     provenance.vector_target = simulation.vector_target();

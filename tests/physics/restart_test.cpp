@@ -97,9 +97,7 @@ TEST(Checkpoints, FollowOneAnotherAnIntervalAfterTheLastWasWritten) {
     };
     simulate(specimen(), r, run, Verbosity::quiet, {});
     ASSERT_GT(checkpoints.size(), 3U);
-    for (std::size_t i = 1; i < checkpoints.size(); ++i) {
-        EXPECT_EQ(checkpoints[i] - checkpoints[i - 1], 101U);
-    }
+    for (std::size_t i = 1; i < checkpoints.size(); ++i) EXPECT_EQ(checkpoints[i] - checkpoints[i - 1], 101U);
 }
 
 class Restart : public testing::TestWithParam<Case> {};

@@ -183,9 +183,7 @@ TEST(TimeFunction, TakesItsValues) {
     // Its zeros are 1/(√2 π f) from the peak, its mean over time is 0.
     expect_close(f(6 + 1 / (std::sqrt(2.0) * std::numbers::pi * f.frequency)), 1, 1e-14, 1);
     double sum = 0;
-    for (int i = -3000; i <= 3000; ++i) {
-        sum += f(6 + 0.01 * i) - 1;
-    }
+    for (int i = -3000; i <= 3000; ++i) sum += f(6 + 0.01 * i) - 1;
     expect_close(0.01 * sum, 0, 1e-9, 1);
     EXPECT_LT(std::abs(f(f.end()) - 1), 1e-12);
     f.kind = TimeFunction::Kind::table;
@@ -210,9 +208,7 @@ struct Led {
           stage_controller(program, test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_granite().rock) {}
     void row(double at, double stress, double unbalanced = 1, double cracks = 0) {
         time = at;
-        for (auto& column : history.columns) {
-            column.push_back(0);
-        }
+        for (auto& column : history.columns) column.push_back(0);
         history[HistoryColumn::time].back() = at;
         history[HistoryColumn::energy_damping].back() = 1;
         history[HistoryColumn::axial_stress].back() = stress;
@@ -221,9 +217,7 @@ struct Led {
         const std::function<double(const std::string&, std::size_t)> none = [](const std::string&, std::size_t) { return 0.0; };
         const StageFeedback feedback{at, history, none};
         history.size() == 1 ? stage_controller.begin(feedback) : stage_controller.check_stage_end(feedback);
-        if (!stage_controller.finished()) {
-            last = stage_controller.next(1e-3);
-        }
+        if (!stage_controller.finished()) last = stage_controller.next(1e-3);
     }
     IntervalLoading last;
 };

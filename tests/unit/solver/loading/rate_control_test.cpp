@@ -123,14 +123,10 @@ TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
 TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     RateControl control(tolerance, scales);
     double speed = 0;
-    for (int i = 0; i < 2000; ++i) {
-        speed = control.next({1e-3, 0, 100, 0, 0, 0, i == 0 ? 1.0 : 0.0}, duration);
-    }
+    for (int i = 0; i < 2000; ++i) speed = control.next({1e-3, 0, 100, 0, 0, 0, i == 0 ? 1.0 : 0.0}, duration);
     RateControl never_near(tolerance, scales);
     double free_speed = 0;
-    for (int i = 0; i < 10; ++i) {
-        free_speed = never_near.next({1e-3, 0, 100, 0, 0, 0, 0}, duration);
-    }
+    for (int i = 0; i < 10; ++i) free_speed = never_near.next({1e-3, 0, 100, 0, 0, 0, 0}, duration);
     EXPECT_EQ(speed, control.max_speed(1e-3, 1));  // nothing moves: no measure holds it
     EXPECT_GT(free_speed, 5 * control.min_speed(1e-3, tolerance));
     RateControl started(tolerance, scales);
@@ -141,12 +137,8 @@ TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
 TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
     BlockControl control(2.0, 1e-4, 10.0);
     for (int block = 0; block < 3; ++block) {
-        for (int part = 0; part < parts_of_block - 1; ++part) {
-            EXPECT_EQ(control.next(part == 0 ? 1e-5 : 0.5, 1.0), 2.0);
-        }
-        for (int interval = 0; interval < 5; ++interval) {
-            EXPECT_EQ(control.next(0.5, 1.0), 0.0);
-        }
+        for (int part = 0; part < parts_of_block - 1; ++part) EXPECT_EQ(control.next(part == 0 ? 1e-5 : 0.5, 1.0), 2.0);
+        for (int interval = 0; interval < 5; ++interval) EXPECT_EQ(control.next(0.5, 1.0), 0.0);
     }
 }
 
@@ -154,9 +146,7 @@ TEST(BlockControl, GivesUpOnASpecimenThatDoesNotComeToRest) {
     BlockControl control(2.0, 1e-4, 10.0);
     test::expect_one_line<NumericalError>(
         [&] {
-            for (int i = 0; i < 100; ++i) {
-                static_cast<void>(control.next(0.5, 1.0));
-            }
+            for (int i = 0; i < 100; ++i) static_cast<void>(control.next(0.5, 1.0));
         },
         {"no equilibrium", "--rate-tolerance"});
 }

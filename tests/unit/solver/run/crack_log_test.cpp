@@ -39,9 +39,7 @@ TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
     run.state.events[0][0].mode = CrackMode::tensile;
     run.state.fracture_energy[2 * 130] = 0.25;
     crack_log.collect(run.assemblage, 1e-3, run.state);
-    for (const auto& block : run.state.events) {
-        EXPECT_TRUE(block.empty());
-    }
+    for (const auto& block : run.state.events) EXPECT_TRUE(block.empty());
     const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
     ASSERT_EQ(rows.size(), 5U);
     const std::int32_t contacts[] = {9, 130, 300, 7, 270};
@@ -111,14 +109,10 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
                  test::augig_law());
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
     run.set_velocity([](const Vector2&) { return Vector2{}; });
-    for (std::int32_t i = 4; i < 8; ++i) {
-        run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
-    }
+    for (std::int32_t i = 4; i < 8; ++i) run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     run.begin();
     CrackLog crack_log(2);
-    for (int i = 0; i < 200; ++i) {
-        run.steps(1);
-    }
+    for (int i = 0; i < 200; ++i) run.steps(1);
     crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
     const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
     ASSERT_EQ(rows.size(), 2U);

@@ -65,9 +65,7 @@ TEST(Measure, EnergyOfAnOpenedContact) {
                  test::augig_law());
     const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
-    for (std::size_t i = 4; i < 8; ++i) {
-        run.state.displacement[i].y = opening;
-    }
+    for (std::size_t i = 4; i < 8; ++i) run.state.displacement[i].y = opening;
     run.begin();
     const Energies e = run.measured().energies;
     const double expected = 0.02 * law.tc * law.dct * std::numbers::e * (1 - 1.5 * std::exp(-0.5));  // ∫ Eq 7 over the edge
@@ -100,9 +98,7 @@ TEST(Measure, FramesAreInTheOrderOfTheSpecimen) {
         for (auto& i : b) i = n - 1 - i;
     }
     SmallRun run = run_of(s);
-    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
-        run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
-    }
+    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
     run.begin();
     const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
     ASSERT_EQ(frame.displacement.size(), s.n_nodes());
