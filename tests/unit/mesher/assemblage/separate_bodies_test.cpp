@@ -193,7 +193,9 @@ TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
     ASSERT_EQ(s.n_contacts(), 3U);
     EXPECT_EQ(s.contact_grain_boundary, (std::vector<std::int32_t>{0, 0, 0}));
     for (std::size_t c = 0; c < 3; ++c) {
-        if (c > 0) EXPECT_EQ(s.contact_nodes[c][0], s.contact_nodes[c - 1][1]);
+        if (c > 0) {
+            EXPECT_EQ(s.contact_nodes[c][0], s.contact_nodes[c - 1][1]);
+        }
         const Place p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
         const Place q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
         const bool is_horizontal = p[1] == q[1];  // as only the prescribed edge is

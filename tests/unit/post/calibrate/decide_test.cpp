@@ -71,7 +71,9 @@ TEST(Calibration, ARockThatIsInReachIsCalibrated) {
     ASSERT_EQ(decision.ending, Ending::calibrated) << decision.reason;
     for (const auto& [key, value] : decision.point) {
         const auto to = rock.reference.find(key);
-        if (to != rock.reference.end()) EXPECT_NEAR(std::log(value / to->second), planted[key], 0.05) << key;
+        if (to != rock.reference.end()) {
+            EXPECT_NEAR(std::log(value / to->second), planted[key], 0.05) << key;
+        }
     }
     EXPECT_TRUE(decision.fit->optimum.kept.empty());
     // E of the grains, of which assemblages have 95 %.
@@ -163,7 +165,9 @@ TEST(Calibration, TheShareOfTestsWithAFirstPeakIsKept) {
     const Decision decision = decide(problem, laboratory.find());
     EXPECT_NE(decision.ending, Ending::calibrated);
     for (const auto& [key, value] : decision.point) {
-        if (key == friction) EXPECT_LT(value, 0.80);
+        if (key == friction) {
+            EXPECT_LT(value, 0.80);
+        }
     }
 }
 

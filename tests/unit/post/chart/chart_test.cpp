@@ -198,7 +198,9 @@ TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
     }
     for (const Drawing::Shape& shape : page.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
-        if (text != nullptr && text->label == "after") EXPECT_GT(text->at.y, lowest);
+        if (text != nullptr && text->label == "after") {
+            EXPECT_GT(text->at.y, lowest);
+        }
     }
 }
 
@@ -230,7 +232,9 @@ TEST(Chart, LegendWrapsAndThePageGrows) {
     EXPECT_GT(page.height(), few.finish().height() + 100);
     for (const Drawing::Shape& shape : page.shapes()) {
         const auto* text = std::get_if<Text>(&shape);
-        if (text != nullptr) EXPECT_LT(text->at.y, page.height());
+        if (text != nullptr) {
+            EXPECT_LT(text->at.y, page.height());
+        }
     }
 }
 
