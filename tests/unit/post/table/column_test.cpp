@@ -9,16 +9,16 @@
 namespace graincrack {
 namespace {
 
-struct Test {
+struct Trial {
     std::string name;
     std::optional<double> strength;  // Pa
     int seed = 0;
 };
 
-const Columns<Test> columns{{"test", unit::none, [](const Test& t) { return t.name; }},
-                            {"tensile_strength", unit::megapascal, [](const Test& t) { return t.strength; }},
-                            {"seed", unit::none, [](const Test& t) { return t.seed; }}};
-const std::vector<Test> tests{{"a", 12.345678912e6, 1}, {"b", std::nullopt, 20000000}, {"a", 1e6, 3}};
+const Columns<Trial> columns{{"test", unit::none, [](const Trial& t) { return t.name; }},
+                             {"tensile_strength", unit::megapascal, [](const Trial& t) { return t.strength; }},
+                             {"seed", unit::none, [](const Trial& t) { return t.seed; }}};
+const std::vector<Trial> tests{{"a", 12.345678912e6, 1}, {"b", std::nullopt, 20000000}, {"a", 1e6, 3}};
 
 TEST(Column, UnitsEndNamesAndScaleRealsOnly) {
     std::ostringstream out;
@@ -48,11 +48,11 @@ TEST(Column, TerminalTablesShowUnitsBelowNamesAndFourDigits) {
 }
 
 TEST(Column, GroupsKeepTheOrderInWhichTitlesCome) {
-    const auto groups = grouped<Test>(tests, [](const Test& t) { return t.name; });
+    const auto groups = grouped<Trial>(tests, [](const Trial& t) { return t.name; });
     ASSERT_EQ(groups.size(), 2U);
     EXPECT_EQ(groups[0].first, "a");
-    EXPECT_EQ(groups[0].second, (std::vector<const Test*>{&tests[0], &tests[2]}));
-    EXPECT_EQ(groups[1].second, (std::vector<const Test*>{&tests[1]}));
+    EXPECT_EQ(groups[0].second, (std::vector<const Trial*>{&tests[0], &tests[2]}));
+    EXPECT_EQ(groups[1].second, (std::vector<const Trial*>{&tests[1]}));
 }
 
 TEST(Column, IntervalsNeedBothEnds) {
