@@ -110,7 +110,7 @@ void write_to_terminal(std::ostream& out, const Envelope& envelope, const Envelo
     const std::size_t runs = tests.compression.size();
     const auto add = [&](const std::string& label, const ColumnUnit& unit, const std::string& symbol,
                          const std::optional<Estimate>& e) {
-        const Cell none = e ? Cell() : Cell(fmt::format("not determined by {} tests", runs));
+        const Cell none = e ? Cell(fmt::format("not determined by {} tests", runs)) : Cell();
         table.row(cells_of(terminal_columns(), {label, e ? Cell(e->value).times(unit.factor) : Cell(),
                                                 e && e->low ? interval_cell(e->low, e->high, unit) : none, symbol}));
     };
