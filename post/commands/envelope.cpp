@@ -15,7 +15,7 @@ namespace {
 /// The one row of the table: its columns with their values.
 class RowBuilder {
 public:
-    void add(const std::string& column, Cell value) { add(column, unit::none, std::move(value)); }
+    void add(const std::string& column, const Cell& value) { add(column, unit::none, value); }
     void add(const std::string& column, const ColumnUnit& unit, const Cell& value) {
         columns_.push_back(script_name(column, unit));
         cells_.push_back(value.times(unit.factor));
