@@ -14,11 +14,12 @@
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "solver/loading/program_text.hpp"
-#include "solver/loading/standard_tests.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/program/program_text.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/restart/checkpoint.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/setup/setup.hpp"
 #include "solver/solve_options.hpp"
 
 namespace {

@@ -14,8 +14,8 @@
 #include "share/file/output_file.hpp"
 #include "share/options/command_line.hpp"
 #include "solver/contact_options.hpp"
-#include "solver/loading/program_file.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/program/program_file.hpp"
+#include "solver/restart/checkpoint.hpp"
 
 namespace graincrack {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <variant>
 
-#include "solver/setup/transit_time.hpp"
+#include "solver/model/transit_time.hpp"
 
 namespace graincrack {
 namespace {

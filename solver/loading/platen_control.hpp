@@ -9,7 +9,7 @@
 #include "solver/loading/block_control.hpp"
 #include "solver/loading/rate_control.hpp"
 #include "solver/model/amplitude.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
 

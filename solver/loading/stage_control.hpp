@@ -8,7 +8,7 @@
 #include "share/file/run_file.hpp"
 #include "solver/loading/platen_control.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 #include "solver/setup/regions.hpp"
 
 namespace graincrack {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solver/run/measure.hpp"
+#include "solver/run/frame.hpp"
 
 namespace graincrack {
 

@@ -3,21 +3,13 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "share/file/run_file.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/state.hpp"
+#include "solver/restart/saved_state.hpp"
 
 namespace graincrack {
-
-/// Where the choice of frames is, for a run that resumes from a checkpoint.
-struct FrameProgress {
-    double next = 0;               ///< progress at which the next regular frame is due
-    double interval = 0;           ///< from one regular frame to the next
-    int regular = 0;               ///< how many there are
-    std::vector<FrameRole> roles;  ///< of the frames of the checkpoint
-};
 
 /// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
 class FrameOutput {

@@ -5,12 +5,12 @@
 #include <tuple>
 
 #include "solver/detection/pair_list.hpp"
-#include "solver/loading/standard_tests.hpp"
 #include "solver/model/memory.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/restart/saved_state.hpp"
+#include "solver/run/frame.hpp"
 #include "solver/run/frame_output.hpp"
-#include "solver/run/measure.hpp"
 #include "solver/run/program_driver.hpp"
-#include "solver/run/saved_state.hpp"
 #include "solver/setup/setup.hpp"
 #include "solver/step/step.hpp"
 

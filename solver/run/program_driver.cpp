@@ -10,7 +10,7 @@
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 
 namespace graincrack {
 namespace {

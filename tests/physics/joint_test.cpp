@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/run/sensitivity.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/jointed_test.hpp"

@@ -9,9 +9,9 @@
 
 #include "mesher/specimen_maker.hpp"
 #include "share/file/specimen_validation.hpp"
-#include "solver/loading/program_file.hpp"
-#include "solver/loading/standard_tests.hpp"
 #include "solver/model/assemblage.hpp"
+#include "solver/program/program_file.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/run/refinement.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"

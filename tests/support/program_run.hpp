@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/loading/program_file.hpp"
 #include "solver/loading/stage_control.hpp"
+#include "solver/program/program_file.hpp"
 #include "solver/run/probes.hpp"
 #include "tests/support/small_run.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/loading/platen_control.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/run/measure.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"

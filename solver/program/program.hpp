@@ -71,6 +71,8 @@ struct AutomaticRate {
     double tolerance = default_rate_tolerance;
     double share = 1;  ///< of all speeds
 };
+/// Intervals of equal length that a loading block consists of: the platens start in the first and stop in the last.
+inline constexpr int parts_of_block = 5;
 /// Platens that move for a number of steps and stand until the specimen is at rest, by turns. \see BlockControl
 struct LoadingBlocks {
     double speed = 5e-3;  ///< approach of each platen within a block, m/s; below 0: apart
@@ -110,7 +112,8 @@ struct Stage {
     std::string name;
     std::optional<PlatenMotion> platens;       ///< missing: they go on as they did
     std::map<std::string, Settings> settings;  ///< by boundary condition
-    double longest_time = 0;                   ///< s; infinite where only the strain limit of the platens ends it
+    double longest_time =
+        std::numeric_limits<double>::infinity();  ///< s; infinite where only the strain limit of the platens ends it
     std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest
     std::optional<double> peak_drop;  ///< fall below the stage's highest axial stress since contacts have failed, share of it
     std::vector<Condition> until;

@@ -1,4 +1,4 @@
-#include "solver/run/saved_state.hpp"
+#include "solver/restart/saved_state.hpp"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,8 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
-#include "solver/run/measure.hpp"
-#include "solver/run/state_check.hpp"
+#include "solver/restart/state_check.hpp"
+#include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
 
 namespace graincrack {

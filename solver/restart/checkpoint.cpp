@@ -1,4 +1,4 @@
-#include "solver/run/checkpoint.hpp"
+#include "solver/restart/checkpoint.hpp"
 
 #include <fmt/format.h>
 
