@@ -219,7 +219,7 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
     if (request.restart.empty()) {
         request.restart = request.program->start_from;
     }
-    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(request.restart)) {
+    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(RunReader(request.restart))) {
         throw UsageError(request.program->file +
                          ": [initial] and a run to start from contradict each other; leave out the one or the other");
     }

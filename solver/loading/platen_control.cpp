@@ -54,7 +54,7 @@ void PlatenControl::set(const PlatenMotion& motion, double time) {
     }
 }
 
-void PlatenControl::resume(double speed, double mean_compression) {
+void PlatenControl::take_over(double speed, double mean_compression) {
     TimeFunction constant;
     constant.value = speed;
     motion_ = constant;
@@ -70,14 +70,7 @@ double PlatenControl::servo_speed(double time, double duration) const {
     return 0.5 * height_ / rock_.young_modulus * (rate + lag / servo_time);
 }
 
-double PlatenControl::automatic_speed(const AutomaticRate& rate, const PlatenFeedback& feedback, double duration) {
-    const double sense = rate.apart ? -1 : 1;
-    RateMeasures measures = feedback.rate;
-    measures.strain = strain_;
-    return sense * rate_.next(measures, duration);
-}
-
-PlatenSpeeds PlatenControl::next(const PlatenFeedback& feedback, double duration) {
+PlatenSpeeds PlatenControl::next(const Feedback& feedback, double duration) {
     // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
     mean_compression_ += std::min(1.0, duration / transit_time_) * (feedback.axial_compression - mean_compression_);
     const double begin = speed_;
@@ -88,7 +81,7 @@ PlatenSpeeds PlatenControl::next(const PlatenFeedback& feedback, double duration
         speed_ = servo_speed(feedback.time, duration);
     } else if (const auto* const rate = as<AutomaticRate>()) {
         sense = rate->apart ? -1 : 1;
-        speed_ = automatic_speed(*rate, feedback, duration);
+        speed_ = sense * rate_.next(feedback, strain_, duration);
     } else {
         speed_ = blocks_.next(feedback.unbalanced_ratio, duration);
     }

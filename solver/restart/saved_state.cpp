@@ -208,7 +208,7 @@ bool is_list(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// \throws InputError where a state cannot go on as asked
+/// \throws InputError where a run cannot start from a state as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
     const RunHeader& old = run.header();
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };

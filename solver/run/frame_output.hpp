@@ -18,8 +18,8 @@ public:
     /// \param first_interval of strain, doubled whenever there are too many
     FrameOutput(int wanted, double first_interval, RunWriter& writer);
     /// Resumes where the run of a checkpoint was, with the frames it has.
-    void go_on(const FrameProgress& progress, const RunReader& checkpoint);
-    /// Writes the frames so far, the state of now last, into a checkpoint. \return what `go_on` needs
+    void resume(const FrameProgress& progress, const RunReader& checkpoint);
+    /// Writes the frames so far, the state of now last, into a checkpoint. \return what `resume` needs
     FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const;
     /// Adds a frame when the strain has come to the next interval. \return whether it has
     bool regular(double strain, const Assemblage& assemblage, const ContactLaws& laws, const State& state);

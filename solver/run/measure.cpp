@@ -15,9 +15,9 @@ namespace {
 /// Damping at this instant, into `damping_force`.
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    for (std::int32_t block = 0; scaling.is_on() && block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
-        update_clusters(a, parameters, s.loading, block, s);
-        damp_clusters(a, parameters, s.loading, block, s);
+    for (std::int32_t chunk = 0; scaling.is_on() && chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
+        update_clusters(a, parameters, s.loading, chunk, s);
+        damp_clusters(a, parameters, s.loading, chunk, s);
     }
     for (std::size_t i = 0; i < s.damping_force.size() && !scaling.is_on(); ++i) {
         s.damping_force[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
@@ -101,8 +101,8 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     if (prescribed.empty()) {
         return;
     }
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(a.node_chunks.size()); ++block) {
-        m.energies.external += load_half_work(a, prescribed, block, time_step, s);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
+        m.energies.external += load_half_work(a, prescribed, chunk, time_step, s);
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
     // Two ends an edge, two sides: the mean of the sides.
@@ -121,8 +121,8 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
-    for (std::int32_t block = 0; block < static_cast<std::int32_t>(s.clusters.sums.size()); ++block) {
-        m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, block, s);
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.clusters.sums.size()); ++chunk) {
+        m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, chunk, s);
     }
     for (const ClusterSums& sums : s.clusters.sums) {
         m.energies.damping += sums.damping;

@@ -40,7 +40,7 @@ struct SimulationRequest {
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
     bool save_state = false;                    ///< at the end, for another run to start from
-    std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
+    std::string restart;                        ///< run file from whose saved state a program starts, checkpoint of a test, or ""
     std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
     std::function<double()> wall_clock = steady_seconds;  ///< that `checkpoint_interval` counts, s
     bool discard_checkpoint = false;                      ///< of a run of the same output that has not ended

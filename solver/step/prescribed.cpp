@@ -94,7 +94,7 @@ double reaction_half_work(const PrescribedConditions& prescribed, double time_st
            });
 }
 
-void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
+void record_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
     if (prescribed.nodes.empty()) {
         return;
     }

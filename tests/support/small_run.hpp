@@ -57,7 +57,9 @@ public:
         platens_.set(*standard_test(request, 0.3, specimen, augig_granite().rock).stages.back().platens, 0);
     }
     IntervalLoading next(double time, double duration) {
-        const PlatenSpeeds speeds = platens_.next({time, 0, 0, {}}, duration);
+        Feedback feedback;
+        feedback.time = time;
+        const PlatenSpeeds speeds = platens_.next(feedback, duration);
         return {{speeds.begin, -speeds.begin}, {speeds.end, -speeds.end}, nullptr};
     }
 

@@ -24,7 +24,7 @@ public:
     explicit Led(const LoadingRequest& request, double peak_drop = 0.3)
         : program(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)),
           stages(program, specimen(), test::augig_granite().rock) {}
-    void row(double at, double stress = 0, double unbalanced = 1, const RateMeasures& rate = {}, double cracks = 0) {
+    void row(double at, double stress = 0, double unbalanced = 1, Feedback feedback = {}, double cracks = 0) {
         for (auto& column : history.columns) {
             column.push_back(0);
         }
@@ -33,9 +33,11 @@ public:
         history[HistoryColumn::axial_stress].back() = stress;
         history[HistoryColumn::unbalanced_ratio].back() = unbalanced;
         history[HistoryColumn::tensile_cracks].back() = cracks;
-        const std::function<double(const std::string&, std::size_t)> none = [](const std::string&, std::size_t) { return 0.0; };
-        const StageFeedback feedback{at, history, none, rate};
-        history.size() == 1 ? stages.begin(feedback) : stages.check_stage_end(feedback);
+        const Rows rows{history, [](const std::string&, std::size_t) { return 0.0; }};
+        feedback.time = at;
+        feedback.axial_compression = -stress;
+        feedback.unbalanced_ratio = unbalanced;
+        history.size() == 1 ? stages.begin(feedback, rows) : stages.check_stage_end(feedback, rows);
     }
     [[nodiscard]] double pressure(double time) const { return stages.values(time).front(); }
     [[nodiscard]] bool is_isotropic() const { return stages.records().empty(); }

@@ -34,9 +34,12 @@ struct Led {
         history[HistoryColumn::axial_stress].back() = stress;
         history[HistoryColumn::unbalanced_ratio].back() = unbalanced;
         history[HistoryColumn::shear_cracks].back() = cracks;
-        const std::function<double(const std::string&, std::size_t)> none = [](const std::string&, std::size_t) { return 0.0; };
-        const StageFeedback feedback{at, history, none};
-        history.size() == 1 ? stage_controller.begin(feedback) : stage_controller.check_stage_end(feedback);
+        const Rows rows{history, [](const std::string&, std::size_t) { return 0.0; }};
+        Feedback feedback;
+        feedback.time = at;
+        feedback.axial_compression = -stress;
+        feedback.unbalanced_ratio = unbalanced;
+        history.size() == 1 ? stage_controller.begin(feedback, rows) : stage_controller.check_stage_end(feedback, rows);
         if (!stage_controller.finished()) {
             last = stage_controller.next(1e-3);
         }
