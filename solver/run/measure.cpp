@@ -106,7 +106,8 @@ void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& pr
     }
     m.energies.external += reaction_half_work(prescribed, time_step, s);
     // Two ends an edge, two sides: the mean of the sides.
-    m.membrane_force += sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) { return std::abs(s.prescribed.pressing[i]); });
+    m.confining_force += sum_over(prescribed.edges_of_chunk,
+                                  [&](std::int32_t i) { return prescribed.edges[i].is_lateral ? s.prescribed.lateral[i] : 0; });
 }
 
 }  // namespace

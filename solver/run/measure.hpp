@@ -27,7 +27,7 @@ struct Measurement {
     double force_bottom = 0;  ///< axial force on the specimen, tension positive, N
     double force_top = 0;
     double platen_power = 0;      ///< of both platens on the specimen, W
-    double membrane_force = 0;    ///< lateral force of pressures on edges, mean of both sides, N
+    double confining_force = 0;   ///< along x of pressures on the boundary parts left and right, mean of the two, N
     double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
     double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
 };

@@ -82,7 +82,7 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(HistoryColumn::axial_stress, axial_stress_of(m, specimen_));
     push(force_top, m.force_top);
     push(force_bottom, -m.force_bottom);
-    push(confining_pressure, m.membrane_force / (specimen_.height * (1 + strain)));
+    push(confining_pressure, m.confining_force / (specimen_.height * (1 + strain)));
     push(energy_external, e.external);
     push(energy_kinetic, e.kinetic);
     push(energy_strain, e.strain);

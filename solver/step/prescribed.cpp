@@ -17,7 +17,7 @@ void find_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadi
     const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
                        half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
     s.prescribed.load[index] = load;
-    s.prescribed.pressing[index] = -half_pressure * along.y;
+    s.prescribed.lateral[index] = half_pressure * std::abs(along.y);
 }
 
 /// Moves the force on a prescribed component into its reaction.

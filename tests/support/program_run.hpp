@@ -88,7 +88,7 @@ private:
         const auto& platens = run.state.loading.platen_displacement;
         set(HistoryColumn::axial_strain, (platens[top_platen] - platens[bottom_platen]) / run.specimen.height);
         set(HistoryColumn::unbalanced_ratio, m.unbalanced_ratio);
-        set(HistoryColumn::confining_pressure, m.membrane_force / run.specimen.height);
+        set(HistoryColumn::confining_pressure, m.confining_force / run.specimen.height);
         set(HistoryColumn::tensile_cracks, 0.5 * static_cast<double>(run.failed_points()));
         probes.record(run.assemblage, run.boundary, run.state);
     }

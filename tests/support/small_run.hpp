@@ -41,6 +41,8 @@ inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>
             LoadedEdge edge;
             edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
             edge.pressure = 0;
+            const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
+            edge.is_lateral = part == BoundaryPart::left || part == BoundaryPart::right;
             edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
             boundary.prescribed.edges.push_back(edge);
         }

@@ -272,6 +272,7 @@ TEST(StandardTest, SupportsOfTheTests) {
         expect_close(std::abs(a.position[edge.nodes[0]].x), 0.02, 1e-12, 0.02);
         EXPECT_GT((a.position[edge.nodes[1]].y - a.position[edge.nodes[0]].y) * a.position[edge.nodes[0]].x,
                   0);  // solid on the left
+        EXPECT_TRUE(edge.is_lateral);
     }
     request = {};
     request.test = TestKind::tension;

@@ -58,6 +58,31 @@ TEST(Measure, EnergyOfAnOpenedContact) {
     }
 }
 
+// An octagon, whose slanted edges are the rim: loads on it press from the side, and are no confining pressure.
+TEST(Measure, TheConfiningPressureIsThatOnTheLeftAndTheRight) {
+    const double a = 0.01;
+    const double b = 0.02;
+    const Specimen octagon =
+        test::specimen_of_triangles({{0, 0}, {-a, -b}, {a, -b}, {b, -a}, {b, a}, {a, b}, {-a, b}, {-b, a}, {-b, -a}},
+                                    {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 1}});
+    const auto force = [&](const std::vector<BoundaryPart>& parts, double pressure) {
+        SmallRun run = run_of(octagon);
+        run.press_on(parts, 0.5);
+        run.begin();
+        test::LinearPressure load;
+        load.set(pressure);
+        run.steps_under(load, pressure, 2);
+        return run.measured().confining_force;
+    };
+    using enum BoundaryPart;
+    const double whole = 1e6 * 2 * a;
+    expect_close(force({left, right}, 1e6), whole, 1e-4, whole);
+    expect_close(force({left, right, rim, top, bottom}, 1e6), whole, 1e-4, whole);
+    expect_close(force({left}, 1e6), whole / 2, 1e-4, whole);
+    expect_close(force({left, right}, -1e6), -whole, 1e-4, whole);
+    EXPECT_EQ(force({rim, top, bottom}, 1e6), 0);
+}
+
 TEST(Measure, DampingTakesItsShareOfTheForceAgainstTheMotion) {
     const Damping local = make_damping(0.8, DampingForm::local);
     const Vector2 d = damping_force(local, {10, -5}, {3, 3}, {1, -2});
