@@ -5,6 +5,7 @@
 #include <numeric>
 #include <variant>
 
+#include "share/file/end_faces.hpp"
 #include "solver/model/transit_time.hpp"
 
 namespace graincrack {
@@ -25,14 +26,14 @@ PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, double 
     : height_(specimen.height),
       area_(std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0)),
       transit_time_(bar_transit_time(specimen, rock)),
-      is_disc_(specimen.shape == "disc"),
+      has_end_faces_(has_end_faces(specimen)),
       rock_(rock),
       max_strain_(max_strain),
       rate_(default_rate_tolerance, {}),
       blocks_(0, default_rest_tolerance, 0) {}
 
 RateScales PlatenControl::rate_scales(bool apart) const {
-    const double load = apart ? tension_load : is_disc_ ? disc_load : compression_load;
+    const double load = apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
     const double stress = load * rock_.tensile_strength;
     return {height_, transit_time_, stress / rock_.young_modulus, 0.5 * stress * stress / rock_.young_modulus * area_};
 }

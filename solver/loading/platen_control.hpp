@@ -75,7 +75,7 @@ private:
     double height_;
     double area_;
     double transit_time_;  ///< of a bar wave through the specimen, s
-    bool is_disc_;
+    bool has_end_faces_;
     Rock rock_;
     double max_strain_;
     PlatenMotion motion_ = TimeFunction{};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "share/file/end_faces.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -63,10 +65,11 @@ double Gauge::strain(const std::vector<Vector2>& displacement) const {
 }
 
 Gauges make_gauges(const Assemblage& a, const Specimen& s) {
+    const bool has_faces = has_end_faces(s);
     std::vector<std::int32_t> central;
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         const Vector2& p = a.position[i];
-        if (std::abs(p.y) <= s.height / 4 && (s.shape != "disc" || std::abs(p.x) <= s.width / 4)) {
+        if (std::abs(p.y) <= s.height / 4 && (has_faces || std::abs(p.x) <= s.width / 4)) {
             central.push_back(i);
         }
     }

@@ -27,8 +27,8 @@ struct Gauges {
     Gauge lateral;   ///< slope of u_x over x in the central half
     Gauge widening;  ///< mean u_x of the right boundary less that of the left, over the width
 };
-/// The central half: |y| ≤ height/4, and |x| ≤ width/4 where the specimen is a disc. The boundary gauge takes parts left
-/// and right, of a disc the rim within 15° of the x axis.
+/// The central half: |y| ≤ height/4, and |x| ≤ width/4 of a specimen without end faces, a disc. The boundary gauge takes parts
+/// left and right, of a disc the rim within 15° of the x axis.
 Gauges make_gauges(const Assemblage& assemblage, const Specimen& specimen);
 
 }  // namespace graincrack
