@@ -82,9 +82,7 @@ void print_summary(const SimulationSummary& s) {
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
-    if (!s.equilibrium_warning.empty()) {
-        fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
-    }
+    if (!s.equilibrium_warning.empty()) fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
     if (h.energy_balance_error > trusted_residual) {
         fmt::print(stderr,
                    "{}: warning: the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
@@ -136,12 +134,8 @@ std::string configuration_of(const H5Input& file) {
 
 int solve(int argc, char** argv) {
     const auto options = read_solve_options(argc, argv);
-    if (!options) {
-        return 0;
-    }
-    if (options->verbosity != Verbosity::quiet) {
-        write_notes(std::cerr, "graincrack-solve", options->request.material);
-    }
+    if (!options) return 0;
+    if (options->verbosity != Verbosity::quiet) write_notes(std::cerr, "graincrack-solve", options->request.material);
     catch_stop_signals();
     catch_checkpoint_signal();
     const H5Input input(options->specimen, "specimen");
@@ -166,9 +160,7 @@ int solve(int argc, char** argv) {
         print_summary(summary);
         print_sudden_loss(options->request);
     }
-    if (options->request.sensitivity) {
-        print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
-    }
+    if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     return 0;
 }
 

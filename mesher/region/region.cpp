@@ -92,8 +92,9 @@ void check(const Region& region) {
     if (region.loops.empty()) refuse("has no loop around it");
     for (const Loop& loop : region.loops) {
         const bool outer = &loop == &region.loops.front();
-        if (loop.circle ? !(loop.circle->radius > 0) : loop.corners.size() < 3)
+        if (loop.circle ? !(loop.circle->radius > 0) : loop.corners.size() < 3) {
             refuse("a loop needs three corners or a radius above 0");
+        }
         if (loop.parts.size() != (loop.circle ? 1 : loop.corners.size())) refuse("each side of a loop needs one part");
         for (const std::uint8_t part : loop.parts) {
             if (part >= region.part_names.size()) refuse("a side has a part without a name");
@@ -104,8 +105,9 @@ void check(const Region& region) {
         const Point some = loop.circle ? loop.circle->centre + Point{loop.circle->radius, 0} : loop.corners.front();
         for (const Loop& other : region.loops) {
             if (&other == &loop) continue;
-            if (loop_contains(other, some) != (!outer && &other == &region.loops.front()))
+            if (loop_contains(other, some) != (!outer && &other == &region.loops.front())) {
                 refuse("a hole is not inside, or inside another");
+            }
         }
     }
     const auto curves = curves_of({region.name, region.loops, {}});
@@ -194,8 +196,9 @@ std::vector<PrescribedEdge> clip(const Region& region, const PrescribedEdge& edg
     for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
         const PrescribedEdge piece{at(shares[i]), at(shares[i + 1]), edge.kind};
         // A piece along a side is no piece inside.
-        if (length(piece.to - piece.from) > least && depth_inside(region, midpoint(piece.from, piece.to)) > least)
+        if (length(piece.to - piece.from) > least && depth_inside(region, midpoint(piece.from, piece.to)) > least) {
             pieces.push_back(piece);
+        }
     }
     return pieces;
 }
@@ -239,8 +242,9 @@ std::vector<Curve> curves_of(const Region& region) {
         if (loop.circle) curves.push_back({outer ? Curve::Kind::circle : Curve::Kind::circular_hole, {}, {}, {}, *loop.circle});
         for_each_side(loop.corners, [&](Point p, Point q) { curves.push_back({Curve::Kind::side, p, q, unit(q - p), {}}); });
     }
-    for (const PrescribedEdge& e : region.edges)
+    for (const PrescribedEdge& e : region.edges) {
         curves.push_back({Curve::Kind::prescribed, e.from, e.to, unit(e.to - e.from), {}});
+    }
     return curves;
 }
 

@@ -36,10 +36,11 @@ struct Divided {
 std::vector<Divided> undivided(const Region& region) {
     std::vector<Divided> sides;
     for (const Curve& curve : curves_of({region.name, region.loops, {}})) {
-        if (curve.is_circle())
+        if (curve.is_circle()) {
             sides.push_back({2 * pi * curve.circle.radius, 0, min_circle_edges});
-        else
+        } else {
             sides.push_back({length(curve.to - curve.from), std::abs(curve.to.y - curve.from.y), 1});
+        }
     }
     return sides;
 }
@@ -194,8 +195,9 @@ public:
                 const int at = corners[i];
                 const std::size_t n_corners = corners.size();
                 if (!can_be_cut_off(loop.corners[(i + n_corners - 1) % n_corners], loop.corners[i],
-                                    loop.corners[(i + 1) % n_corners]))
+                                    loop.corners[(i + 1) % n_corners])) {
                     continue;
+                }
                 seeds_.corners.push_back({first + (at - first + n_loop - 1) % n_loop, at, first + (at - first + 1) % n_loop});
             }
             kept_.insert(kept_.end(), corners.begin(), corners.end());
@@ -217,8 +219,9 @@ public:
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             std::sort(stations[i].begin(), stations[i].end());
             for (std::size_t k = 0; k + 1 < stations[i].size(); ++k) {
-                if (stations[i][k].second != stations[i][k + 1].second)
+                if (stations[i][k].second != stations[i][k + 1].second) {
                     add_line(stations[i][k].second, stations[i][k + 1].second, edge, pieces[i].kind);
+                }
             }
         }
         // Inserted points of loops come in pairs, so that the number of boundary points keeps its parity.

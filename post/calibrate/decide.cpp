@@ -267,8 +267,9 @@ void Calibration::find_place() {
         for (Eigen::Index k = 0; k < p; ++k) {
             const bool at_edge =
                 std::abs(box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - box.centre(k)) > 0.1 * box.half(k);
-            if (at_edge && fit_.optimum.kept_share(k) < 0.5)
+            if (at_edge && fit_.optimum.kept_share(k) < 0.5) {
                 moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
+            }
         }
         if (!moving.empty() && moves < study().moves) {
             ++moves;
@@ -291,8 +292,9 @@ void Calibration::correct_elasticity() {
         if (response.target.use != Use::fit || !response.surface) continue;
         const double expected = std::exp(response.surface->value(fit_.optimum.place));
         if (response.target.kind.name == "young_modulus") grain_modulus_ *= response.target.value / expected;
-        if (response.target.kind.name == "poisson_ratio")
+        if (response.target.kind.name == "poisson_ratio") {
             grain_ratio_ = std::clamp(grain_ratio_ + response.target.value - expected, 0.01, 0.45);
+        }
     }
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
 }
@@ -371,9 +373,10 @@ Miss Calibration::miss_of(const Outcome& outcome) const {
     const auto response = std::find_if(fit_.responses.begin(), fit_.responses.end(),
                                        [&](const Response& r) { return r.target.name() == t.name(); });
     if (response == fit_.responses.end() || t.is_elastic()) return {};
-    if (!response->surface)
+    if (!response->surface) {
         return {true, true,
                 fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
+    }
     const Place& place = fit_.optimum.place;
     const double wanted = std::log(t.value);
     const double here = response->surface->value(place);
@@ -429,11 +432,13 @@ void Calibration::end() {
     }
     remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
     if (expected && out_of_reach) throw Ended{Ending::not_reached, missed, remedies};
-    if (expected)
+    if (expected) {
         throw Ended{Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
+    }
     const std::string another = fmt::format("ask for one more design (setting zooms={})", study().zooms + 1);
-    if (outside)
+    if (outside) {
         throw Ended{Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
+    }
     throw Ended{Ending::undecided, missed,
                 fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
                             "{}; settings are given by --set, or by SET= of make",
@@ -450,8 +455,9 @@ void Calibration::run() {
     const auto add_response = [&](const Target& t) {
         for (const Response& known : fit_.responses) {
             if (known.target.name() == t.name() || (known.target.test() == t.test() && known.target.kind.read == t.kind.read &&
-                                                    known.target.confining_pressure == t.confining_pressure))
+                                                    known.target.confining_pressure == t.confining_pressure)) {
                 return;
+            }
         }
         fit_.responses.push_back({t, {}, {}, {}});
     };

@@ -52,8 +52,9 @@ std::string with_settings(const std::string& text, const std::map<std::string, s
         if (end == std::string::npos) break;
         const std::string name = text.substr(at + 1, end - at - 1);
         const auto found = settings.find(name);
-        if (found == settings.end())
+        if (found == settings.end()) {
             throw InputError(fmt::format("{}: {{{}}} is not set; give it by --set {}=…", where, name, name));
+        }
         out += text.substr(from, at - from) + found->second;
         from = end + 1;
     }
@@ -82,8 +83,9 @@ Tolerance parse_tolerance(const std::string& text, const std::string& where) {
         if (amount) return {kind, kind == Kind::relative ? *amount / 100 : *amount};
     }
     const bool interval = text.starts_with("interval ");
-    if (const auto amount = parse_number(interval ? text.substr(9) : text))
+    if (const auto amount = parse_number(interval ? text.substr(9) : text)) {
         return {interval ? Kind::interval : Kind::absolute, *amount};
+    }
     throw InputError(
         fmt::format("{}: tolerance \"{}\"; a number, a part such as 5%, interval, interval WIDTH or N standard errors is needed",
                     where, text));

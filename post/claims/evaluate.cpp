@@ -88,8 +88,9 @@ struct Joined {
 };
 Joined join(const Claim& claim, const Rows& rows, const Tables& tables, const std::string& where) {
     const std::size_t colon = claim.against.find(':');
-    if (colon == std::string::npos)
+    if (colon == std::string::npos) {
         throw InputError(fmt::format("{}: against \"{}\"; TABLE:COLUMN is needed", where, claim.against));
+    }
     const TableFile& other = tables.at(claim.against.substr(0, colon), where);
     const std::vector<double> values = other.numbers_or_nan(claim.against.substr(colon + 1));
     const std::vector<std::string> keys = other.texts(claim.by);
@@ -193,8 +194,9 @@ std::optional<Finding> number_finding(const Claim& claim, const Rows& rows, cons
 Tables::Tables(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         const std::string stem = file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
-        if (!tables_.emplace(stem, TableFile(file)).second)
+        if (!tables_.emplace(stem, TableFile(file)).second) {
             throw InputError(fmt::format("{}: another table has the name {} too; claims name tables by their files", file, stem));
+        }
     }
 }
 

@@ -112,9 +112,10 @@ private:
             need(')');
             return inner;
         }
-        if (take('-'))
+        if (take('-')) {
             return combine<Argument>(
                 '*', [](const Argument&) { return Number(-1); }, atom<Argument>());
+        }
         if (next() == 'a' && text_.compare(at_, 4, "abs(") == 0) {
             at_ += 3;
             return [inner = atom<Argument>()](const Argument& argument) -> Number {

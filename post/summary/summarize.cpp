@@ -86,8 +86,9 @@ JoinedRows rows_of(const std::vector<std::string>& files, const SummaryOptions& 
     std::vector<TableFile> tables;
     for (const std::string& file : files) {
         const std::size_t at = options.label.empty() ? std::string::npos : file.find('=');
-        if (!options.label.empty() && (at == 0 || at == std::string::npos))
+        if (!options.label.empty() && (at == 0 || at == std::string::npos)) {
             throw UsageError(fmt::format("{}: with --label a table is LABEL=FILE", file));
+        }
         tables.emplace_back(at == std::string::npos ? file : file.substr(at + 1));
         joining.labels.push_back(file.substr(0, at));
     }

@@ -151,9 +151,7 @@ void write_header(H5Output& file, const RunHeader& header) {
 class PropertyTable {
 public:
     void operator()(const char* name, const double& value, Dimension dimension) const {
-        if (columns_.find(name) == columns_.end()) {
-            order_.emplace_back(name, dimension);
-        }
+        if (columns_.find(name) == columns_.end()) order_.emplace_back(name, dimension);
         columns_[name].push_back(value);
     }
     void write(H5Output& file, const std::string& group, const std::vector<std::string>& names) const {
@@ -172,14 +170,10 @@ private:
 
 void write_fabric(H5Output& file, const Fabric& fabric, const std::vector<std::string>& phase_names) {
     const PropertyTable phases;
-    for (const Phase& phase : fabric.phases) {
-        visit_phase(phase, phases);
-    }
+    for (const Phase& phase : fabric.phases) visit_phase(phase, phases);
     phases.write(file, schema::phases_group, phase_names);
     const PropertyTable classes;
-    for (const ContactParameters& contact : fabric.contacts) {
-        visit_contact(contact, classes);
-    }
+    for (const ContactParameters& contact : fabric.contacts) visit_contact(contact, classes);
     classes.write(file, schema::classes_group, contact_class_names(phase_names));
 }
 
@@ -320,9 +314,7 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     file.attribute(schema::crack_mode.path, "names", std::vector<std::string>{"tensile", "shear"});
     write_column(file, schema::crack_mode_angle, column_of<double>(cracks, [](const Crack& c) { return c.mode_angle; }));
     std::vector<double> position;
-    for (const Crack& crack : cracks) {
-        position.insert(position.end(), crack.position.begin(), crack.position.end());
-    }
+    for (const Crack& crack : cracks) position.insert(position.end(), crack.position.begin(), crack.position.end());
     write_column(file, schema::crack_position, position, 2);
     write_column(file, schema::crack_orientation, column_of<double>(cracks, [](const Crack& c) { return c.orientation; }));
     write_column(file, schema::crack_length, column_of<double>(cracks, [](const Crack& c) { return c.length; }));
@@ -331,9 +323,7 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     write_column(file, schema::crack_energy, column_of<double>(cracks, [](const Crack& c) { return c.energy_released; }));
     visit_moments([&](const schema::Dataset& dataset, const auto& value) {
         std::vector<double> values;
-        for (const Crack& crack : cracks) {
-            values.push_back(value(crack));
-        }
+        for (const Crack& crack : cracks) values.push_back(value(crack));
         write_column(file, dataset, values);
     });
 }
@@ -342,9 +332,7 @@ void read_moments(const H5Input& file, std::vector<Crack>& cracks) {
     visit_moments([&](const schema::Dataset& dataset, const auto& value) {
         const std::vector<double> values = file.read<double>(dataset.path, {cracks.size()});
         require_all(file, dataset.path, values, "a finite number or NaN", [](double v) { return !std::isinf(v); });
-        for (std::size_t i = 0; i < cracks.size(); ++i) {
-            value(cracks[i]) = values[i];
-        }
+        for (std::size_t i = 0; i < cracks.size(); ++i) value(cracks[i]) = values[i];
     });
 }
 
@@ -391,9 +379,7 @@ RunWriter::~RunWriter() = default;
 
 void RunWriter::append_history(const History& history) {
     const std::size_t n = history.size() - state_->rows;
-    if (n == 0 && state_->rows > 0) {
-        return;
-    }
+    if (n == 0 && state_->rows > 0) return;
     for (std::size_t i = 0; i < n_history_columns; ++i) {
         const std::span<const double> rows(history.columns[i].data() + state_->rows, n);
         state_->file.append<double>(history_path(i), rows, {n}, si_unit(history_datasets[i].dimension),
@@ -449,9 +435,7 @@ void RunWriter::thin_frames() {
 
 std::vector<FrameRole> RunWriter::frame_roles() const {
     std::vector<FrameRole> roles;
-    for (const State::Slot& slot : state_->frames) {
-        roles.push_back(slot.role);
-    }
+    for (const State::Slot& slot : state_->frames) roles.push_back(slot.role);
     return roles;
 }
 
@@ -462,18 +446,14 @@ void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks
                        const std::vector<SensitivityRow>& sensitivity) {
     write_header(state_->file, header);
     write_cracks(state_->file, cracks);
-    if (!sensitivity.empty()) {
-        write_sensitivity(state_->file, sensitivity);
-    }
+    if (!sensitivity.empty()) write_sensitivity(state_->file, sensitivity);
     for (std::size_t i = 0; i < state_->frames.size(); ++i) {
         std::string& group = state_->frames[i].group;
         const std::string numbered = fmt::format("{}/{:04}", schema::frames_group, i);
         state_->file.move(group, numbered);
         group = numbered;
     }
-    if (!state_->frames.empty()) {
-        link_last_frame(state_->file, state_->frames.back().group);
-    }
+    if (!state_->frames.empty()) link_last_frame(state_->file, state_->frames.back().group);
     write_provenance(state_->file, provenance);
     state_->file.commit();
 }
@@ -510,9 +490,7 @@ const H5Input& RunReader::file() const { return state_->file; }
 History read_history(const H5Input& file) {
     History history;
     const std::size_t rows = rows_of(file, history_path(0));
-    for (std::size_t i = 0; i < n_history_columns; ++i) {
-        history.columns[i] = read_finite(file, history_path(i), {rows});
-    }
+    for (std::size_t i = 0; i < n_history_columns; ++i) history.columns[i] = read_finite(file, history_path(i), {rows});
     const std::vector<double>& time = history[HistoryColumn::time];
     if (!std::is_sorted(time.begin(), time.end())) {
         throw InputError(fmt::format("{}: the times of {} do not ascend", file.name(), history_path(0)));
@@ -522,9 +500,7 @@ History read_history(const H5Input& file) {
 
 History RunReader::history() const {
     History history = read_history(state_->file);
-    if (history.size() == 0) {
-        throw InputError(fmt::format("{}: {} has no rows", name(), schema::history_group));
-    }
+    if (history.size() == 0) throw InputError(fmt::format("{}: {} has no rows", name(), schema::history_group));
     return history;
 }
 

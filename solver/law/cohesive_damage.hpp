@@ -58,9 +58,7 @@ GRAINCRACK_INLINE IntactResponse damage_before_peak(const ContactLaw& law, const
 inline double damaged_energy(const ContactLaw& law, const ContactHistory& h) {
     const ContactMotion& m = h.motion;
     const double shear = law.ks * m.sliding * m.sliding;
-    if (m.opening >= 0) {
-        return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear);
-    }
+    if (m.opening >= 0) return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear);
     const double elastic = m.sliding - h.slip;
     return 0.5 * (law.kt * m.opening * m.opening + h.integrity * shear + h.friction_share * law.ks * elastic * elastic);
 }

@@ -46,9 +46,7 @@ struct CohesiveFrictional {
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         if (!h.failed()) {
-            if (advance_intact<CohesiveFrictional>(law, to, r)) {
-                return;
-            }
+            if (advance_intact<CohesiveFrictional>(law, to, r)) return;
             fail(law, to, r);
         }
         if (h.integrity == 0) {
@@ -121,9 +119,7 @@ private:
         const bool closed = to.opening < 0;
         mark_failed(h, closed ? CrackMode::shear : CrackMode::tensile);
         h.friction_share = 1;
-        if (!closed) {
-            return;
-        }
+        if (!closed) return;
         h.slip = to.sliding;
         if (integrity_at(law, to.opening, to.sliding) == 0) {
             const double limit = residual_limit(law, -law.kt * to.opening);

@@ -94,9 +94,7 @@ bool PlatenControl::paces_rows() const { return as<AutomaticRate>() != nullptr |
 
 std::int64_t PlatenControl::interval_steps(double time_step) const {
     const double travel = max_strain_ * height_ / 2 / history_rows;
-    if (const auto* const blocks = as<LoadingBlocks>()) {
-        return std::max<std::int64_t>(1, blocks->steps / parts_of_block);
-    }
+    if (const auto* const blocks = as<LoadingBlocks>()) return std::max<std::int64_t>(1, blocks->steps / parts_of_block);
     const double at_most = max_transits * transit_time_ / time_step;
     if (as<TimeFunction>() != nullptr) {
         const double speed = final_speed();
@@ -127,12 +125,8 @@ double PlatenControl::final_speed() const {
 }
 
 double PlatenControl::slowest_speed(double strain) const {
-    if (const auto* const rate = as<AutomaticRate>()) {
-        return rate_.min_speed(strain, rate->tolerance);
-    }
-    if (const auto* const blocks = as<LoadingBlocks>()) {
-        return std::abs(blocks->speed) * moving_share_of_block;
-    }
+    if (const auto* const rate = as<AutomaticRate>()) return rate_.min_speed(strain, rate->tolerance);
+    if (const auto* const blocks = as<LoadingBlocks>()) return std::abs(blocks->speed) * moving_share_of_block;
     return final_speed();
 }
 
@@ -140,9 +134,7 @@ double PlatenControl::longest_time() const {
     const double travel = max_strain_ * height_ / 2;
     double time = 0;
     constexpr int parts = 1000;
-    for (int i = 0; i < parts; ++i) {
-        time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
-    }
+    for (int i = 0; i < parts; ++i) time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
     return time + (std::isfinite(function_end()) ? function_end() : 0);  // the speed is lower until its function ends
 }
 

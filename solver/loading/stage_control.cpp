@@ -47,9 +47,7 @@ template <class Act>
 void StageController::for_each_amplitude(Act&& act) const {
     for (std::size_t c = 0; c < program_.boundary_conditions.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
-            if (numbers_[c][i] != no_amplitude) {
-                act(c, i, static_cast<std::size_t>(numbers_[c][i]));
-            }
+            if (numbers_[c][i] != no_amplitude) act(c, i, static_cast<std::size_t>(numbers_[c][i]));
         }
     }
 }
@@ -79,9 +77,7 @@ void StageController::visit_state(Self& self, Visit&& visit) {
         visit(name + "value", self.amplitudes_[i].function.value);
         visit(name + "start", self.amplitudes_[i].start);
     }
-    for (std::size_t i = 0; i < self.offsets_.size(); ++i) {
-        visit(fmt::format("offset{}", i), self.offsets_[i]);
-    }
+    for (std::size_t i = 0; i < self.offsets_.size(); ++i) visit(fmt::format("offset{}", i), self.offsets_[i]);
     for (std::size_t i = 0; i < self.records_.size(); ++i) {
         visit(fmt::format("stage{}.begin", i), self.records_[i].begin);
         visit(fmt::format("stage{}.end", i), self.records_[i].end);
@@ -107,9 +103,7 @@ void StageController::take_over(const StageControllerState& state) {
 const TimeFunction* StageController::function_of(std::size_t amplitude) const {
     const TimeFunction* function = nullptr;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t each) {
-        if (each != amplitude) {
-            return;
-        }
+        if (each != amplitude) return;
         const BoundaryCondition& c = program_.boundary_conditions[condition];
         if (origins_[amplitude] == at_start) {
             function = c.start[action] ? &*c.start[action] : nullptr;
@@ -124,9 +118,7 @@ const TimeFunction* StageController::function_of(std::size_t amplitude) const {
 
 void StageController::resume(const StageControllerState& state) {
     const auto require = [](bool holds, const char* what) {
-        if (!holds) {
-            throw InputError(fmt::format("the saved state of the loading does not fit this program: {}", what));
-        }
+        if (!holds) throw InputError(fmt::format("the saved state of the loading does not fit this program: {}", what));
     };
     // A whole number between two others.
     const auto index = [&](const std::string& name, int low, std::size_t high) {
@@ -136,9 +128,7 @@ void StageController::resume(const StageControllerState& state) {
     };
     at_ = static_cast<std::size_t>(index("stage", 0, program_.order.size()));
     require(state.stages_end_by.size() == at_, "the stages that have been");
-    for (std::size_t i = 0; i < at_; ++i) {
-        records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
-    }
+    for (std::size_t i = 0; i < at_; ++i) records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
     offsets_.resize(finished() ? 0 : now().until.size());
     for (std::size_t i = 0; i < amplitudes_.size(); ++i) {
         const std::string name = fmt::format("amplitude{}.origin", i);
@@ -228,9 +218,7 @@ void StageController::start_stage(const Rows& rows) {
         functions_end_ = std::max(functions_end_, platens_.function_end());
     }
     offsets_.clear();
-    for (const Condition& condition : stage.until) {
-        offsets_.push_back(offset(condition, rows));
-    }
+    for (const Condition& condition : stage.until) offsets_.push_back(offset(condition, rows));
 }
 
 bool StageController::is_at_rest(double tolerance) {
@@ -246,9 +234,7 @@ bool StageController::has_fallen_below(double stress, const History& history) co
     const bool is_damped = history[HistoryColumn::energy_damping].back() > 0;
     const double since = time.back() - (is_damped ? 0 : wave_transits * platens_.transit_time());
     std::size_t row = history.size() - 1;
-    while (row > 0 && time[row] > since && std::abs(history[HistoryColumn::axial_stress][row]) < stress) {
-        --row;
-    }
+    while (row > 0 && time[row] > since && std::abs(history[HistoryColumn::axial_stress][row]) < stress) --row;
     return std::abs(history[HistoryColumn::axial_stress][row]) < stress;
 }
 
@@ -256,20 +242,14 @@ std::string StageController::end_reason(const Rows& rows) {
     const Stage& stage = now();
     for (std::size_t i = 0; i < stage.until.size(); ++i) {
         const double off = offset(stage.until[i], rows);
-        if (off == 0 || (off > 0) != (offsets_[i] > 0)) {
-            return stage.until[i].name;
-        }
+        if (off == 0 || (off > 0) != (offsets_[i] > 0)) return stage.until[i].name;
     }
     const double stress = std::abs(feedback_.axial_compression);
     if (rows.history[HistoryColumn::tensile_cracks].back() + rows.history[HistoryColumn::shear_cracks].back() > 0) {
         highest_ = std::max(highest_, stress);
     }
-    if (stage.peak_drop && has_fallen_below((1 - *stage.peak_drop) * highest_, rows.history)) {
-        return "peak_drop";
-    }
-    if (stage.rest && is_at_rest(*stage.rest)) {
-        return ended_by_rest;
-    }
+    if (stage.peak_drop && has_fallen_below((1 - *stage.peak_drop) * highest_, rows.history)) return "peak_drop";
+    if (stage.rest && is_at_rest(*stage.rest)) return ended_by_rest;
     // Half a step of round-off must not cost an interval.
     constexpr double round_off = 1e-9;
     return feedback_.time - stage_begin_ >= (1 - round_off) * stage.longest_time ? "time" : "";
@@ -285,27 +265,17 @@ void StageController::refuse_end(const std::string& reason) const {
 
 void StageController::check_stage_end(const Feedback& feedback, const Rows& rows) {
     feedback_ = feedback;
-    if (finished()) {
-        return;
-    }
+    if (finished()) return;
     const std::string reason = end_reason(rows);
-    if (reason.empty()) {
-        return;
-    }
-    if (!now().must_end_by.empty() && reason != now().must_end_by) {
-        refuse_end(reason);
-    }
+    if (reason.empty()) return;
+    if (!now().must_end_by.empty() && reason != now().must_end_by) refuse_end(reason);
     records_.push_back({now().name, stage_begin_, feedback_.time, reason});
     ++at_;
-    if (!finished()) {
-        start_stage(rows);
-    }
+    if (!finished()) start_stage(rows);
 }
 
 void StageController::close(const std::string& reason) {
-    if (!finished()) {
-        records_.push_back({now().name, stage_begin_, feedback_.time, reason});
-    }
+    if (!finished()) records_.push_back({now().name, stage_begin_, feedback_.time, reason});
 }
 
 // --- intervals -------------------------------------------------------------------------------------------------------------
@@ -324,9 +294,7 @@ IntervalLoading StageController::next(double duration) {
 std::int64_t StageController::interval_steps(double time_step) const {
     const double longest_time = program_.longest_time();
     const bool by_platens = !program_.row_interval && !std::isfinite(longest_time);
-    if (by_platens || platens_.paces_rows()) {
-        return platens_.interval_steps(time_step);
-    }
+    if (by_platens || platens_.paces_rows()) return platens_.interval_steps(time_step);
     const double interval = program_.row_interval.value_or(longest_time / history_rows);
     return std::max<std::int64_t>(program_.row_interval ? 1 : min_steps, std::llround(interval / time_step));
 }
@@ -336,9 +304,7 @@ LoadingLength StageController::longest(double time_step) const {
     LoadingLength length;
     for (const std::string& name : program_.order) {
         const Stage& stage = program_.stage(name);
-        if (stage.platens) {
-            ahead.platens_.set(*stage.platens, 0);
-        }
+        if (stage.platens) ahead.platens_.set(*stage.platens, 0);
         const bool has_end = std::isfinite(stage.longest_time);
         const double time = has_end ? stage.longest_time : ahead.platens_.longest_time();
         const double interval = static_cast<double>(ahead.interval_steps(time_step)) * time_step;

@@ -44,9 +44,7 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::array<
             // A bonded platen holds the face it is bonded to; a platen may be met by anything near.
             const bool at_face = gap > -1e-9 * s.height;
             const bool candidate = platens[p].bonded ? outer && at_face : gap > -reach;
-            if (candidate) {
-                b.platen_points.push_back({i, p, tributary, std::min(gap, 0.0), 0, 0, outer || at_face});
-            }
+            if (candidate) b.platen_points.push_back({i, p, tributary, std::min(gap, 0.0), 0, 0, outer || at_face});
         }
     }
     b.platen_points_of_chunk = ranges_by_chunk(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });

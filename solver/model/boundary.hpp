@@ -54,9 +54,7 @@ inline double platen_penetration(const Platen& platen, const PlatenPoint& point,
 inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& point, const Vector2& u,
                                       double platen_displacement) {
     const double penetration = platen_penetration(platen, point, u, platen_displacement);
-    if (penetration <= 0 && !platen.bonded) {
-        return {{}, u.x, 0, 0, 0};
-    }
+    if (penetration <= 0 && !platen.bonded) return {{}, u.x, 0, 0, 0};
     const double kn = platen.normal_stiffness * point.tributary;
     const double ks = platen.shear_stiffness * point.tributary;
     const double pressure = kn * penetration;

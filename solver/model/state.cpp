@@ -39,9 +39,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.node_sums.resize(a.node_chunks.size());
     s.contact_sums.resize(a.contact_chunks.size());
     s.events.resize(a.contact_chunks.size());
-    for (std::vector<ContactEvent>& of_chunk : s.events) {
-        of_chunk.reserve(max_events_per_chunk);
-    }
+    for (std::vector<ContactEvent>& of_chunk : s.events) of_chunk.reserve(max_events_per_chunk);
     return s;
 }
 

@@ -70,9 +70,7 @@ public:
     /// To be written to, by the thread that works on the chunk.
     ContactHistory& of(std::size_t point) {
         auto& chunk = chunks_[point / points_per_chunk];
-        if (chunk.empty()) {
-            chunk.resize(points_per_chunk);
-        }
+        if (chunk.empty()) chunk.resize(points_per_chunk);
         return chunk[point % points_per_chunk];
     }
     /// Bytes of those that exist.

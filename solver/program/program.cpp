@@ -14,22 +14,16 @@ void slow_down(TimeFunction& f, bool of_velocity) {
     f.duration *= 2;
     f.frequency /= 2;
     f.peak_time *= 2;
-    for (double& time : f.times) {
-        time *= 2;
-    }
+    for (double& time : f.times) time *= 2;
     if (of_velocity) {
         f.value /= 2;
-        for (double& value : f.values) {
-            value /= 2;
-        }
+        for (double& value : f.values) value /= 2;
     }
 }
 
 void slow_down(Settings& settings) {
     for (std::size_t i = 0; i < n_actions; ++i) {
-        if (settings[i]) {
-            slow_down(*settings[i], is_velocity(static_cast<Action>(i)));
-        }
+        if (settings[i]) slow_down(*settings[i], is_velocity(static_cast<Action>(i)));
     }
 }
 
@@ -51,23 +45,15 @@ const Stage& Program::stage(const std::string& stage_name) const {
 
 double Program::longest_time() const {
     double sum = 0;
-    for (const std::string& stage_name : order) {
-        sum += stage(stage_name).longest_time;
-    }
+    for (const std::string& stage_name : order) sum += stage(stage_name).longest_time;
     return sum;
 }
 
 std::string Program::why_dynamic() const {
-    if (!initial_velocities.empty()) {
-        return "it starts in motion";
-    }
+    if (!initial_velocities.empty()) return "it starts in motion";
     for (const BoundaryCondition& condition : boundary_conditions) {
-        if (condition.is_set[0] || condition.is_set[1]) {
-            return "boundary." + condition.name + " drives nodes";
-        }
-        if (waves(condition.start)) {
-            return "boundary." + condition.name + " makes waves";
-        }
+        if (condition.is_set[0] || condition.is_set[1]) return "boundary." + condition.name + " drives nodes";
+        if (waves(condition.start)) return "boundary." + condition.name + " makes waves";
         for (const Stage& s : stages) {
             const auto found = s.settings.find(condition.name);
             if (found != s.settings.end() && waves(found->second)) {
@@ -79,21 +65,13 @@ std::string Program::why_dynamic() const {
 }
 
 Program at_half_the_rate(Program program) {
-    for (BoundaryCondition& condition : program.boundary_conditions) {
-        slow_down(condition.start);
-    }
+    for (BoundaryCondition& condition : program.boundary_conditions) slow_down(condition.start);
     for (Stage& stage : program.stages) {
         stage.longest_time *= 2;
-        for (auto& [condition, settings] : stage.settings) {
-            slow_down(settings);
-        }
-        if (stage.platens) {
-            std::visit(SlowDown{}, *stage.platens);
-        }
+        for (auto& [condition, settings] : stage.settings) slow_down(settings);
+        if (stage.platens) std::visit(SlowDown{}, *stage.platens);
     }
-    if (program.row_interval) {
-        *program.row_interval *= 2;
-    }
+    if (program.row_interval) *program.row_interval *= 2;
     return program;
 }
 

@@ -40,9 +40,7 @@ TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
     TimeFunction f;
     f.kind = found->second;
     visit(table, f, quantity);
-    if (f.kind == TimeFunction::Kind::table) {
-        check_time_table(table, f);
-    }
+    if (f.kind == TimeFunction::Kind::table) check_time_table(table, f);
     table.refuse_others();
     return f;
 }
@@ -80,18 +78,12 @@ std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
     if (has_pressure && table.has(platen_speed)) {
         table.refuse(platen_pressure, "the platens have a speed already; give one of the two");
     }
-    if (has_pressure) {
-        return PressureServo{*read_function(table, platen_pressure, pressure_of_platens, false)};
-    }
+    if (has_pressure) return PressureServo{*read_function(table, platen_pressure, pressure_of_platens, false)};
     const auto speed = table.has_value(platen_speed) ? std::nullopt : table.table(platen_speed);
-    if (speed && speed->has(automatic)) {
-        return read_table<AutomaticRate>(*speed);
-    }
+    if (speed && speed->has(automatic)) return read_table<AutomaticRate>(*speed);
     if (speed && speed->has(program_keys::blocks)) {
         const auto blocks = read_table<LoadingBlocks>(*speed);
-        if (blocks.speed == 0) {
-            speed->refuse("", "needs a speed other than 0");
-        }
+        if (blocks.speed == 0) speed->refuse("", "needs a speed other than 0");
         return blocks;
     }
     const auto function = read_function(table, platen_speed, speed_of_platens, false);
@@ -100,9 +92,7 @@ std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
 
 /// Whether the platens come to their strain limit by themselves.
 bool moves_on(const std::optional<PlatenMotion>& motion) {
-    if (!motion || std::holds_alternative<PressureServo>(*motion)) {
-        return false;
-    }
+    if (!motion || std::holds_alternative<PressureServo>(*motion)) return false;
     const auto* const function = std::get_if<TimeFunction>(&*motion);
     return function == nullptr || (function->kind == TimeFunction::Kind::constant && function->value != 0) ||
            (function->kind == TimeFunction::Kind::ramp && function->value != 0);
@@ -153,14 +143,10 @@ ProbeRequest read_probe(const Program& program, TomlTable& table) {
 
 const std::vector<ProbeColumn>* columns_of(const Program& program, const std::string& probe) {
     for (const BoundaryCondition& condition : program.boundary_conditions) {
-        if (condition.name == probe) {
-            return &boundary_columns();
-        }
+        if (condition.name == probe) return &boundary_columns();
     }
     for (const ProbeRequest& request : program.probes) {
-        if (request.name == probe) {
-            return request.is_circle ? &circle_columns() : &point_columns();
-        }
+        if (request.name == probe) return request.is_circle ? &circle_columns() : &point_columns();
     }
     return nullptr;
 }
@@ -177,9 +163,7 @@ void read_condition(TomlTable& table, const std::string& key, Dimension dimensio
 
 void read_probe_conditions(const Program& program, TomlTable table, Stage& stage) {
     const std::vector<ProbeColumn>* columns = columns_of(program, table.name());
-    if (columns == nullptr) {
-        table.refuse("", "there is no probe and no boundary of this name");
-    }
+    if (columns == nullptr) table.refuse("", "there is no probe and no boundary of this name");
     for (std::size_t i = 0; i < columns->size(); ++i) {
         const ProbeColumn& column = (*columns)[i];
         read_condition(table, column.name, column.dimension, {table.name(), i, table.name() + "." + column.name}, stage);
@@ -196,13 +180,9 @@ void read_until(const Program& program, TomlTable table, Stage& stage) {
     }
     for (std::size_t i = 0; i < history_datasets.size(); ++i) {
         const std::string name(history_datasets[i].name);
-        if (name != "time" && name != "step") {
-            read_condition(table, name, history_datasets[i].dimension, {"", i, name}, stage);
-        }
+        if (name != "time" && name != "step") read_condition(table, name, history_datasets[i].dimension, {"", i, name}, stage);
     }
-    for (const TomlTable& probe : table.tables()) {
-        read_probe_conditions(program, probe, stage);
-    }
+    for (const TomlTable& probe : table.tables()) read_probe_conditions(program, probe, stage);
     table.refuse_others();
 }
 
@@ -210,9 +190,7 @@ Stage read_stage(Program& program, TomlTable& table) {
     Stage stage;
     stage.name = table.name();
     stage.platens = read_platen_motion(table);
-    if (!program.platens && stage.platens) {
-        table.refuse("", "there are no platens to move; add a table [platens]");
-    }
+    if (!program.platens && stage.platens) table.refuse("", "there are no platens to move; add a table [platens]");
     for (BoundaryCondition& condition : program.boundary_conditions) {
         if (auto own = table.table(condition.name)) {
             const Settings settings = read_settings(*own);
@@ -228,9 +206,7 @@ Stage read_stage(Program& program, TomlTable& table) {
     const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == ended_by_rest && stage.rest) ||
                          (stage.must_end_by == "peak_drop" && stage.peak_drop) ||
                          std::any_of(stage.until.begin(), stage.until.end(), is_end);
-    if (!has_end) {
-        table.refuse(program_keys::must_end_by, "is none of the ends in until; one of them other than time fits");
-    }
+    if (!has_end) table.refuse(program_keys::must_end_by, "is none of the ends in until; one of them other than time fits");
     table.refuse_others();
     return stage;
 }
@@ -238,9 +214,7 @@ Stage read_stage(Program& program, TomlTable& table) {
 void read_stages(TomlTable& file, Program& program) {
     TomlTable stages = file.needed_table("stage", "describe each stage by a table [stage.NAME]");
     for (const std::string& name : program.order) {
-        if (!stages.table(name)) {
-            file.refuse("stages", fmt::format("there is no table [stage.{}]", name));
-        }
+        if (!stages.table(name)) file.refuse("stages", fmt::format("there is no table [stage.{}]", name));
     }
     for (TomlTable& table : stages.tables()) {
         if (std::find(program.order.begin(), program.order.end(), table.name()) == program.order.end()) {

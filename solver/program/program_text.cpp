@@ -59,18 +59,12 @@ std::string settings_lines(const std::string& before, const Settings& settings) 
 
 std::string stage_text(const Stage& stage) {
     std::string text = fmt::format("\n[stage.{}]\n", toml::key(stage.name));
-    for (const auto& [condition, settings] : stage.settings) {
-        text += settings_lines(toml::key(condition) + ".", settings);
-    }
+    for (const auto& [condition, settings] : stage.settings) text += settings_lines(toml::key(condition) + ".", settings);
     TomlEntries entries;
-    if (stage.platens) {
-        std::visit(AddMotion{entries}, *stage.platens);
-    }
+    if (stage.platens) std::visit(AddMotion{entries}, *stage.platens);
     TomlEntries until;
     program_keys::visit_until(until, stage);
-    for (const Condition& condition : stage.until) {
-        until.add(condition.name, toml::number(condition.value));
-    }
+    for (const Condition& condition : stage.until) until.add(condition.name, toml::number(condition.value));
     entries.add(program_keys::until, until.inline_table());
     entries.given(program_keys::must_end_by, stage.must_end_by);
     return text + entries.lines();
@@ -80,22 +74,16 @@ std::string stage_text(const Stage& stage) {
 
 std::string program_text(const Program& program) {
     std::string text = lines(program);
-    if (program.platens) {
-        text += "\n[platens]\n" + lines(*program.platens);
-    }
+    if (program.platens) text += "\n[platens]\n" + lines(*program.platens);
     for (const BoundaryCondition& condition : program.boundary_conditions) {
         text += fmt::format("\n[boundary.{}]\n{}{}", toml::key(condition.name), lines(condition.region),
                             settings_lines("", condition.start));
     }
-    for (const ProbeRequest& probe : program.probes) {
-        text += fmt::format("\n[probe.{}]\n{}", toml::key(probe.name), lines(probe));
-    }
+    for (const ProbeRequest& probe : program.probes) text += fmt::format("\n[probe.{}]\n{}", toml::key(probe.name), lines(probe));
     for (std::size_t i = 0; i < program.initial_velocities.size(); ++i) {
         text += fmt::format("\n[initial.{}]\n{}", i, lines(program.initial_velocities[i]));
     }
-    for (const Stage& stage : program.stages) {
-        text += stage_text(stage);
-    }
+    for (const Stage& stage : program.stages) text += stage_text(stage);
     return text;
 }
 

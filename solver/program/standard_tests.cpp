@@ -35,9 +35,7 @@ TimeFunction ramp(double value, double duration) {
 /// Time in which the confining pressure rises, s. At a fixed rate this is as long as the platens then take to the same axial
 /// stress in an elastic bar.
 double pressure_rise_time(const LoadingRequest& request, double height, const Rock& rock, double transit_time) {
-    if (request.rate != RateKind::fixed) {
-        return pressure_transits * transit_time;
-    }
+    if (request.rate != RateKind::fixed) return pressure_transits * transit_time;
     const double as_fast_as_the_test = request.confining_pressure / rock.young_modulus * height / (2 * request.platen_speed);
     return std::max(start_transits * transit_time, as_fast_as_the_test);
 }
@@ -64,12 +62,8 @@ Stage isotropic(double pressure, double ramp_time, double transit_time) {
 PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
     const bool apart = request.test == TestKind::tension;
     const double speed = apart ? -request.platen_speed : request.platen_speed;
-    if (request.rate == RateKind::automatic) {
-        return AutomaticRate{apart, request.automatic_tolerance(), request.rate_share};
-    }
-    if (request.rate == RateKind::blocks) {
-        return LoadingBlocks{speed, request.block_steps, request.rest_tolerance};
-    }
+    if (request.rate == RateKind::automatic) return AutomaticRate{apart, request.automatic_tolerance(), request.rate_share};
+    if (request.rate == RateKind::blocks) return LoadingBlocks{speed, request.block_steps, request.rest_tolerance};
     return ramp(speed, start_transits * transit_time);
 }
 

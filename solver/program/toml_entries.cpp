@@ -11,9 +11,7 @@ namespace {
 template <class Item, class Text>
 std::string list(const std::vector<Item>& items, const Text& text_of) {
     std::vector<std::string> texts;
-    for (const Item& item : items) {
-        texts.push_back(text_of(item));
-    }
+    for (const Item& item : items) texts.push_back(text_of(item));
     return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
@@ -27,9 +25,7 @@ std::string toml::number(double value) {
 
 std::string toml::quoted(const std::string& text) {
     std::string out = "\"";
-    for (const char c : text) {
-        out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    }
+    for (const char c : text) out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
     return out + "\"";
 }
 
@@ -62,17 +58,13 @@ void TomlEntries::given(const std::string& key, const Quantity& /*of*/, const st
 
 std::string TomlEntries::lines(const std::string& before) const {
     std::string lines;
-    for (const auto& [key, value] : entries_) {
-        lines += fmt::format("{}{} = {}\n", before, key, value);
-    }
+    for (const auto& [key, value] : entries_) lines += fmt::format("{}{} = {}\n", before, key, value);
     return lines;
 }
 
 std::string TomlEntries::inline_table() const {
     std::vector<std::string> items;
-    for (const auto& [key, value] : entries_) {
-        items.push_back(fmt::format("{} = {}", key, value));
-    }
+    for (const auto& [key, value] : entries_) items.push_back(fmt::format("{} = {}", key, value));
     return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 

@@ -33,14 +33,10 @@ std::vector<std::pair<int, std::string>> TomlTable::keys() const {
         }
     };
     for (const TomlEntry& e : file_->entries) {
-        if (e.section == section_) {
-            add(e.line, e.key);
-        }
+        if (e.section == section_) add(e.line, e.key);
     }
     for (const TomlSection& s : file_->sections) {
-        if (is_inside(s.name) && s.name.size() > section_.size()) {
-            add(s.line, s.name[section_.size()]);
-        }
+        if (is_inside(s.name) && s.name.size() > section_.size()) add(s.line, s.name[section_.size()]);
     }
     std::stable_sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return keys;
@@ -57,12 +53,8 @@ std::string TomlTable::name() const { return section_.empty() ? "" : section_.ba
 
 std::string TomlTable::where(const std::string& key) const {
     int line = 0;
-    for (const TomlSection& s : file_->sections) {
-        line = line == 0 && is_inside(s.name) && !section_.empty() ? s.line : line;
-    }
-    for (const auto& [at, name] : keys()) {
-        line = name == key ? at : line;
-    }
+    for (const TomlSection& s : file_->sections) line = line == 0 && is_inside(s.name) && !section_.empty() ? s.line : line;
+    for (const auto& [at, name] : keys()) line = name == key ? at : line;
     const std::string dotted = path_.empty() ? key : key.empty() ? path_ : path_ + "." + key;
     return line == 0 ? fmt::format("{}: {}", file_->file, dotted) : fmt::format("{}: line {}: {}", file_->file, line, dotted);
 }
@@ -73,18 +65,12 @@ void TomlTable::refuse(const std::string& key, const std::string& wrong_and_righ
 
 std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key) {
     asked_.push_back(key);
-    if (has_table(key)) {
-        refuse(key, "is a table; a text, or an array of texts, fits");
-    }
+    if (has_table(key)) refuse(key, "is a table; a text, or an array of texts, fits");
     const TomlEntry* found = entry(key);
-    if (found == nullptr) {
-        return std::nullopt;
-    }
+    if (found == nullptr) return std::nullopt;
     std::vector<std::string> words;
     for (const TomlValue& value : found->values) {
-        if (value.kind != TomlValue::Kind::text) {
-            refuse(key, fmt::format("{} is no text; a text in quotes fits", value.text));
-        }
+        if (value.kind != TomlValue::Kind::text) refuse(key, fmt::format("{} is no text; a text in quotes fits", value.text));
         words.push_back(value.text);
     }
     return words;
@@ -92,20 +78,14 @@ std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key)
 
 std::optional<std::string> TomlTable::text(const std::string& key) {
     const auto words = texts(key);
-    if (!words) {
-        return std::nullopt;
-    }
-    if (entry(key)->is_array) {
-        refuse(key, "is an array; one text in quotes fits");
-    }
+    if (!words) return std::nullopt;
+    if (entry(key)->is_array) refuse(key, "is an array; one text in quotes fits");
     return words->front();
 }
 
 void TomlTable::given(const std::string& key, bool& value) {
     asked_.push_back(key);
-    if (!has(key)) {
-        return;
-    }
+    if (!has(key)) return;
     const TomlEntry* found = entry(key);
     if (found == nullptr || found->is_array || found->values.front().kind != TomlValue::Kind::boolean) {
         refuse(key, "is neither true nor false");
@@ -123,29 +103,21 @@ double TomlTable::number(const std::string& key, const TomlValue& value, const Q
 
 void TomlTable::given(const std::string& key, const Quantity& quantity, std::vector<double>& values) {
     asked_.push_back(key);
-    if (!has(key)) {
-        return;
-    }
+    if (!has(key)) return;
     const std::string fits = fmt::format("an array of texts with units of a {} or of bare numbers in {} fits",
                                          name_of(quantity.dimension), quantity.unit());
     const TomlEntry* found = entry(key);
-    if (found == nullptr || !found->is_array) {
-        refuse(key, "is no array; " + fits);
-    }
+    if (found == nullptr || !found->is_array) refuse(key, "is no array; " + fits);
     values.clear();
     for (const TomlValue& value : found->values) {
-        if (value.kind == TomlValue::Kind::boolean) {
-            refuse(key, value.text + " is no quantity; " + fits);
-        }
+        if (value.kind == TomlValue::Kind::boolean) refuse(key, value.text + " is no quantity; " + fits);
         values.push_back(number(key, value, quantity));
     }
 }
 
 void TomlTable::given(const std::string& key, const Quantity& quantity, double& value) {
     asked_.push_back(key);
-    if (!has(key)) {
-        return;
-    }
+    if (!has(key)) return;
     const TomlEntry* found = entry(key);
     if (found == nullptr || found->is_array || found->values.front().kind == TomlValue::Kind::boolean) {
         refuse(key, fmt::format("is no quantity; a text with a unit of a {} or a bare number in {} fits",
@@ -157,9 +129,7 @@ void TomlTable::given(const std::string& key, const Quantity& quantity, double& 
 void TomlTable::given(const std::string& key, const Quantity& quantity, std::int64_t& value) {
     auto number = static_cast<double>(value);
     given(key, quantity, number);
-    if (number != std::floor(number)) {
-        refuse(key, fmt::format("{} is no whole number", number));
-    }
+    if (number != std::floor(number)) refuse(key, fmt::format("{} is no whole number", number));
     value = static_cast<std::int64_t>(number);
 }
 
@@ -170,9 +140,7 @@ void TomlTable::given(const std::string& key, const Quantity& quantity, std::opt
     }
     double number = 0;
     given(key, quantity, number);
-    if (has(key)) {
-        value = number;
-    }
+    if (has(key)) value = number;
 }
 
 bool TomlTable::is_word(const std::string& key, const std::string& word) {
@@ -198,12 +166,8 @@ void TomlTable::require(const std::string& key, const std::string& what) {
 
 std::optional<TomlTable> TomlTable::table(const std::string& key) {
     asked_.push_back(key);
-    if (has_value(key)) {
-        refuse(key, "is a value; a table fits");
-    }
-    if (!has_table(key)) {
-        return std::nullopt;
-    }
+    if (has_value(key)) refuse(key, "is a value; a table fits");
+    if (!has_table(key)) return std::nullopt;
     std::vector<std::string> section = section_;
     section.push_back(key);
     return TomlTable(file_, section);
@@ -212,18 +176,14 @@ std::optional<TomlTable> TomlTable::table(const std::string& key) {
 std::vector<TomlTable> TomlTable::tables() {
     std::vector<TomlTable> found;
     for (const auto& [line, key] : keys()) {
-        if (has_table(key)) {
-            found.push_back(*table(key));
-        }
+        if (has_table(key)) found.push_back(*table(key));
     }
     return found;
 }
 
 TomlTable TomlTable::needed_table(const std::string& key, const std::string& what) {
     auto found = table(key);
-    if (!found) {
-        refuse(key, "missing; " + what);
-    }
+    if (!found) refuse(key, "missing; " + what);
     return *found;
 }
 

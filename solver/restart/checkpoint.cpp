@@ -31,9 +31,7 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
                                                              {"--damping", number(h.damping)},
                                                              {"--damping-form", h.damping_form},
                                                              {"the time step", number(h.time_step)}};
-    for (const ContactParameter& row : all_contact_parameters()) {
-        options.emplace_back(row.option(), number(h.contact.*row.value));
-    }
+    for (const ContactParameter& row : all_contact_parameters()) options.emplace_back(row.option(), number(h.contact.*row.value));
     return options;
 }
 
@@ -41,9 +39,7 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
 
 void clear_checkpoint_name(const std::string& checkpoint, const std::string& restart, bool discard) {
     namespace fs = std::filesystem;
-    if (!fs::exists(checkpoint) || (!restart.empty() && fs::equivalent(restart, checkpoint))) {
-        return;
-    }
+    if (!fs::exists(checkpoint) || (!restart.empty() && fs::equivalent(restart, checkpoint))) return;
     if (!discard) {
         throw UsageError(fmt::format(
             "{}: is the checkpoint of a run that has not ended; --restart {} resumes it, --discard-checkpoint starts again",

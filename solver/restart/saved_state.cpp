@@ -189,9 +189,7 @@ void read_array(const H5Input& file, const std::string& name, std::optional<std:
     const std::string where = file.name() + ": " + path;
     items.resize(extents[0]);
     std::size_t at = 0;
-    for (Item& item : items) {
-        visit_members(item, [&](auto& member) { take(numbers[at++], where, member); });
-    }
+    for (Item& item : items) visit_members(item, [&](auto& member) { take(numbers[at++], where, member); });
 }
 
 bool same_mesh(const Specimen& a, const Specimen& b) {
@@ -215,9 +213,7 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     if (!run.file().has(schema::state_group)) {
         refuse("has no saved state to start from; make it with --save-state or --checkpoint-every");
     }
-    if (!same_mesh(run.specimen(), specimen)) {
-        refuse("is a run of another specimen; give the one it was made from, or itself");
-    }
+    if (!same_mesh(run.specimen(), specimen)) refuse("is a run of another specimen; give the one it was made from, or itself");
     if (old.plane != request.plane || old.fabric.phases != setup.fabric.phases) {
         refuse("has other phases, another rock or another plane condition; they must be the same");
     }
@@ -237,9 +233,7 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
 /// Points of the new platens take over what old ones remember.
 void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& old, std::vector<PlatenPoint>& points) {
     std::map<std::pair<std::int32_t, std::int32_t>, const PlatenPoint*> found;
-    for (const PlatenPoint& point : old) {
-        found[{point.node, point.platen}] = &point;
-    }
+    for (const PlatenPoint& point : old) found[{point.node, point.platen}] = &point;
     std::size_t taken = 0;
     for (PlatenPoint& point : points) {
         if (const auto at = found.find({point.node, point.platen}); at != found.end()) {
@@ -317,9 +311,7 @@ void write_saved_state(H5Output& file, const State& state, const StageController
     visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
     visit_arrays(state, [&](const char* name, const auto& items) { write_array(file, name, items); });
     std::vector<ContactHistory> histories;
-    for (std::size_t point = 0; point < state.failed.size(); ++point) {
-        histories.push_back(state.points[point]);
-    }
+    for (std::size_t point = 0; point < state.failed.size(); ++point) histories.push_back(state.points[point]);
     write_array(file, "history", histories);
     file.attribute(group, "amplitudes", loading.boundary_conditions.names);
     file.attribute(group, "amplitude_values", loading.boundary_conditions.values);
@@ -334,9 +326,7 @@ void write_saved_state(H5Output& file, const State& state, const StageController
 void write_frame_progress(H5Output& file, const FrameProgress& progress) {
     const std::string group = schema::state_group;
     std::vector<std::int64_t> roles;
-    for (const FrameRole role : progress.roles) {
-        roles.push_back(static_cast<std::int64_t>(role));
-    }
+    for (const FrameRole role : progress.roles) roles.push_back(static_cast<std::int64_t>(role));
     file.attribute(group, "next_frame", progress.next);
     file.attribute(group, "frame_interval", progress.interval);
     file.attribute(group, "regular_frames", std::int64_t{progress.regular});
@@ -371,9 +361,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     read_array(file, "history", s.failed.size(), histories);
     require_sound_state(run.name(), setup, run.header().time_step, s);
     for (std::size_t point = 0; point < histories.size(); ++point) {
-        if (histories[point] != ContactHistory{}) {
-            s.points.of(point) = histories[point];
-        }
+        if (histories[point] != ContactHistory{}) s.points.of(point) = histories[point];
     }
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
@@ -390,9 +378,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     saved.energy_scale = old.energy_scale;
     take(file.attribute<double>(group, "energy_balance_error"), run.name() + ": attribute energy_balance_error of " + group,
          saved.energy_balance_error);
-    if (old.stop_reason == "checkpoint") {
-        saved.frames = read_frame_progress(run);
-    }
+    if (old.stop_reason == "checkpoint") saved.frames = read_frame_progress(run);
     return saved;
 }
 

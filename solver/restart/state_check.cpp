@@ -42,9 +42,7 @@ public:
 
     void check_motion() const {
         double size = 0;
-        for (const Vector2& p : a_.position) {
-            size = std::max({size, std::abs(p.x), std::abs(p.y)});
-        }
+        for (const Vector2& p : a_.position) size = std::max({size, std::abs(p.x), std::abs(p.y)});
         const auto all_within = [this](const std::vector<Vector2>& values, double limit, const char* what) {
             require(std::all_of(values.begin(), values.end(), [limit](const Vector2& v) { return dot(v, v) <= limit * limit; }),
                     what);
@@ -140,9 +138,7 @@ private:
     static bool cover(const std::vector<Range>& ranges, std::size_t size) {
         std::int64_t at = 0;
         for (const Range& range : ranges) {
-            if (range.begin != at || range.end <= range.begin) {
-                return false;
-            }
+            if (range.begin != at || range.end <= range.begin) return false;
             at = range.end;
         }
         return at == static_cast<std::int64_t>(size);
@@ -152,9 +148,7 @@ private:
         return std::all_of(groups.begin(), groups.end(), [&](const Range& group) {
             const auto first = static_cast<std::size_t>(group.begin);
             for (auto i = first; i < static_cast<std::size_t>(group.end); ++i) {
-                if (node_of(i) != node_of(first)) {
-                    return false;
-                }
+                if (node_of(i) != node_of(first)) return false;
             }
             return true;
         });

@@ -42,9 +42,7 @@ void record_later_event(const ContactEvent& event, double time, Crack& crack) {
 void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
     std::vector<ContactEvent> events;
     for (std::vector<ContactEvent>& chunk : state.events) {
-        for (ContactEvent& event : chunk) {
-            event.contact = a.specimen_contact[event.contact];
-        }
+        for (ContactEvent& event : chunk) event.contact = a.specimen_contact[event.contact];
         events.insert(events.end(), chunk.begin(), chunk.end());
         chunk.clear();
     }
@@ -55,9 +53,7 @@ void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
         const std::size_t point = 2 * static_cast<std::size_t>(event.contact) + event.point;
         const double time = time_of(state, event.step, time_step);
         if (event.kind != ContactEventKind::failure) {
-            if (crack_of_point_[point] >= 0) {
-                record_later_event(event, time, cracks_[crack_of_point_[point]]);
-            }
+            if (crack_of_point_[point] >= 0) record_later_event(event, time, cracks_[crack_of_point_[point]]);
             continue;
         }
         crack_of_point_[point] = static_cast<std::int32_t>(cracks_.size());

@@ -52,9 +52,7 @@ void EnergyCheck::restore(double scale, double largest_error) {
 }
 
 void EnergyCheck::resume(const std::vector<double>& external_work) {
-    for (const double work : external_work) {
-        worked_ = std::max(worked_, std::abs(work));
-    }
+    for (const double work : external_work) worked_ = std::max(worked_, std::abs(work));
 }
 
 void EnergyCheck::throw_unstable(double residual, std::int64_t step) const {

@@ -6,9 +6,7 @@ namespace {
 /// Motions, tractions, damage and states of all contact points, into a frame.
 template <class Law>
 void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, Frame& frame) {
-    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) {
-        pairs->resize(a.n_contacts());
-    }
+    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) pairs->resize(a.n_contacts());
     frame.traction.resize(a.n_contacts());
     frame.state.resize(a.n_contacts());
     for_each_contact(a, [&](std::int32_t place, std::int32_t contact_class) {

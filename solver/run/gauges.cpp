@@ -12,19 +12,13 @@ namespace {
 Gauge slope_gauge(const Assemblage& a, bool along_y, const std::vector<std::int32_t>& nodes) {
     const auto coordinate = [&](std::int32_t i) { return along_y ? a.position[i].y : a.position[i].x; };
     double mean = 0;
-    for (const std::int32_t i : nodes) {
-        mean += coordinate(i);
-    }
+    for (const std::int32_t i : nodes) mean += coordinate(i);
     mean /= static_cast<double>(std::max<std::size_t>(nodes.size(), 1));
     double square = 0;
-    for (const std::int32_t i : nodes) {
-        square += (coordinate(i) - mean) * (coordinate(i) - mean);
-    }
+    for (const std::int32_t i : nodes) square += (coordinate(i) - mean) * (coordinate(i) - mean);
     Gauge gauge{along_y, {}, {}};
     if (square > 0) {
-        for (const std::int32_t i : nodes) {
-            gauge.terms.push_back({i, (coordinate(i) - mean) / square});
-        }
+        for (const std::int32_t i : nodes) gauge.terms.push_back({i, (coordinate(i) - mean) / square});
     }
     return gauge;
 }
@@ -45,9 +39,7 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
             const Vector2& p = a.position[i];
             const bool near_axis = s.boundary_part[e] == static_cast<std::uint8_t>(BoundaryPart::rim) && side * p.x > 0 &&
                                    std::abs(p.y) <= tan_15_degrees * std::abs(p.x);
-            if (s.boundary_part[e] == part || near_axis) {
-                nodes.push_back(i);
-            }
+            if (s.boundary_part[e] == part || near_axis) nodes.push_back(i);
         }
     }
     std::sort(nodes.begin(), nodes.end());
@@ -69,9 +61,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
     std::vector<std::int32_t> central;
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
         const Vector2& p = a.position[i];
-        if (std::abs(p.y) <= s.height / 4 && (has_faces || std::abs(p.x) <= s.width / 4)) {
-            central.push_back(i);
-        }
+        if (std::abs(p.y) <= s.height / 4 && (has_faces || std::abs(p.x) <= s.width / 4)) central.push_back(i);
     }
     Gauges gauges{slope_gauge(a, true, central), slope_gauge(a, false, central), {}};
     for (const double side : {-1.0, 1.0}) {
@@ -80,9 +70,7 @@ Gauges make_gauges(const Assemblage& a, const Specimen& s) {
             gauges.widening.terms.push_back({i, side / (static_cast<double>(nodes.size()) * s.width)});
         }
     }
-    for (Gauge* gauge : {&gauges.axial, &gauges.lateral, &gauges.widening}) {
-        cut_terms(a, *gauge);
-    }
+    for (Gauge* gauge : {&gauges.axial, &gauges.lateral, &gauges.widening}) cut_terms(a, *gauge);
     return gauges;
 }
 

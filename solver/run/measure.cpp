@@ -98,9 +98,7 @@ void add_platen_energies(const Boundary& boundary, double time_step, const State
 
 void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
                              Measurement& m) {
-    if (prescribed.empty()) {
-        return;
-    }
+    if (prescribed.empty()) return;
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
         m.energies.external += load_half_work(a, prescribed, chunk, time_step, s);
     }

@@ -53,9 +53,7 @@ State state_with_all_histories(const Specimen& specimen, const Setup& setup) {
     State state = make_state(setup.assemblage, setup.boundary, specimen);
     start(setup.assemblage, setup.parameters, state);
     update_pair_list(setup.assemblage, setup.parameters, state);
-    for (std::size_t point = 0; point < state.failed.size(); ++point) {
-        state.points.of(point);
-    }
+    for (std::size_t point = 0; point < state.failed.size(); ++point) state.points.of(point);
     return state;
 }
 

@@ -39,9 +39,7 @@ auto sum_over_listed(const std::vector<Chunk>& chunks, const RangeOf& range_of, 
     std::size_t at = 0;
     for (const Chunk& chunk : chunks) {
         decltype(of_item(0)) sum{};
-        for (; at < indices.size() && indices[at] < range_of(chunk).end; ++at) {
-            sum += of_item(indices[at]);
-        }
+        for (; at < indices.size() && indices[at] < range_of(chunk).end; ++at) sum += of_item(indices[at]);
         total += sum;
     }
     return total;
@@ -69,9 +67,7 @@ struct StressSum {
     std::array<double, 4> stress{};
     double area = 0;
     StressSum& operator+=(const StressSum& other) {
-        for (std::size_t k = 0; k < stress.size(); ++k) {
-            stress[k] += other.stress[k];
-        }
+        for (std::size_t k = 0; k < stress.size(); ++k) stress[k] += other.stress[k];
         area += other.area;
         return *this;
     }
@@ -80,15 +76,11 @@ std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int3
     const StressSum sum = sum_over_listed(a.element_chunks, std::identity{}, elements, [&](std::int32_t e) {
         StressSum of_element{triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s)),
                              a.element_geometry[e].area};
-        for (double& component : of_element.stress) {
-            component *= of_element.area;
-        }
+        for (double& component : of_element.stress) component *= of_element.area;
         return of_element;
     });
     std::vector<double> mean(sum.stress.begin(), sum.stress.end());
-    for (double& component : mean) {
-        component /= sum.area;
-    }
+    for (double& component : mean) component /= sum.area;
     return mean;
 }
 
@@ -109,9 +101,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
         if (request.is_circle) {
             std::vector<std::int32_t> elements;
             for (std::int32_t e = 0; e < a.n_elements(); ++e) {
-                if (length(centre_of(a, e) - request.centre) <= request.radius) {
-                    elements.push_back(e);
-                }
+                if (length(centre_of(a, e) - request.centre) <= request.radius) elements.push_back(e);
             }
             if (elements.empty()) {
                 throw InputError(where + ": no element has its centre in this circle; a larger one, or one inside, fits");
@@ -130,9 +120,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
                 }
             }
             constexpr double round_off = -1e-9;
-            if (inside < round_off) {
-                throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
-            }
+            if (inside < round_off) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
             request_at_.emplace_back(false, points_.size());
             points_.push_back({a.element_nodes[best], weights_at(a, best, request.centre)});
         }
@@ -141,9 +129,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
 }
 
 void Probes::push(std::size_t probe, const std::vector<double>& row) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-        histories_[probe].values[c].push_back(row[c]);
-    }
+    for (std::size_t c = 0; c < row.size(); ++c) histories_[probe].values[c].push_back(row[c]);
 }
 
 void Probes::record(const Assemblage& a, const Boundary& boundary, const State& s) {

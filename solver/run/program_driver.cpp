@@ -33,9 +33,7 @@ void write_start(H5Output& file, const StageControllerState& start) {
 std::optional<StageControllerState> read_start(const H5Input& file) {
     const std::string group = schema::program_group;
     const double speed = file.attribute_or<double>(group, "start_platen_speed", NAN);
-    if (std::isnan(speed)) {
-        return std::nullopt;
-    }
+    if (std::isnan(speed)) return std::nullopt;
     StageControllerState start;
     start.boundary_conditions = {file.attribute<std::vector<std::string>>(group, "start_amplitudes"),
                                  file.attribute<std::vector<double>>(group, "start_amplitude_values")};
@@ -113,31 +111,23 @@ void ProgramDriver::complete(RunHeader& header) {
 }
 
 void ProgramDriver::append(H5Output& file, std::size_t first) const {
-    if (!is_standard()) {
-        append_probes(file, probes_.histories(), first);
-    }
+    if (!is_standard()) append_probes(file, probes_.histories(), first);
 }
 
 std::size_t ProgramDriver::size_of_row() const {
     std::size_t columns = 0;
-    for (const ProbeHistory& probe : probes_.histories()) {
-        columns += probe.columns.size();
-    }
+    for (const ProbeHistory& probe : probes_.histories()) columns += probe.columns.size();
     return is_standard() ? 0 : columns * sizeof(double);
 }
 
 void ProgramDriver::write(H5Output& file) const {
-    if (is_standard()) {
-        return;
-    }
+    if (is_standard()) return;
     const std::string group = schema::program_group;
     const std::vector<StageRecord>& records = stages_.records();
     file.create_group(group);
     file.attribute(group, "name", program_.name);
     file.attribute(group, "text", program_.text);
-    if (started_from_) {
-        write_start(file, *started_from_);
-    }
+    if (started_from_) write_start(file, *started_from_);
     file.attribute(group, "stages", column_of(records, &StageRecord::name));
     file.attribute(group, "ended_by", column_of(records, &StageRecord::ended_by));
     const auto times = [&](const char* name, double StageRecord::*member, std::string_view description) {

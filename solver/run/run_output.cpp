@@ -34,9 +34,7 @@ RunOutput::RunOutput(const Run& run, const std::string& output, const std::optio
       frames_(run.request.frames, first_frame_interval, writer_),
       since_checkpoint_(run.request.wall_clock),
       since_flush_(run.request.wall_clock) {
-    if (frames) {
-        frames_.resume(*frames, RunReader(run.request.restart));
-    }
+    if (frames) frames_.resume(*frames, RunReader(run.request.restart));
 }
 
 void RunOutput::record() {
@@ -60,17 +58,13 @@ void RunOutput::append_rows() {
 }
 
 bool RunOutput::wants_checkpoint() const {
-    if (checkpoint_.empty()) {
-        return false;
-    }
+    if (checkpoint_.empty()) return false;
     const bool is_asked = take_checkpoint_request();
     return is_asked || (run_.request.checkpoint_interval && since_checkpoint_.elapsed() >= *run_.request.checkpoint_interval);
 }
 
 const std::string& RunOutput::write_checkpoint() {
-    if (checkpoint_.empty()) {
-        return checkpoint_;
-    }
+    if (checkpoint_.empty()) return checkpoint_;
     RunWriter writer(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, run_.header);
     writer.append_history(run_.recorder.history());
     run_.program.append(writer.file(), 0);
@@ -100,9 +94,7 @@ void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Pro
         write_saved_state(writer_.file(), run_.state, run_.program.stages().state(), run_.recorder.energy().largest_error());
     }
     writer_.finish(run_.header, run_.recorder.crack_log().rows(run_.setup.assemblage, run_.state), provenance, sensitivity);
-    if (!checkpoint_.empty()) {
-        remove_checkpoint(checkpoint_);
-    }
+    if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
 }
 
 }  // namespace graincrack

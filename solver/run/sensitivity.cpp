@@ -45,9 +45,7 @@ SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& head
                        nan,
                        history[HistoryColumn::tensile_cracks][peak],
                        history[HistoryColumn::shear_cracks][peak]};
-    if (header.stop_reason == "peak drop") {
-        row.post_peak_slope = (stress.back() - stress[peak]) / (strain.back() - strain[peak]);
-    }
+    if (header.stop_reason == "peak drop") row.post_peak_slope = (stress.back() - stress[peak]) / (strain.back() - strain[peak]);
     return row;
 }
 

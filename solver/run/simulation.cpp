@@ -66,9 +66,7 @@ public:
           is_quiet_(verbosity == Verbosity::quiet),
           team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
-        if (!request.restart.empty()) {
-            restart();
-        }
+        if (!request.restart.empty()) restart();
     }
 
     /// Writes the run to an output as it goes; to be called before `run`.
@@ -77,12 +75,8 @@ public:
     }
 
     const RunHeader& run() {
-        if (request_.restart.empty()) {
-            start(setup_.assemblage, setup_.parameters, state_);
-        }
-        if (recorder_.history().size() == 0) {
-            record();
-        }
+        if (request_.restart.empty()) start(setup_.assemblage, setup_.parameters, state_);
+        if (recorder_.history().size() == 0) record();
         while (header_.stop_reason.empty()) {
             stop_if_asked();
             const std::int64_t steps = driver_.stages().interval_steps(header_.time_step);
@@ -91,9 +85,7 @@ public:
             record();
             show_progress();
             header_.stop_reason = driver_.stop_reason();
-            if (header_.stop_reason.empty() && output_ && output_->wants_checkpoint()) {
-                output_->write_checkpoint();
-            }
+            if (header_.stop_reason.empty() && output_ && output_->wants_checkpoint()) output_->write_checkpoint();
         }
         progress_.finish();
         finish_header();
@@ -131,17 +123,13 @@ private:
         const Feedback feedback = recorder_.record(driver_.stages().platens().speed(), state_);
         header_.energy_scale = recorder_.energy().scale();
         driver_.record(setup_.assemblage, setup_.boundary, state_, recorder_.history(), feedback);
-        if (output_) {
-            output_->record();
-        }
+        if (output_) output_->record();
     }
 
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() {
         const bool asked = request_.stops_after && request_.stops_after(recorder_.history().size());
-        if (stop_signal() == 0 && !asked) {
-            return;
-        }
+        if (stop_signal() == 0 && !asked) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
         if (!checkpoint.empty() && !is_quiet_) {
             fmt::print(stderr, "{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
@@ -202,9 +190,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
     summary.tensile_cracks = whole_contacts(simulation.crack_log().tensile_points());
     summary.shear_cracks = whole_contacts(simulation.crack_log().shear_points());
-    if (request.sensitivity) {
-        summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
-    }
+    if (request.sensitivity) summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     provenance.wall_time = summary.wall_time;
     simulation.finish(summary.sensitivity, provenance);
     return summary;

@@ -90,9 +90,7 @@ AmplitudeNumbers number_amplitudes(const Program& program) {
     std::int32_t next = 0;
     for (const BoundaryCondition& condition : program.boundary_conditions) {
         numbers.emplace_back();
-        for (std::size_t i = 0; i < n_actions; ++i) {
-            numbers.back()[i] = condition.is_set[i] ? next++ : no_amplitude;
-        }
+        for (std::size_t i = 0; i < n_actions; ++i) numbers.back()[i] = condition.is_set[i] ? next++ : no_amplitude;
     }
     return numbers;
 }
@@ -103,24 +101,16 @@ RegionContent content_of_region(const Region& region, const Assemblage& a, const
     const std::vector<std::uint8_t> parts = numbers_of(region.parts, s, where);
     RegionContent content;
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
-        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) {
-            continue;
-        }
+        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) continue;
         const std::int32_t first = a.node_of_specimen[s.boundary_edges[e][0]];
         const std::int32_t second = a.node_of_specimen[s.boundary_edges[e][1]];
-        if (wide.has(a.position[first]) && wide.has(a.position[second])) {
-            content.edges.push_back(e);
-        }
+        if (wide.has(a.position[first]) && wide.has(a.position[second])) content.edges.push_back(e);
         for (const std::int32_t i : {first, second}) {
-            if (!parts.empty() && wide.has(a.position[i])) {
-                content.nodes.push_back(i);
-            }
+            if (!parts.empty() && wide.has(a.position[i])) content.nodes.push_back(i);
         }
     }
     for (std::int32_t i = 0; i < a.n_nodes() && parts.empty(); ++i) {
-        if (wide.has(a.position[i]) && a.mass[i] > 0) {
-            content.nodes.push_back(i);
-        }
+        if (wide.has(a.position[i]) && a.mass[i] > 0) content.nodes.push_back(i);
     }
     std::sort(content.nodes.begin(), content.nodes.end());
     content.nodes.erase(std::unique(content.nodes.begin(), content.nodes.end()), content.nodes.end());

@@ -55,9 +55,7 @@ struct SimulationRequest {
     /// Why the run is not quasi-static, so that mass scaling would falsify it: it has no damping, or its program makes waves
     /// (`Program::why_dynamic`); "" for what is quasi-static, as all standard tests with damping are.
     [[nodiscard]] std::string why_dynamic() const {
-        if (damping == 0) {
-            return "it has no damping";
-        }
+        if (damping == 0) return "it has no damping";
         return program ? program->why_dynamic() : "";
     }
 };

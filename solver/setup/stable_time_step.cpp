@@ -74,17 +74,11 @@ void add_free_faces(const Assemblage& a, const Boundary& boundary, const Contact
                     std::vector<Vector2>& y) {
     const std::vector<ContactStiffness> stiffest = stiffest_by_phase(laws);
     std::vector<bool> has_platen(a.position.size(), false);
-    for (const PlatenPoint& point : boundary.platen_points) {
-        has_platen[point.node] = has_platen[point.node] || point.on_boundary;
-    }
+    for (const PlatenPoint& point : boundary.platen_points) has_platen[point.node] = has_platen[point.node] || point.on_boundary;
     const auto& grains = a.surface.grain_of_node;
-    if (std::all_of(grains.begin(), grains.end(), [&grains](std::int32_t grain) { return grain == grains.front(); })) {
-        return;
-    }
+    if (std::all_of(grains.begin(), grains.end(), [&grains](std::int32_t grain) { return grain == grains.front(); })) return;
     for (const SurfaceEdge& edge : a.surface.edges) {
-        if (edge.contact >= 0) {
-            continue;
-        }
+        if (edge.contact >= 0) continue;
         const Vector2 along = a.position[edge.nodes[1]] - a.position[edge.nodes[0]];
         const double half = 0.5 * length(along);
         const Vector2 t = (0.5 / half) * along;
@@ -153,23 +147,15 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
     std::vector<double> diagonal;
     std::vector<double> beside;
     double beta = std::sqrt(dot(a, current, current));
-    for (Vector2& x : current) {
-        x = (1 / beta) * x;
-    }
+    for (Vector2& x : current) x = (1 / beta) * x;
     beta = 0;
     for (int k = 1; k <= max_iterations; ++k) {
-        for (std::size_t i = 0; i < n; ++i) {
-            scaled[i] = root[i] * current[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) scaled[i] = root[i] * current[i];
         std::fill(next.begin(), next.end(), Vector2{});
         stiffness(scaled, next);
-        for (std::size_t i = 0; i < n; ++i) {
-            next[i] = root[i] * next[i] - beta * previous[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) next[i] = root[i] * next[i] - beta * previous[i];
         diagonal.push_back(dot(a, next, current));
-        for (std::size_t i = 0; i < n; ++i) {
-            next[i] -= diagonal.back() * current[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) next[i] -= diagonal.back() * current[i];
         beta = std::sqrt(dot(a, next, next));
         const bool exhausted = beta <= 1e-12 * diagonal.front() || k == static_cast<int>(2 * n);
         if (k % check_every == 0 || exhausted) {
@@ -178,15 +164,11 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
                                           Eigen::Map<Eigen::VectorXd>(beside.data(), k - 1));
             const double eigenvalue = solver.eigenvalues()(k - 1);
             const double residual = beta * std::abs(solver.eigenvectors()(k - 1, k - 1));
-            if (residual < wanted_residual * eigenvalue || exhausted) {
-                return (1 + unseen) * eigenvalue + residual;
-            }
+            if (residual < wanted_residual * eigenvalue || exhausted) return (1 + unseen) * eigenvalue + residual;
         }
         beside.push_back(beta);
         std::swap(previous, current);
-        for (std::size_t i = 0; i < n; ++i) {
-            current[i] = (1 / beta) * next[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) current[i] = (1 / beta) * next[i];
     }
     throw NumericalError("the stable time step was not found: the stiffness of the specimen is not finite; check the material");
 }

@@ -72,9 +72,7 @@ GRAINCRACK_INLINE void add_motions(std::int32_t size, const double* force, const
 /// Mean acceleration, its change and mean velocity of clusters.
 GRAINCRACK_INLINE void find_means(const Rows& rows, const Nodes& of_chunk, std::int32_t count, Means& means) {
     const Nodes nodes = of_chunk;  // a copy that no store can change
-    for (std::int32_t k = 0; k < count; ++k) {
-        means.acceleration[k] = means.change[k] = means.velocity[k] = 0;
-    }
+    for (std::int32_t k = 0; k < count; ++k) means.acceleration[k] = means.change[k] = means.velocity[k] = 0;
     for (std::int32_t row = 0; row < rows.count; ++row) {
         const auto [begin, size] = rows[row];
         add_motions(size, nodes.force + begin, nodes.last_force + begin, nodes.mass + begin, nodes.velocity + begin,
@@ -104,9 +102,7 @@ GRAINCRACK_INLINE void find_damping_forces(const Rows& rows, const Nodes& of_chu
                                            Means& means, Lanes& b) {
     const Nodes nodes = of_chunk;
     const Damping damping = shares;
-    for (std::int32_t k = 0; k < count; ++k) {
-        means.relative[k] = 0;
-    }
+    for (std::int32_t k = 0; k < count; ++k) means.relative[k] = 0;
     for (std::int32_t row = 0; row < rows.count; ++row) {
         const auto [begin, size] = rows[row];
         damp_relative_motion(size, damping, nodes.force + begin, nodes.last_force + begin, nodes.mass + begin,
@@ -226,9 +222,7 @@ void integrate_clusters(const Assemblage& a, const StepParameters& parameters, c
     Means means;
     Lanes b;
     damp(a, parameters, loading, index, s, means, b);
-    for (std::int32_t k = 0; k < 2 * chunk.clusters.size(); ++k) {
-        means.acceleration[k] += means.damping[k];
-    }
+    for (std::int32_t k = 0; k < 2 * chunk.clusters.size(); ++k) means.acceleration[k] += means.damping[k];
     for (const auto& [cluster, platen] : s.clusters.constrained[index]) {
         set_mean(means.acceleration, cluster - chunk.clusters.begin, platen_acceleration(loading, dt, platen));
     }

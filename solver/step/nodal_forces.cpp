@@ -80,9 +80,7 @@ void sum_forces(const Assemblage& a, const Boundary& boundary, const StepLoading
     gather_elements_and_contacts(a, chunk, s);
     add_active_contacts(chunk, s);
     add_platens(boundary, loading, chunk, s, visit);
-    if (!boundary.prescribed.empty()) {
-        add_prescribed(a, boundary.prescribed, loading, chunk, s);
-    }
+    if (!boundary.prescribed.empty()) add_prescribed(a, boundary.prescribed, loading, chunk, s);
 }
 
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
@@ -131,9 +129,7 @@ void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const S
 }
 
 void book_half_load_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
-    if (!boundary.prescribed.empty()) {
-        s.node_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
-    }
+    if (!boundary.prescribed.empty()) s.node_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
 }
 
 void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,

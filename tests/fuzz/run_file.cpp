@@ -45,9 +45,7 @@ void read_run(const std::string& file) {
     fuzz::one_input([&] { static_cast<void>(run.cracks()); });
     fuzz::one_input([&] { static_cast<void>(run.frame_times()); });
     fuzz::one_input([&] {
-        for (std::size_t frame = 0; frame < run.n_frames(); ++frame) {
-            static_cast<void>(run.frame(frame));
-        }
+        for (std::size_t frame = 0; frame < run.n_frames(); ++frame) static_cast<void>(run.frame(frame));
     });
 }
 

@@ -28,9 +28,7 @@ std::array<Platen, 2> platens_at(double gap, double stiffness) {
     platens[bottom_platen].side = -1;
     platens[bottom_platen].position = -0.01 - gap;
     platens[top_platen].position = 1;  // out of reach
-    for (Platen& p : platens) {
-        p.normal_stiffness = stiffness;
-    }
+    for (Platen& p : platens) p.normal_stiffness = stiffness;
     return platens;
 }
 

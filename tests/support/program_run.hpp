@@ -42,9 +42,7 @@ public:
     [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {
         for (const ProbeHistory& h : probes.histories()) {
             for (std::size_t c = 0; c < h.columns.size(); ++c) {
-                if (h.name == probe && h.columns[c].name == name) {
-                    return h.values[c];
-                }
+                if (h.name == probe && h.columns[c].name == name) return h.values[c];
             }
         }
         throw std::out_of_range(probe + "." + name);
@@ -79,9 +77,7 @@ private:
     void record() {
         const Measurement m = run.measured();
         energies.push_back(m.energies);
-        for (auto& column : history.columns) {
-            column.push_back(0);
-        }
+        for (auto& column : history.columns) column.push_back(0);
         const auto set = [this](HistoryColumn c, double value) { history[c].back() = value; };
         set(HistoryColumn::time, run.state.time);
         set(HistoryColumn::axial_stress, 0.5 * (m.force_top - m.force_bottom) / run.specimen.width);

@@ -126,9 +126,7 @@ struct SmallRun {
     /// Sets velocities as a function of the reference position.
     template <class Field>
     void set_velocity(Field&& field) {
-        for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-            state.velocity[i] = field(assemblage.position[i]);
-        }
+        for (std::size_t i = 0; i < state.velocity.size(); ++i) state.velocity[i] = field(assemblage.position[i]);
     }
     void begin() { start(assemblage, parameters, state); }
     void steps(std::int64_t n, const IntervalLoading& loading = {}, int threads = 1) {
@@ -146,24 +144,18 @@ struct SmallRun {
     [[nodiscard]] Measurement measured() { return measure(assemblage, boundary, parameters, state); }
     [[nodiscard]] std::size_t failed_points() const {
         std::size_t n = 0;
-        for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) {
-            n += point_history(state, i).failed() ? 1U : 0U;
-        }
+        for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) n += point_history(state, i).failed() ? 1U : 0U;
         return n;
     }
     [[nodiscard]] double mass() const {
         double sum = 0;
-        for (const double m : assemblage.mass) {
-            sum += m;
-        }
+        for (const double m : assemblage.mass) sum += m;
         return sum;
     }
     /// Mean of a nodal field, by mass.
     [[nodiscard]] Vector2 mean(const std::vector<Vector2>& field) const {
         Vector2 sum;
-        for (std::size_t i = 0; i < field.size(); ++i) {
-            sum += assemblage.mass[i] * field[i];
-        }
+        for (std::size_t i = 0; i < field.size(); ++i) sum += assemblage.mass[i] * field[i];
         return (1 / mass()) * sum;
     }
 };
@@ -172,9 +164,7 @@ struct SmallRun {
 inline std::vector<VectorTarget> available_vector_targets() {
     std::vector<VectorTarget> targets;
     for (const VectorTarget target : {VectorTarget::plain, VectorTarget::avx2, VectorTarget::avx512}) {
-        if (is_available(target)) {
-            targets.push_back(target);
-        }
+        if (is_available(target)) targets.push_back(target);
     }
     return targets;
 }

@@ -109,9 +109,7 @@ struct Cantilever {
     }
     [[nodiscard]] std::size_t separated() const {
         std::size_t count = 0;
-        for (std::size_t point = 0; point < run.state.failed.size(); ++point) {
-            count += run.state.points[point].separated ? 1 : 0;
-        }
+        for (std::size_t point = 0; point < run.state.failed.size(); ++point) count += run.state.points[point].separated ? 1 : 0;
         return count;
     }
     /// Length of the interface that has failed and not separated, m.

@@ -148,9 +148,7 @@ TEST(CrackLabel, TheHistoryOfARunCountsTheCracksOfTheLabel) {
     const test::TemporaryFolder folder;
     test::Recipe recipe;
     std::vector<Crack> cracks = test::synthetic_cracks(recipe.specimen);
-    for (std::size_t i = 0; i < 4; ++i) {
-        cracks[i].broken = {0.9 + 0.1 * static_cast<double>(i), i == 0 ? 1.0 : -1.0, 0};
-    }
+    for (std::size_t i = 0; i < 4; ++i) cracks[i].broken = {0.9 + 0.1 * static_cast<double>(i), i == 0 ? 1.0 : -1.0, 0};
     test::write_run(folder.file("run.h5"), recipe, cracks);
     const RunReader run(folder.file("run.h5"));
     const RunData data = run_data(run, {CrackEvent::broken, CrackModeRule::sign});

@@ -24,9 +24,7 @@ std::vector<Vector2> vectors_of_grains(const SmallRun& run, double size) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> component(-size, size);
     std::vector<Vector2> of_grain(run.specimen.n_grains());
-    for (Vector2& v : of_grain) {
-        v = {component(random), component(random)};
-    }
+    for (Vector2& v : of_grain) v = {component(random), component(random)};
     return of_grain;
 }
 
@@ -48,9 +46,7 @@ std::vector<CandidatePair> all_pairs(const SmallRun& run, const Holds& holds) {
         for (std::int32_t edge = 0; edge < static_cast<std::int32_t>(surface.edges.size()); ++edge) {
             const bool is_own =
                 surface.edges[static_cast<std::size_t>(edge)].grain == surface.grain_of_node[static_cast<std::size_t>(node)];
-            if (!is_own && holds(CandidatePair{node, edge})) {
-                pairs.push_back({node, edge});
-            }
+            if (!is_own && holds(CandidatePair{node, edge})) pairs.push_back({node, edge});
         }
     }
     return pairs;
@@ -98,9 +94,7 @@ TEST(PairList, HasWhatTouchesBeforeItsNextUpdate) {
         EXPECT_TRUE(std::is_sorted(list.pairs.begin(), list.pairs.end()));
         EXPECT_TRUE(std::is_sorted(list.watched.begin(), list.watched.end()));
         EXPECT_LE(list.next_update - run.state.step, max_update_interval);
-        while (run.state.step < list.next_update) {
-            run.steps(1);
-        }
+        while (run.state.step < list.next_update) run.steps(1);
         const auto over = all_pairs(run, [&](const CandidatePair& pair) {
             const PairGeometry g = pair_geometry(run.assemblage, run.state, pair);
             return g.depth > 0 && g.depth < 0.01 * edge && g.place > 0 && g.place < 1;

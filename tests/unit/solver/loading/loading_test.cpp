@@ -25,9 +25,7 @@ public:
         : program(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)),
           stages(program, specimen(), test::augig_granite().rock) {}
     void row(double at, double stress = 0, double unbalanced = 1, Feedback feedback = {}, double cracks = 0) {
-        for (auto& column : history.columns) {
-            column.push_back(0);
-        }
+        for (auto& column : history.columns) column.push_back(0);
         history[HistoryColumn::time].back() = at;
         history[HistoryColumn::energy_damping].back() = damping;
         history[HistoryColumn::axial_stress].back() = stress;

@@ -128,14 +128,10 @@ TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
 TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     RateControl control(tolerance, scales);
     double speed = 0;
-    for (int i = 0; i < 2000; ++i) {
-        speed = control.next(measures(0, 100, i == 0 ? 1.0 : 0.0), 1e-3, duration);
-    }
+    for (int i = 0; i < 2000; ++i) speed = control.next(measures(0, 100, i == 0 ? 1.0 : 0.0), 1e-3, duration);
     RateControl never_near(tolerance, scales);
     double free_speed = 0;
-    for (int i = 0; i < 10; ++i) {
-        free_speed = never_near.next(measures(0, 100, 0), 1e-3, duration);
-    }
+    for (int i = 0; i < 10; ++i) free_speed = never_near.next(measures(0, 100, 0), 1e-3, duration);
     EXPECT_EQ(speed, control.max_speed(1e-3, 1));  // nothing moves: no measure holds it
     EXPECT_GT(free_speed, 5 * control.min_speed(1e-3, tolerance));
     RateControl started(tolerance, scales);
@@ -159,9 +155,7 @@ TEST(BlockControl, GivesUpOnASpecimenThatDoesNotComeToRest) {
     BlockControl control(2.0, 1e-4, 10.0);
     test::expect_one_line<NumericalError>(
         [&] {
-            for (int i = 0; i < 100; ++i) {
-                static_cast<void>(control.next(0.5, 1.0));
-            }
+            for (int i = 0; i < 100; ++i) static_cast<void>(control.next(0.5, 1.0));
         },
         {"no equilibrium", "--rate-tolerance"});
 }

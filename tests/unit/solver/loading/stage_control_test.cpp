@@ -26,9 +26,7 @@ struct Led {
           stage_controller(program, test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_granite().rock) {}
     void row(double at, double stress, double unbalanced = 1, double cracks = 0) {
         time = at;
-        for (auto& column : history.columns) {
-            column.push_back(0);
-        }
+        for (auto& column : history.columns) column.push_back(0);
         history[HistoryColumn::time].back() = at;
         history[HistoryColumn::energy_damping].back() = 1;
         history[HistoryColumn::axial_stress].back() = stress;
@@ -40,9 +38,7 @@ struct Led {
         feedback.axial_compression = -stress;
         feedback.unbalanced_ratio = unbalanced;
         history.size() == 1 ? stage_controller.begin(feedback, rows) : stage_controller.check_stage_end(feedback, rows);
-        if (!stage_controller.finished()) {
-            last = stage_controller.next(1e-3);
-        }
+        if (!stage_controller.finished()) last = stage_controller.next(1e-3);
     }
     IntervalLoading last;
 };

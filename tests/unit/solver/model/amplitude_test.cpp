@@ -43,9 +43,7 @@ TEST(TimeFunction, TakesItsValues) {
     // Its zeros are 1/(√2 π f) from the peak, its mean over time is 0.
     expect_close(f(6 + 1 / (std::sqrt(2.0) * std::numbers::pi * f.frequency)), 1, 1e-14, 1);
     double sum = 0;
-    for (int i = -3000; i <= 3000; ++i) {
-        sum += f(6 + 0.01 * i) - 1;
-    }
+    for (int i = -3000; i <= 3000; ++i) sum += f(6 + 0.01 * i) - 1;
     expect_close(0.01 * sum, 0, 1e-9, 1);
     EXPECT_LT(std::abs(f(f.end()) - 1), 1e-12);
     f.kind = TimeFunction::Kind::table;

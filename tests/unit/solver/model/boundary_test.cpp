@@ -101,9 +101,7 @@ TEST(Boundary, PointsAreThoseWithinReach) {
     const Boundary near = make_boundary(a, s, platens_of(s), 1e-6);
     const Boundary far = make_boundary(a, s, platens_of(s), 0.0101);
     std::size_t on_faces = 0;
-    for (const Vector2& p : a.position) {
-        on_faces += std::abs(p.y) > 0.03 - 1e-9 ? 1 : 0;
-    }
+    for (const Vector2& p : a.position) on_faces += std::abs(p.y) > 0.03 - 1e-9 ? 1 : 0;
     EXPECT_EQ(near.platen_points.size(), on_faces);
     EXPECT_GT(far.platen_points.size(), near.platen_points.size());
     for (const PlatenPoint& p : near.platen_points) {

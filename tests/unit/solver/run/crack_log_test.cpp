@@ -169,14 +169,10 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
                  test::augig_law());
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
     run.set_velocity([](const Vector2&) { return Vector2{}; });
-    for (std::int32_t i = 4; i < 8; ++i) {
-        run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
-    }
+    for (std::int32_t i = 4; i < 8; ++i) run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     run.begin();
     CrackLog crack_log(2);
-    for (int i = 0; i < 200; ++i) {
-        run.steps(1);
-    }
+    for (int i = 0; i < 200; ++i) run.steps(1);
     crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
     const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
     ASSERT_EQ(rows.size(), 2U);

@@ -30,9 +30,7 @@ TEST(Frame, IsInTheOrderOfTheSpecimen) {
         for (auto& i : b) i = n - 1 - i;
     }
     SmallRun run = run_of(s);
-    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
-        run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
-    }
+    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
     run.begin();
     const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
     ASSERT_EQ(frame.displacement.size(), s.n_nodes());

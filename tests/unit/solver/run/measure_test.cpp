@@ -37,9 +37,7 @@ TEST(Measure, EnergyOfAnOpenedContact) {
                  test::augig_law());
     const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
-    for (std::size_t i = 4; i < 8; ++i) {
-        run.state.displacement[i].y = opening;
-    }
+    for (std::size_t i = 4; i < 8; ++i) run.state.displacement[i].y = opening;
     run.begin();
     const Energies e = run.measured().energies;
     const double expected = 0.02 * law.tc * law.dct * std::numbers::e * (1 - 1.5 * std::exp(-0.5));  // ∫ Eq 7 over the edge
