@@ -14,11 +14,12 @@
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "solver/loading/program_text.hpp"
-#include "solver/loading/standard_tests.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/program/program_text.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/restart/checkpoint.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/setup/setup.hpp"
 #include "solver/solve_options.hpp"
 
 namespace {
@@ -93,7 +94,7 @@ void print_summary(const SimulationSummary& s) {
 }
 
 /// Says so where the fracture energy in sliding leaves no softening.
-void note_sudden_loss(const SimulationRequest& request) {
+void print_sudden_loss(const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
     if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
         fmt::print(stderr,
@@ -157,7 +158,7 @@ int solve(int argc, char** argv) {
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary);
-        note_sudden_loss(options->request);
+        print_sudden_loss(options->request);
     }
     if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     return 0;

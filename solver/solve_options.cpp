@@ -14,8 +14,8 @@
 #include "share/file/output_file.hpp"
 #include "share/options/command_line.hpp"
 #include "solver/contact_options.hpp"
-#include "solver/loading/program_file.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/program/program_file.hpp"
+#include "solver/restart/checkpoint.hpp"
 
 namespace graincrack {
 namespace {
@@ -215,7 +215,7 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
     }
     request.damping = *damping;
     if (request.restart.empty()) request.restart = request.program->start_from;
-    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(request.restart)) {
+    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(RunReader(request.restart))) {
         throw UsageError(request.program->file +
                          ": [initial] and a run to start from contradict each other; leave out the one or the other");
     }

@@ -19,14 +19,15 @@ struct CrackMoment {
     friend bool operator==(const CrackMoment&, const CrackMoment&) = default;
 };
 
-/// One row of the crack log: a contact point that passed its peak strength. Quantities are those at that instant.
+/// One row of the crack log: a contact point that passed its peak strength. Quantities are those of that step unless they say
+/// more.
 struct Crack {
     double time = 0;  ///< s
     std::int64_t step = 0;
     std::int32_t contact = 0;  ///< row of /contacts
     std::uint8_t point = 0;    ///< 0 at a1, 1 at a2
     CrackMode mode = CrackMode::tensile;
-    double mode_angle = 0;             ///< atan2(|τ|, σn) at the peak, rad
+    double mode_angle = 0;             ///< atan2(|τ|, σn) of the step before, short of the peak, rad
     std::array<double, 2> position{};  ///< m
     double orientation = 0;            ///< of the tangent from x, counter-clockwise, rad, in [0, π)
     double length = 0;                 ///< half of the edge's length, m

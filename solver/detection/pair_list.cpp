@@ -147,7 +147,7 @@ public:
         : assemblage_(a), state_(s), duration_(duration), speed_p95_(speed_p95) {
         speed_.reserve(s.velocity.size());
         for (const Vector2& v : s.velocity) speed_.push_back(length(v));
-        note_contacts();
+        find_continuing();
     }
 
     /// Finds the geometry of the pairs of some nodes, for `add_watched`.
@@ -174,17 +174,17 @@ public:
 
 private:
     /// Contacts are among the pairs that were watched; after a search, when none is watched yet, anywhere.
-    void note_contacts() {
+    void find_continuing() {
         const ContactPairList& list = state_.contact_pairs;
         continues_.assign(list.pairs.size(), 0);
-        const auto note = [&](std::int32_t pair) {
+        const auto look_at = [&](std::int32_t pair) {
             const NodeEdgeContact& contact = list.contacts[pair];
             continues_[pair] = contact.active || contact.release_correction != 0 ? 1 : 0;
         };
         if (list.watched.empty()) {
-            for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) note(pair);
+            for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) look_at(pair);
         }
-        std::for_each(list.watched.begin(), list.watched.end(), note);
+        std::for_each(list.watched.begin(), list.watched.end(), look_at);
     }
     [[nodiscard]] const SurfaceEdge& edge_of(std::int32_t pair) const {
         return assemblage_.surface.edges[state_.contact_pairs.pairs[pair].edge];

@@ -13,7 +13,7 @@
 // Friction itself may weaken (cohesion weakening, Hajiabdolmajid, Kaiser & Martin 2002, Int J Rock Mech Min Sci 39): tan φ falls
 // from tan φc, while all cohesion is there, to tan φr, when it is gone, in proportion to 1 − D of the closed branch.
 //
-// The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the way to the peak,
+// The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the path to the peak,
 // cc δcs (e − 2), there is no softening: cohesion is lost at once, and friction starts from the traction the point had (Eq 12).
 //
 // Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip, is never negative. On crossing δn =

@@ -2,7 +2,7 @@
 // "Coulomb slip with residual strength (area contact)"), without dilation.
 //
 //   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0
-//   fails if  σn > T  or  |τ| > c − σn tan φ    T, c, φ: tensile strength, cohesion, friction angle; the Coulomb line goes on
+//   fails if  σn > T  or  |τ| > c − σn tan φ    T, c, φ: tensile strength, cohesion, friction angle; the Coulomb line continues
 //                                               into tension, where it ends at zero
 //
 // A point that failed in either way has the residual values T_r, c_r, φ_r in place of T, c, φ at once. From then on slip keeps

@@ -28,8 +28,8 @@ std::size_t memory_of(const PrescribedConditions& prescribed) {
 }
 
 std::size_t memory_of(const PrescribedState& state) {
-    const auto& [nodes, load, pressing] = state;
-    return memory_of_all(nodes, load, pressing);
+    const auto& [nodes, load, lateral] = state;
+    return memory_of_all(nodes, load, lateral);
 }
 
 }  // namespace graincrack

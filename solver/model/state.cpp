@@ -35,7 +35,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.platen_points = boundary.platen_points;
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
-    s.prescribed.pressing.resize(boundary.prescribed.edges.size());
+    s.prescribed.lateral.resize(boundary.prescribed.edges.size());
     s.node_sums.resize(a.node_chunks.size());
     s.contact_sums.resize(a.contact_chunks.size());
     s.events.resize(a.contact_chunks.size());

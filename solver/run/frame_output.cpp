@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "solver/run/measure.hpp"
+#include "solver/run/frame.hpp"
 
 namespace graincrack {
 
 FrameOutput::FrameOutput(int wanted, double first_interval, RunWriter& writer)
     : wanted_(wanted), interval_(first_interval), writer_(writer) {}
 
-void FrameOutput::go_on(const FrameProgress& progress, const RunReader& checkpoint) {
+void FrameOutput::resume(const FrameProgress& progress, const RunReader& checkpoint) {
     if (wanted_ == 0) return;
     next_ = progress.next;
     interval_ = progress.interval;

@@ -74,13 +74,9 @@ struct StressSum {
 };
 std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
     const StressSum sum = sum_over_listed(a.element_chunks, std::identity{}, elements, [&](std::int32_t e) {
-        const auto [n0, n1, n2] = a.element_nodes[e];
-        const TriangleGeometry g = a.element_geometry[e];
-        const PlaneElasticity c = a.elasticity[e];
-        StressSum of_element{triangle_stress(c, triangle_state(g, c, s.displacement[n1] - s.displacement[n0],
-                                                               s.displacement[n2] - s.displacement[n0])),
-                             g.area};
-        for (double& component : of_element.stress) component *= g.area;
+        StressSum of_element{triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s)),
+                             a.element_geometry[e].area};
+        for (double& component : of_element.stress) component *= of_element.area;
         return of_element;
     });
     std::vector<double> mean(sum.stress.begin(), sum.stress.end());

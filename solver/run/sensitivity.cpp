@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "share/base/error.hpp"
-#include "solver/loading/standard_tests.hpp"
 #include "solver/run/refinement.hpp"
+#include "solver/setup/setup.hpp"
 
 namespace graincrack {
 namespace {

@@ -50,6 +50,8 @@ void load_edges(const RegionContent& content, const std::array<std::int32_t, n_a
         edge.pressure = amplitudes[static_cast<std::size_t>(Action::pressure)];
         edge.condition = condition;
         edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
+        const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
+        edge.is_lateral = part == BoundaryPart::left || part == BoundaryPart::right;
         prescribed.edges.push_back(edge);
     }
 }

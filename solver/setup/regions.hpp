@@ -8,7 +8,7 @@
 #include "share/rock/material.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
 

@@ -31,6 +31,11 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
 
 }  // namespace
 
+Program program_of(const SimulationRequest& request, const Specimen& specimen) {
+    return request.program ? *request.program
+                           : standard_test(request.loading, request.peak_drop, specimen, request.material.rock);
+}
+
 Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Program& program) {
     Setup s;
     s.fabric = fabric_of(r, specimen);

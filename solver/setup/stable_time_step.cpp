@@ -186,12 +186,13 @@ double stiffest_contact(const Assemblage& a, const Boundary& boundary, const Con
 
 }  // namespace
 
-// With mass scaling any motion is v = v̄ + w, the mean of each group and the rest, and vᵀM'v = v̄ᵀMv̄ + (1 + β) wᵀMw. For any ε > 0
+// With mass scaling any motion is v = v̄ + w, the mean of each cluster and the rest, and vᵀM'v = v̄ᵀMv̄ + (1 + β) wᵀMw. For any ε >
+// 0
 //
 //   vᵀK v ≤ (1 + ε) v̄ᵀK_g v̄ + (1 + 1/ε) wᵀK_g w + wᵀK_c w ≤ (1 + ε) ω_g² v̄ᵀMv̄ + [(1 + 1/ε) ω_g² + ω_c²] wᵀMw
 //
 // with the stiffness K_g of grains and K_c of contacts and platens, so ω² ≤ max((1 + ε) ω_g², [(1 + 1/ε) ω_g² + ω_c²]/(1 + β)),
-// least where the two are equal. It holds for any groups, and contacts that are gone only take from K_c.
+// least where the two are equal. It holds for any clusters, and contacts that are gone only take from K_c.
 
 double stable_time_step(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, double mass_scaling_factor) {
     if (mass_scaling_factor == 0) {

@@ -331,8 +331,8 @@ ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventK
 }
 
 /// Notes which of `cohesion_marks` a failed point falls below.
-void note_marks(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion, const Vector2& tangent,
-                std::int64_t step, State& s) {
+void record_marks(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion,
+                  const Vector2& tangent, std::int64_t step, State& s) {
     double& next = s.next_mark[at.point()];
     for (std::size_t passed = count_marks_above(next); remaining < next; next = cohesion_mark(++passed)) {
         const auto kind = static_cast<ContactEventKind>(static_cast<std::size_t>(ContactEventKind::damaged_10) + passed);
@@ -343,8 +343,8 @@ void note_marks(const Assemblage& a, const PointIndex& at, double remaining, con
 /// Notes events of a point before its new history is stored: that it fails, loses cohesion, separates. The traction of a failure
 /// is that of the step before, the last one short of the peak.
 template <class Law>
-void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactResponse& r,
-                 const Vector2& tangent, std::int64_t step, State& s) {
+void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactResponse& r,
+                   const Vector2& tangent, std::int64_t step, State& s) {
     const ContactHistory& now = r.history;
     const ContactHistory& old = s.points[at.point()];
     if (now.failed() && s.failed[at.point()] == 0) {
@@ -359,7 +359,7 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
     const bool loses_cohesion =
         r.dissipation.fracture > 0 || now.failed_open != old.failed_open || now.failed_closed != old.failed_closed;
     if (loses_cohesion && s.next_mark[at.point()] > 0) {
-        note_marks(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
+        record_marks(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
     }
     if (now.separated && !old.separated) {
         s.events[at.chunk].push_back(make_event(a, at, ContactEventKind::separation, now.motion, tangent, step, s));
@@ -367,12 +367,12 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
 }
 
 /// The same of the softening points of a chunk on the vector path, where none fails or separates.
-void note_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
+void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.passes[k] != 0) {
-            note_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
-                       {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+            record_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
+                         {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         }
     }
 }
@@ -387,7 +387,7 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
         ContactResponse r{{}, point_history(s, at.point()), {}};
         contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
         book_dissipation(at, b.energy_area[k / 2], r, s);
-        note_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+        record_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         store_point(r.history, Law::is_residual(law, r.history), at.point(), s);
         b.normal_traction[k] = r.traction.normal;
         b.shear_traction[k] = r.traction.shear;
@@ -420,7 +420,7 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
                 sums.friction += sum_friction(count, b);
             });
             if constexpr (Law::remembers_largest) store_largest(range, b, s);
-            if (b.passing > 0) note_softening(a, chunk, step, s, b);
+            if (b.passing > 0) record_softening(a, chunk, step, s, b);
         }
     }
     std::int32_t undone = 0;

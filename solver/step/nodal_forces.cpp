@@ -137,7 +137,7 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     const Range nodes = a.node_chunks[chunk].nodes;
     NodeSums& sums = s.node_sums[chunk];
     const double dt = parameters.time_step;
-    note_prescribed(boundary.prescribed, chunk, s);
+    record_prescribed(boundary.prescribed, chunk, s);
     const std::int32_t n = nodes.size();
     double absorbed = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {

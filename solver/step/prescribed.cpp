@@ -17,7 +17,7 @@ void find_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadi
     const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
                        half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
     s.prescribed.load[index] = load;
-    s.prescribed.pressing[index] = -half_pressure * along.y;
+    s.prescribed.lateral[index] = half_pressure * std::abs(along.y);
 }
 
 /// Moves the force on a prescribed component into its reaction.
@@ -86,7 +86,7 @@ double reaction_half_work(const PrescribedConditions& prescribed, double time_st
            });
 }
 
-void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
+void record_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
     if (prescribed.nodes.empty()) return;
     const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {

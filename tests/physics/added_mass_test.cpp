@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/setup/stable_time_step.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/run/frame.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -136,7 +137,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     run.steps_under(membrane, pressure, 3000);
     const Measurement m = run.measured();
     // Free to lengthen along y: by ν(1 + ν) p/E of its height, 5e-5.
-    verify("dynamics: force of the membrane (N)", m.membrane_force, pressure * run.specimen.height, 2e-4,
+    verify("dynamics: force of the membrane (N)", m.confining_force, pressure * run.specimen.height, 2e-4,
            "pressure times height");
     double area = 0;
     double xx = 0;

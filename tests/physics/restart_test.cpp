@@ -11,7 +11,7 @@
 #include "mesher/specimen_maker.hpp"
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/restart/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/phases.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/loading/platen_control.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/run/measure.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
@@ -41,6 +41,8 @@ inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>
             LoadedEdge edge;
             edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
             edge.pressure = 0;
+            const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
+            edge.is_lateral = part == BoundaryPart::left || part == BoundaryPart::right;
             edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
             boundary.prescribed.edges.push_back(edge);
         }
@@ -57,7 +59,9 @@ public:
         platens_.set(*standard_test(request, 0.3, specimen, augig_granite().rock).stages.back().platens, 0);
     }
     IntervalLoading next(double time, double duration) {
-        const PlatenSpeeds speeds = platens_.next({time, 0, 0, {}}, duration);
+        Feedback feedback;
+        feedback.time = time;
+        const PlatenSpeeds speeds = platens_.next(feedback, duration);
         return {{speeds.begin, -speeds.begin}, {speeds.end, -speeds.end}, nullptr};
     }
 

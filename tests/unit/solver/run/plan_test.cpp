@@ -134,7 +134,7 @@ TEST(Memory, GrowsByEveryArrayOfAState) {
     }
     for (auto* values :
          {&s.contact_force, &s.element_force, &s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy,
-          &s.loading.amplitudes, &s.prescribed.pressing, &s.clusters.inverse_mass, &s.contact_pairs.active.overlap}) {
+          &s.loading.amplitudes, &s.prescribed.lateral, &s.clusters.inverse_mass, &s.contact_pairs.active.overlap}) {
         expect_growth(*values);
     }
     for (auto* flags : {&s.near_platen, &s.failed, &s.residual, &s.contact_pairs.released, &s.clusters.near_platen}) {

@@ -1,4 +1,4 @@
-// A loading program: which velocities and loads are prescribed, stage after stage, and what is measured. The one way to load a
+// A loading program: which velocities and loads are prescribed, stage after stage, and what is measured. All loading of a
 // specimen: read from a file, or made in code for a standard test.
 #pragma once
 
@@ -36,7 +36,7 @@ constexpr std::string_view name_of(Action action) {
 }
 constexpr bool is_velocity(Action action) { return action <= Action::velocity_y; }
 
-/// New functions of a boundary condition, by action; those that are missing go on as they were.
+/// New functions of a boundary condition, by action; those that are missing stay as they were.
 using Settings = std::array<std::optional<TimeFunction>, n_actions>;
 
 /// [boundary.NAME]: velocities or loads prescribed to a part of the specimen.
@@ -71,6 +71,8 @@ struct AutomaticRate {
     double tolerance = default_rate_tolerance;
     double share = 1;  ///< of all speeds
 };
+/// Intervals of equal length that a loading block consists of: the platens start in the first and stop in the last.
+inline constexpr int parts_of_block = 5;
 /// Platens that move for a number of steps and stand until the specimen is at rest, by turns. \see BlockControl
 struct LoadingBlocks {
     double speed = 5e-3;  ///< approach of each platen within a block, m/s; below 0: apart
@@ -108,9 +110,10 @@ inline constexpr const char* ended_by_rest = "rest";
 /// [stage.NAME]
 struct Stage {
     std::string name;
-    std::optional<PlatenMotion> platens;       ///< missing: they go on as they did
+    std::optional<PlatenMotion> platens;       ///< missing: they continue as they did
     std::map<std::string, Settings> settings;  ///< by boundary condition
-    double longest_time = 0;                   ///< s; infinite where only the strain limit of the platens ends it
+    double longest_time =
+        std::numeric_limits<double>::infinity();  ///< s; infinite where only the strain limit of the platens ends it
     std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest
     std::optional<double> peak_drop;  ///< fall below the stage's highest axial stress since contacts have failed, share of it
     std::vector<Condition> until;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
 

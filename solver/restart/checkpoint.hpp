@@ -25,9 +25,9 @@ private:
     double begin_ = seconds_();
 };
 
-/// Makes way for the checkpoints of a new run: another one of that name is refused unless it is to be discarded.
+/// Clears the name of the checkpoints of a new run: another one of that name is refused unless it is to be discarded.
 /// \param restart file that the run resumes from, "" without \throws UsageError
-void make_way_for_checkpoint(const std::string& checkpoint, const std::string& restart, bool discard);
+void clear_checkpoint_name(const std::string& checkpoint, const std::string& restart, bool discard);
 /// Removes a checkpoint, whole or not.
 void remove_checkpoint(const std::string& checkpoint);
 
@@ -36,8 +36,8 @@ void catch_checkpoint_signal();
 /// Whether it has asked since the last call.
 bool take_checkpoint_request() noexcept;
 
-/// Whether a run file is a checkpoint, of a run that has not ended. \throws InputError if it is no run file
-bool is_checkpoint(const std::string& path);
+/// Whether a run file is a checkpoint, of a run that has not ended.
+bool is_checkpoint(const RunReader& run);
 
 /// Whether a test as in `now` resumes from a checkpoint of one as in `before`: all that decides its course must be the same but
 /// for where it ends. \param name of the checkpoint \throws InputError naming the option that differs, or for a run that has

@@ -9,12 +9,19 @@
 #include "share/file/run_file.hpp"
 #include "solver/loading/stage_control.hpp"
 #include "solver/model/state.hpp"
-#include "solver/run/frame_output.hpp"
 #include "solver/setup/setup.hpp"
 
 namespace graincrack {
 
 class H5Output;
+
+/// Where the choice of frames is, for a run that resumes from a checkpoint.
+struct FrameProgress {
+    double next = 0;               ///< progress at which the next regular frame is due
+    double interval = 0;           ///< from one regular frame to the next
+    int regular = 0;               ///< how many there are
+    std::vector<FrameRole> roles;  ///< of the frames of the checkpoint
+};
 
 /// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
 void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error);

@@ -1,9 +1,10 @@
-#include "solver/loading/toml_table.hpp"
+#include "solver/program/toml_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -82,48 +83,64 @@ std::optional<std::string> TomlTable::text(const std::string& key) {
     return words->front();
 }
 
-std::optional<bool> TomlTable::flag(const std::string& key) {
+void TomlTable::given(const std::string& key, bool& value) {
     asked_.push_back(key);
+    if (!has(key)) return;
     const TomlEntry* found = entry(key);
-    if (found == nullptr && !has_table(key)) return std::nullopt;
     if (found == nullptr || found->is_array || found->values.front().kind != TomlValue::Kind::boolean) {
         refuse(key, "is neither true nor false");
     }
-    return found->values.front().text == "true";
+    value = found->values.front().text == "true";
 }
 
-std::optional<std::vector<double>> TomlTable::quantities(const std::string& key, const Quantity& quantity) {
+double TomlTable::number(const std::string& key, const TomlValue& value, const Quantity& quantity) const {
+    try {
+        return parse_quantity(value.text, quantity, where(key));
+    } catch (const UsageError& error) {
+        throw InputError(error.what());
+    }
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, std::vector<double>& values) {
     asked_.push_back(key);
-    const TomlEntry* found = entry(key);
-    if (found == nullptr && !has_table(key)) return std::nullopt;
+    if (!has(key)) return;
     const std::string fits = fmt::format("an array of texts with units of a {} or of bare numbers in {} fits",
                                          name_of(quantity.dimension), quantity.unit());
+    const TomlEntry* found = entry(key);
     if (found == nullptr || !found->is_array) refuse(key, "is no array; " + fits);
-    std::vector<double> values;
+    values.clear();
     for (const TomlValue& value : found->values) {
         if (value.kind == TomlValue::Kind::boolean) refuse(key, value.text + " is no quantity; " + fits);
-        try {
-            values.push_back(parse_quantity(value.text, quantity, where(key)));
-        } catch (const UsageError& error) {
-            throw InputError(error.what());
-        }
+        values.push_back(number(key, value, quantity));
     }
-    return values;
 }
 
-std::optional<double> TomlTable::quantity(const std::string& key, const Quantity& quantity) {
+void TomlTable::given(const std::string& key, const Quantity& quantity, double& value) {
     asked_.push_back(key);
+    if (!has(key)) return;
     const TomlEntry* found = entry(key);
-    if (found == nullptr && !has_table(key)) return std::nullopt;
     if (found == nullptr || found->is_array || found->values.front().kind == TomlValue::Kind::boolean) {
         refuse(key, fmt::format("is no quantity; a text with a unit of a {} or a bare number in {} fits",
                                 name_of(quantity.dimension), quantity.unit()));
     }
-    try {
-        return parse_quantity(found->values.front().text, quantity, where(key));
-    } catch (const UsageError& error) {
-        throw InputError(error.what());
+    value = number(key, found->values.front(), quantity);
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, std::int64_t& value) {
+    auto number = static_cast<double>(value);
+    given(key, quantity, number);
+    if (number != std::floor(number)) refuse(key, fmt::format("{} is no whole number", number));
+    value = static_cast<std::int64_t>(number);
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, std::optional<double>& value, const char* none) {
+    if (none != nullptr && is_word(key, none)) {
+        value = 0;
+        return;
     }
+    double number = 0;
+    given(key, quantity, number);
+    if (has(key)) value = number;
 }
 
 bool TomlTable::is_word(const std::string& key, const std::string& word) {
@@ -132,9 +149,19 @@ bool TomlTable::is_word(const std::string& key, const std::string& word) {
     return found != nullptr && !found->is_array && found->values.front().text == word;
 }
 
-std::optional<double> TomlTable::quantity_or(const std::string& key, const std::string& word, double word_value,
-                                             const Quantity& quantity_wanted) {
-    return is_word(key, word) ? std::optional(word_value) : quantity(key, quantity_wanted);
+void TomlTable::choice(const std::string& key, bool& value, const std::string& word_of_false, const std::string& word_of_true) {
+    value = is_word(key, word_of_true);
+    if (!value && !is_word(key, word_of_false)) {
+        refuse(key, fmt::format("is none of the words that fit, \"{}\" and \"{}\"", word_of_false, word_of_true));
+    }
+}
+
+void TomlTable::require(const std::string& key, const std::string& what) {
+    const TomlEntry* found = entry(key);
+    if (!has(key) || (found != nullptr && found->values.empty())) {
+        asked_.push_back(key);
+        refuse(key, "missing; " + what);
+    }
 }
 
 std::optional<TomlTable> TomlTable::table(const std::string& key) {
@@ -154,16 +181,6 @@ std::vector<TomlTable> TomlTable::tables() {
     return found;
 }
 
-std::string TomlTable::needed_text(const std::string& key, const std::string& what) {
-    auto value = text(key);
-    if (!value) refuse(key, "missing; " + what);
-    return *value;
-}
-double TomlTable::needed_quantity(const std::string& key, const Quantity& quantity_wanted, const std::string& what) {
-    const auto value = quantity(key, quantity_wanted);
-    if (!value) refuse(key, "missing; " + what);
-    return *value;
-}
 TomlTable TomlTable::needed_table(const std::string& key, const std::string& what) {
     auto found = table(key);
     if (!found) refuse(key, "missing; " + what);

@@ -1,4 +1,4 @@
-#include "solver/run/checkpoint.hpp"
+#include "solver/restart/checkpoint.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
 
 }  // namespace
 
-void make_way_for_checkpoint(const std::string& checkpoint, const std::string& restart, bool discard) {
+void clear_checkpoint_name(const std::string& checkpoint, const std::string& restart, bool discard) {
     namespace fs = std::filesystem;
     if (!fs::exists(checkpoint) || (!restart.empty() && fs::equivalent(restart, checkpoint))) return;
     if (!discard) {
@@ -63,7 +63,7 @@ bool take_checkpoint_request() noexcept {
     return requested;
 }
 
-bool is_checkpoint(const std::string& path) { return RunReader(path).header().stop_reason == "checkpoint"; }
+bool is_checkpoint(const RunReader& run) { return run.header().stop_reason == "checkpoint"; }
 
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now) {
     if (before.stop_reason != "checkpoint") {

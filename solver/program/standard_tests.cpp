@@ -1,13 +1,12 @@
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "share/base/error.hpp"
-#include "solver/setup/transit_time.hpp"
+#include "solver/model/transit_time.hpp"
 
 namespace graincrack {
 namespace {
@@ -83,7 +82,6 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     Stage axial;
     axial.name = axial_stage;
     axial.platens = axial_motion(request, transit_time);
-    axial.longest_time = std::numeric_limits<double>::infinity();
     if (peak_drop > 0) axial.peak_drop = peak_drop;
     program.stages.push_back(axial);
     std::transform(program.stages.begin(), program.stages.end(), std::back_inserter(program.order),
@@ -104,11 +102,6 @@ void require_shape(TestKind test, const Specimen& specimen, const std::string& f
                         "load the disc by brazilian or program",
                         file, name_of(test)));
     }
-}
-
-Program program_of(const SimulationRequest& request, const Specimen& specimen) {
-    return request.program ? *request.program
-                           : standard_test(request.loading, request.peak_drop, specimen, request.material.rock);
 }
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-#include "solver/run/state_check.hpp"
+#include "solver/restart/state_check.hpp"
 
 #include <fmt/format.h>
 

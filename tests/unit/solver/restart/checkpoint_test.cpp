@@ -1,5 +1,5 @@
 // A checkpoint goes on as the test that it was.
-#include "solver/run/checkpoint.hpp"
+#include "solver/restart/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

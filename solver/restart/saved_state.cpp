@@ -1,4 +1,4 @@
-#include "solver/run/saved_state.hpp"
+#include "solver/restart/saved_state.hpp"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,8 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
-#include "solver/run/measure.hpp"
-#include "solver/run/state_check.hpp"
+#include "solver/restart/state_check.hpp"
+#include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
 
 namespace graincrack {
@@ -206,7 +206,7 @@ bool is_list(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// \throws InputError where a state cannot go on as asked
+/// \throws InputError where a run cannot start from a state as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
     const RunHeader& old = run.header();
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };

@@ -1,4 +1,4 @@
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 #include <algorithm>
 
