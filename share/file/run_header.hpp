@@ -18,7 +18,7 @@ inline constexpr double trusted_damping_load = 0.01;
 
 /// Attributes of /run. An attribute has the name of its member. SI units.
 struct RunHeader {
-    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension"
+    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "program"
     std::string material;                         ///< name of the material
     std::string contact_law;                      ///< a name of solver/law/table.hpp
     CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law

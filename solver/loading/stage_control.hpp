@@ -27,7 +27,7 @@ struct NamedNumbers {
 
 /// Where a program is: what another program takes over, and what the same program resumes with.
 struct StageControllerState {
-    NamedNumbers boundary_conditions;        ///< "control.action"; NaN for a free velocity
+    NamedNumbers boundary_conditions;        ///< "boundary.action"; NaN for a free velocity
     double platen_speed = 0;                 ///< m/s
     double mean_compression = 0;             ///< as the servo sees it, Pa
     NamedNumbers progress;                   ///< everything that changes

@@ -33,6 +33,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.fracture_energy.resize(2 * a.contacts.size());
     s.contact_pairs = make_contact_pair_list(a);
     s.platen_points = boundary.platen_points;
+    s.loading.platen_axis = boundary.platens.front().axis;
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
     s.prescribed.lateral.resize(boundary.prescribed.edges.size());

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -164,6 +165,17 @@ template <class Keys>
 void visit(Keys& keys, Content<Keys, ProgramPlatens>& platens) {
     keys.given("bonded", platens.bonded);
     keys.given("max_strain", quantity::max_strain, platens.max_strain);
+    keys.given("direction", {"direction", Dimension::angle, 0, std::numbers::pi, "direction"}, platens.direction);
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, PlatenFaces>& faces) {
+    keys.given("on", faces.parts);
+    keys.given("at", coordinate, faces.at);
+    if (!faces.at.empty()) {
+        keys.needed("width", positive("width", Dimension::length), faces.width,
+                    "faces at given places need it, such as \"5 mm\"");
+    }
 }
 
 /// The ends of a stage but for the values that end it (`Stage::until`).

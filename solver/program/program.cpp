@@ -1,6 +1,7 @@
 #include "solver/program/program.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graincrack {
 namespace {
@@ -38,6 +39,13 @@ struct SlowDown {
 };
 
 }  // namespace
+
+Vector2 ProgramPlatens::axis() const {
+    if (!direction) return {0, 1};
+    constexpr double least = 1e-15;  // a component below it is one of rounding
+    const Vector2 axis{std::cos(*direction), std::sin(*direction)};
+    return {std::abs(axis.x) < least ? 0 : axis.x, std::abs(axis.y) < least ? 0 : axis.y};
+}
 
 const Stage& Program::stage(const std::string& stage_name) const {
     return *std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == stage_name; });

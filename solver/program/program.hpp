@@ -47,10 +47,21 @@ struct BoundaryCondition {
     std::array<bool, n_actions> is_set{};  ///< anywhere in the program
 };
 
-/// [platens]: rigid platens below and above.
+/// [platens.bottom], [platens.top]: the faces of a platen. Rollers and punches are faces of some width at given places.
+struct PlatenFaces {
+    std::vector<std::string> parts;  ///< of the boundary that they may meet; none: all
+    std::vector<double> at;          ///< middle of each across the direction of the platens, m; none: one, infinitely wide
+    double width = 0;                ///< of each, m
+    [[nodiscard]] bool empty() const { return parts.empty() && at.empty(); }
+};
+
+/// [platens]: two rigid platens that approach or part along a direction.
 struct ProgramPlatens {
-    bool bonded = false;       ///< they pull as well as push, and do not rub
-    double max_strain = 0.05;  ///< approach over height that they may reach
+    bool bonded = false;              ///< they pull as well as push, and do not rub
+    double max_strain = 0.05;         ///< approach over the height of the specimen that they may reach
+    std::optional<double> direction;  ///< from x, rad; missing: along y
+    PlatenFaces bottom, top;          ///< what is bottom moves along the direction, what is top against it
+    [[nodiscard]] Vector2 axis() const;
 };
 
 /// Relative load increase per wave transit up to which it is quasi-static while there is damage.

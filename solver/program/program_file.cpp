@@ -249,6 +249,12 @@ void read_platens(TomlTable& file, Program& program) {
         program.platens.emplace();
         table->given("glued", program.platens->bonded);  // the former name of `bonded`
         visit(*table, *program.platens);
+        for (auto& [name, faces] : {std::pair("bottom", &program.platens->bottom), std::pair("top", &program.platens->top)}) {
+            auto side = table->table(name);
+            if (!side) continue;
+            visit(*side, *faces);
+            side->refuse_others();
+        }
         table->refuse_others();
     }
 }

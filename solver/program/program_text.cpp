@@ -74,7 +74,11 @@ std::string stage_text(const Stage& stage) {
 
 std::string program_text(const Program& program) {
     std::string text = lines(program);
-    if (program.platens) text += "\n[platens]\n" + lines(*program.platens);
+    if (program.platens) {
+        text += "\n[platens]\n" + lines(*program.platens);
+        if (!program.platens->bottom.empty()) text += "\n[platens.bottom]\n" + lines(program.platens->bottom);
+        if (!program.platens->top.empty()) text += "\n[platens.top]\n" + lines(program.platens->top);
+    }
     for (const BoundaryCondition& condition : program.boundary_conditions) {
         text += fmt::format("\n[boundary.{}]\n{}{}", toml::key(condition.name), lines(condition.region),
                             settings_lines("", condition.start));

@@ -73,7 +73,9 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     const double transit_time = bar_transit_time(specimen, rock);
     Program program;
     program.name = program.file = name_of(request.test);
-    program.platens = {request.test == TestKind::tension, request.max_strain};
+    program.platens.emplace();
+    program.platens->bonded = request.test == TestKind::tension;
+    program.platens->max_strain = request.max_strain;
     if (request.confining_pressure > 0) {
         program.boundary_conditions = {membrane()};
         program.stages = {isotropic(request.confining_pressure, pressure_rise_time(request, specimen.height, rock, transit_time),

@@ -66,7 +66,7 @@ void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const St
     }
 }
 
-/// What the platens do: energy they keep (J), work of the last half step (J), power (W), forces along y (N).
+/// What the platens do: energy they keep (J), work of the last half step (J), power (W), forces along the axis by motion (N).
 struct PlatenSums {
     double energy = 0, half_work = 0, power = 0;
     std::array<double, 2> force{};
@@ -82,11 +82,13 @@ struct PlatenSums {
 void add_platen_energies(const Boundary& boundary, double time_step, const State& s, Measurement& m) {
     const PlatenSums sums = sum_over(boundary.platen_points_of_chunk, [&](std::int32_t i) {
         const PlatenPoint& point = s.platen_points[i];
-        const PlatenResponse r = platen_response(boundary.platens[point.platen], point, s.displacement[point.node],
-                                                 s.loading.platen_displacement[point.platen]);
-        const double increment = s.loading.increment_before[point.platen];
-        PlatenSums of_point{r.stored + r.friction, 0.5 * r.force.y * increment, r.force.y * increment / time_step};
-        of_point.force[point.platen] = r.force.y;
+        const Platen& platen = boundary.platens[point.platen];
+        const PlatenResponse r =
+            platen_response(platen, point, s.displacement[point.node], s.loading.platen_displacement[platen.motion]);
+        const double force = dot(r.force, platen.axis);
+        const double increment = s.loading.increment_before[platen.motion];
+        PlatenSums of_point{r.stored + r.friction, 0.5 * force * increment, force * increment / time_step};
+        of_point.force[platen.motion] = force;
         return of_point;
     });
     m.energies.platen += sums.energy;

@@ -123,23 +123,78 @@ RegionContent content_of_region(const Region& region, const Assemblage& a, const
     return content;
 }
 
+namespace {
+
+/// Where the face of a platen lies along its axis: where it first meets the boundary, m.
+double position_of(const Platen& platen, const Assemblage& a, const Specimen& s, const std::string& where) {
+    double outermost = -std::numeric_limits<double>::infinity();
+    const double slack = 1e-9 * s.height;
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        const bool is_part =
+            platen.parts.empty() || std::find(platen.parts.begin(), platen.parts.end(), s.boundary_part[e]) != platen.parts.end();
+        for (const std::int32_t node : s.boundary_edges[e]) {
+            const Vector2& position = a.position[a.node_of_specimen[node]];
+            const double along = dot(across(platen.axis), position);
+            if (!is_part || along < platen.left - slack || along > platen.right + slack) continue;
+            outermost = std::max(outermost, platen.side * dot(platen.axis, position));
+        }
+    }
+    if (std::isinf(outermost)) {
+        throw InputError(fmt::format(
+            "{}: meets no node of the boundary from {} mm to {} mm across its direction; another place, or a width of more than "
+            "a grain edge ({:.3g} mm) does",
+            where, 1e3 * platen.left, 1e3 * platen.right, 1e3 * s.statistics.mean_edge));
+    }
+    return platen.side * outermost;
+}
+
+/// The faces of the bottom or the top platen of a program.
+void append_faces(std::vector<Platen>& platens, Platen platen, const PlatenFaces& faces, const Assemblage& a, const Specimen& s,
+                  const std::string& where) {
+    if (faces.empty() && platen.axis.x == 0) {
+        platen.position = platen.side * s.height / 2;
+        platens.push_back(platen);
+        return;
+    }
+    platen.parts = numbers_of(faces.parts, s, where);
+    for (const double middle : faces.at) {
+        platen.left = middle - faces.width / 2;
+        platen.right = middle + faces.width / 2;
+        platen.position = position_of(platen, a, s, where);
+        platens.push_back(platen);
+    }
+    if (faces.at.empty()) {
+        platen.position = position_of(platen, a, s, where);
+        platens.push_back(platen);
+    }
+}
+
+}  // namespace
+
 Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Program& program, const ContactParameters& contact,
                                double platen_friction) {
-    std::array<Platen, 2> platens;
-    for (std::size_t p = 0; p < 2; ++p) {
-        platens[p].side = p == top_platen ? 1 : -1;
-        platens[p].position = platens[p].side * (program.platens ? s.height / 2 : std::numeric_limits<double>::infinity());
-    }
+    Platen bottom;
+    bottom.motion = bottom_platen;
+    bottom.side = -1;
+    Platen top;
+    std::vector<Platen> platens;
     double reach = 0;
     if (program.platens) {
         // Nodes can reach a platen by its own approach and by the rotation of a separated grain.
         reach = 2 * s.statistics.mean_edge + program.platens->max_strain * s.height;
-        for (Platen& platen : platens) {
-            platen.normal_stiffness = contact.normal_stiffness;
-            platen.shear_stiffness = program.platens->bonded ? 0 : contact.shear_stiffness;
-            platen.tan_friction = std::tan(platen_friction);
-            platen.bonded = program.platens->bonded;
+        for (Platen* const platen : {&bottom, &top}) {
+            platen->axis = program.platens->axis();
+            platen->normal_stiffness = contact.normal_stiffness;
+            platen->shear_stiffness = program.platens->bonded ? 0 : contact.shear_stiffness;
+            platen->tan_friction = std::tan(platen_friction);
+            platen->bonded = program.platens->bonded;
         }
+        append_faces(platens, bottom, program.platens->bottom, a, s, program.file + ": platens.bottom");
+        append_faces(platens, top, program.platens->top, a, s, program.file + ": platens.top");
+    } else {
+        bottom.position = -std::numeric_limits<double>::infinity();
+        top.position = std::numeric_limits<double>::infinity();
+        platens = {bottom, top};
     }
     Boundary boundary = make_boundary(a, s, platens, reach);
     boundary.prescribed = make_prescribed_conditions(a, s, program);

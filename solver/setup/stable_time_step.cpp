@@ -96,8 +96,9 @@ void add_platens(const Boundary& boundary, const std::vector<Vector2>& x, std::v
     for (const PlatenPoint& point : boundary.platen_points) {
         if (point.on_boundary) {
             const Platen& platen = boundary.platens[point.platen];
-            y[point.node].x += platen.shear_stiffness * point.tributary * x[point.node].x;
-            y[point.node].y += platen.normal_stiffness * point.tributary * x[point.node].y;
+            const Vector2 tangent = across(platen.axis);
+            y[point.node] += platen.shear_stiffness * point.tributary * dot(tangent, x[point.node]) * tangent;
+            y[point.node] += platen.normal_stiffness * point.tributary * dot(platen.axis, x[point.node]) * platen.axis;
         }
     }
 }

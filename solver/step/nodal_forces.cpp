@@ -60,12 +60,12 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         PlatenPoint& point = s.platen_points[i];
         const Platen& platen = boundary.platens[point.platen];
         const Vector2& u = s.displacement[point.node];
-        const double platen_displacement = loading.platen_displacement[point.platen];
+        const double platen_displacement = loading.platen_displacement[platen.motion];
         const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
         if (platen.bonded || penetration > -platen_reach * point.tributary) {
-            s.near_platen[point.node] = static_cast<std::uint8_t>(1 + point.platen);
+            s.near_platen[point.node] = static_cast<std::uint8_t>(1 + platen.motion);
         }
         visit(point, r);
     }
@@ -124,7 +124,9 @@ void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const S
         point.anchor = r.anchor;
         point.shear = r.shear;
         sums.platen_friction += r.friction;
-        sums.platen_work += 0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
+        const Platen& platen = boundary.platens[point.platen];
+        const double increments = loading.increment_before[platen.motion] + loading.increment_after[platen.motion];
+        sums.platen_work += 0.5 * dot(r.force, platen.axis) * increments;
     });
 }
 

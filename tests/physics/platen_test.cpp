@@ -23,8 +23,9 @@ using test::with_pressure;
 Specimen block() {
     return test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}}, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
 }
-std::array<Platen, 2> platens_at(double gap, double stiffness) {
-    std::array<Platen, 2> platens;
+std::vector<Platen> platens_at(double gap, double stiffness) {
+    std::vector<Platen> platens(2);
+    platens[bottom_platen].motion = bottom_platen;
     platens[bottom_platen].side = -1;
     platens[bottom_platen].position = -0.01 - gap;
     platens[top_platen].position = 1;  // out of reach
@@ -69,7 +70,7 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
     for (const double share : {0.8, 1.2}) {  // of the friction of both platens
         SmallRun run(block(), augig_law());
         const double mu = std::tan(5 * test::degree);
-        std::array<Platen, 2> platens = platens_at(0, 6.87e14);
+        std::vector<Platen> platens = platens_at(0, 6.87e14);
         platens[top_platen].position = 0.01;
         for (Platen& p : platens) {
             p.shear_stiffness = 6.98e13;

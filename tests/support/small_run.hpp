@@ -19,7 +19,8 @@ namespace graincrack::test {
 
 /// No platen within reach, no pressure.
 inline Boundary no_boundary(const Assemblage& a, const Specimen& s) {
-    std::array<Platen, 2> platens;
+    std::vector<Platen> platens(2);
+    platens[bottom_platen].motion = bottom_platen;
     platens[bottom_platen].side = -1;
     platens[bottom_platen].position = -1e6;
     platens[top_platen].position = 1e6;

@@ -87,8 +87,9 @@ TEST(PlatenPoint, LosesItsHoldWhenItLifts) {
     EXPECT_EQ(r.force.x, 0);
 }
 
-std::array<Platen, 2> platens_of(const Specimen& s) {
-    std::array<Platen, 2> p{top(), top()};
+std::vector<Platen> platens_of(const Specimen& s) {
+    std::vector<Platen> p{top(), top()};
+    p[bottom_platen].motion = bottom_platen;
     p[bottom_platen].side = -1;
     p[bottom_platen].position = -s.height / 2;
     p[top_platen].position = s.height / 2;
@@ -121,7 +122,7 @@ TEST(Boundary, PointsAreThoseWithinReach) {
 TEST(Boundary, BondedPlatensHoldTheirFacesOnly) {
     const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
     const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    std::array<Platen, 2> platens = platens_of(s);
+    std::vector<Platen> platens = platens_of(s);
     platens[0].bonded = platens[1].bonded = true;
     for (const PlatenPoint& p : make_boundary(a, s, platens, 0.02).platen_points) {
         expect_close(std::abs(a.position[p.node].y), 0.03, 1e-9, 0.03);

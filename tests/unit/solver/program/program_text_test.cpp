@@ -39,6 +39,14 @@ row_every = 1e-06
 [platens]
 bonded = true
 max_strain = 0.02
+direction = 1.25
+
+[platens.bottom]
+at = [-0.03, 0.03]
+width = 0.002
+
+[platens.top]
+on = ["top"]
 
 [boundary.a]
 on = ["left", "right"]
