@@ -53,6 +53,7 @@ void TomlEntries::given(const std::string& key, const Quantity& of, const std::o
 }
 
 void TomlEntries::given(const std::string& key, const Quantity& /*of*/, const std::vector<double>& value) {
+    if (value.empty()) return;
     add(key, list(value, toml::number));
 }
 

@@ -15,7 +15,14 @@ namespace {
 
 using test::expect_close;
 
-Platen top() { return {1, 0.05, 1e12, 1e11, 0.1, false}; }
+Platen top() {
+    Platen platen;
+    platen.position = 0.05;
+    platen.normal_stiffness = 1e12;
+    platen.shear_stiffness = 1e11;
+    platen.tan_friction = 0.1;
+    return platen;
+}
 PlatenPoint point() { return {0, 1, 0.004, 0, 0, 0, true}; }
 
 TEST(PlatenPoint, PushesButDoesNotPull) {
