@@ -87,8 +87,8 @@ std::vector<std::string> describe_plan(const SpecimenRequest& request) {
     const auto counts = assemblage_counts(plan.n_grains, plan.n_boundary, request.elements_per_edge);
     const double megabytes = compressed_share * static_cast<double>(uncompressed_size(counts)) / 1e6;
     return {
-        fmt::format("{} of {}{} grains, mean edge about {}", region_of(request).name, request.grains ? "" : "about ",
-                    counts.grains, format_quantity(plan.edge, Dimension::length, 3)),
+        fmt::format("{} of {}{} grains, mean edge about {}", request.region.name, request.grains ? "" : "about ", counts.grains,
+                    format_quantity(plan.edge, Dimension::length, 3)),
         fmt::format("  {} nodes, {} elements, {} contacts, {} boundary edges", counts.nodes, counts.elements, counts.contacts,
                     counts.boundary_edges),
         fmt::format("  file about {:.2g} MB, time about {:.2g} s", megabytes, 1.2e-5 * static_cast<double>(counts.grains)),
