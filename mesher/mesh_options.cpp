@@ -189,7 +189,8 @@ void cut_hole(const std::string& text, const std::string& where, Region& region)
 }
 
 /// Cuts holes and flaws; their coordinates are those of the kind, before the region is centred.
-void make_cuts(const CutOptions& options, SpecimenRequest& request) {
+/// \return the translation
+Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
     const auto numbered = [](const char* option, std::size_t i, std::size_t n) {
         return std::string(option) + (n > 1 ? " " + std::to_string(i + 1) : "");
     };
@@ -202,7 +203,7 @@ void make_cuts(const CutOptions& options, SpecimenRequest& request) {
     for (std::size_t i = 0; i < options.joint_sets.size(); ++i)
         request.joint_sets.push_back(
             parse_joint_set(options.joint_sets[i], numbered("--joint-set", i, options.joint_sets.size())));
-    centre_region(request.region);
+    return centre_region(request.region);
 }
 
 /// Options of all kinds.
@@ -266,7 +267,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     for (const Kind& kind : kinds) {
         if (app.get_subcommand(kind.name)->parsed()) kind.make(kind_options, options.request);
     }
-    make_cuts(cuts, options.request);
+    options.moved = make_cuts(cuts, options.request);
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;
     options.configuration = effective_configuration(app);

@@ -28,6 +28,8 @@ constexpr std::size_t max_edges = 3000;  ///< prescribed; each is compared with 
 constexpr int max_attempts = 100;
 constexpr int attempts_to_promise = 20;  ///< if the best of so many is far above the bounds, further attempts are useless
 constexpr int max_corrections = 4;
+constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
+constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
@@ -103,6 +105,21 @@ void check_notch(double notch, double width, double edge) {
     }
 }
 
+/// Grains must have room between a round hole and the boundary or another.
+void check_walls(const Region& region, double edge) {
+    const auto curves = curves_of({region.name, region.loops, {}});
+    for (const Curve& hole : curves) {
+        if (hole.kind != Curve::Kind::circular_hole) continue;
+        for (const Curve& other : curves) {
+            const double wall = other.distance(hole.circle.centre) - hole.circle.radius;
+            if (&other == &hole || wall >= thinnest_wall * edge) continue;
+            throw UsageError("the rock between a hole of radius " + metres(hole.circle.radius) +
+                             " and the boundary or another hole is " + metres(wall) + " thick, with grain edges of " +
+                             metres(edge) + "; move the hole, or give smaller grains");
+        }
+    }
+}
+
 MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     MeshPlan plan;
     plan.region = request.region;
@@ -121,12 +138,13 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     }
     if (request.notch) check_notch(*request.notch, bounds(region).width(), plan.edge);
     for (const Loop& loop : region.loops) {
-        if (loop.circle && loop.circle->radius < plan.edge) {
+        if (loop.circle && loop.circle->radius < smallest_radius * plan.edge) {
             throw UsageError("--" + std::string(request.edge ? "edge" : "grains") + ": grain edges of " + metres(plan.edge) +
                              " are too large for a round boundary of radius " + metres(loop.circle->radius) +
                              "; give smaller grains");
         }
     }
+    check_walls(region, plan.edge);
     for (std::size_t i = 0; i < request.joint_sets.size(); ++i) {
         const auto joints = joints_of(request.joint_sets[i], region, plan.edge, request.seed, i);
         plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
@@ -163,10 +181,12 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     }
     const double whole = psi6(attempt.cells.points, attempt.cells.edges);
     attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
+    if (!is_plain(region))
+        attempt.excess = std::max(attempt.excess, smallest_angle / statistics_of(region, attempt.cells).min_angle);
     return attempt;
 }
 
-/// The first mesh without a preferred direction, or the best of all attempts.
+/// The first mesh without a preferred direction and without slivers, or the best of all attempts.
 Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
     Attempt best;
     for (int number = 0; number < max_attempts && best.excess > 1; ++number) {
@@ -220,6 +240,8 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
         statistics = next_statistics;
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
+    made.n_flaws = plan.region.edges.size();
+    for (const PrescribedEdge& e : plan.region.edges) made.flaw_length += length(e.to - e.from);
     turn_to_load(region, attempt.cells.points);
     std::vector<int> crystal_of_grain;
     Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge), &crystal_of_grain);

@@ -37,6 +37,8 @@ inline constexpr int max_elements_per_edge = 100;
 /// equal parts, for every `Partition`.
 inline constexpr double max_psi6 = 0.15;
 inline constexpr double max_psi6_of_parts = 0.30;
+/// With holes and flaws, a mesh with a smaller angle, rad (8°), is made again from other random numbers too.
+inline constexpr double smallest_angle = 0.14;
 
 /// Numbers that follow from a request before any point is placed.
 struct MeshPlan {
@@ -56,6 +58,8 @@ MeshPlan plan_mesh(const SpecimenRequest& request);
 /// Result of the attempts to make a mesh.
 struct MeshReport {
     double psi6_of_parts = 0;  ///< largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
+    std::size_t n_flaws = 0;   ///< pieces of prescribed edges inside
+    double flaw_length = 0;    ///< of them, m
     int attempts = 0;          ///< number of meshes made until one had no preferred direction
 };
 

@@ -32,6 +32,8 @@ public:
         const Box box = bounds(region);
         tolerance_ = same_place * (box.width() + box.height());
         near_ = closest_ends * edge;
+        for (const Loop& loop : region.loops) corners_.insert(corners_.end(), loop.corners.begin(), loop.corners.end());
+        if (is_round(region)) add_poles(*region.loops.front().circle);
     }
 
     void add(const PrescribedEdge& whole) {
@@ -47,6 +49,16 @@ public:
 
 private:
     using Fault = std::optional<std::string>;
+
+    /// The points that a mesh has at both ends of each diameter of a circle.
+    void add_poles(const Circle& circle) {
+        const double half_facet = circle.pole == Pole::facet ? edge_ / (2 * circle.radius) : 0;
+        for (int pole = 0; pole < 2 * circle.diameters; ++pole) {
+            const double middle = (0.5 + static_cast<double>(pole) / circle.diameters) * std::numbers::pi;
+            for (const double angle : {middle - half_facet, middle + half_facet})
+                corners_.push_back(circle.centre + circle.radius * Point{std::cos(angle), std::sin(angle)});
+        }
+    }
 
     /// Adds a piece, with the ends of others that it moves; or says why it does not fit.
     Fault place(PrescribedEdge piece) {
@@ -133,13 +145,11 @@ private:
         const bool ends_on_loop = std::abs(depth_inside(loops_, piece.to)) <= tolerance_;
         for (const auto& [on_loop, end] : {std::pair{starts_on_loop, piece.from}, std::pair{ends_on_loop, piece.to}}) {
             if (!on_loop) continue;
-            for (const Loop& loop : region_.loops) {
-                for (const Point corner : loop.corners) {
-                    const double distance = length(corner - end);
-                    if (distance > tolerance_ && distance < near_)
-                        return fmt::format("it meets the boundary {} from a corner; end it in the corner or {} away",
-                                           metres(distance), metres(near_));
-                }
+            for (const Point corner : corners_) {
+                const double distance = length(corner - end);
+                if (distance > tolerance_ && distance < near_)
+                    return fmt::format("it meets the boundary {} from a corner or pole; end it there or {} away",
+                                       metres(distance), metres(near_));
             }
         }
         const int n = 1 + static_cast<int>(whole / (sample_distance * edge_));
@@ -225,6 +235,7 @@ private:
     double edge_;
     double tolerance_ = 0;
     double near_ = 0;
+    std::vector<Point> corners_;  ///< points of loops that stay where they are
     std::vector<PrescribedEdge> placed_;
 };
 

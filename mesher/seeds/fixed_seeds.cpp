@@ -191,7 +191,8 @@ public:
                 auto points = circle_points(*loop.circle, side++->n, spread_, random_);
                 if (&loop != &region_.loops.front()) std::reverse(points.begin(), points.end());
                 for (const Point p : points) {
-                    if (std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // what meets a platen
+                    const bool outer = &loop == &region_.loops.front();
+                    if (outer && std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // what meets a platen
                     add_point(loop.circle->centre + p, loop.parts[0]);
                 }
                 if (&loop == &region_.loops.front() && loop.circle->pole == Pole::facet) {

@@ -21,9 +21,9 @@ namespace {
 
 ChartText heading(const Specimen& specimen) {
     const MeshStatistics& mesh = specimen.statistics;
-    const bool disc = specimen.shape == "disc";
-    const std::string size = disc ? "⌀ " + format_number(specimen.width * 1e3, 4)
-                                  : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
+    const bool round = specimen.shape == "disc" || specimen.shape == "ring";
+    const std::string size = round ? "⌀ " + format_number(specimen.width * 1e3, 4)
+                                   : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
     std::string shape = specimen.shape;
     if (!shape.empty() && shape[0] >= 'a' && shape[0] <= 'z') shape[0] = static_cast<char>(shape[0] - 'a' + 'A');
     return {fmt::format("{} {} mm, {} grains", shape, size, specimen.n_grains()),
