@@ -121,6 +121,7 @@ void check_size(const Specimen& s, const Checker& check) {
     for (const auto& [i, j] : s.boundary_edges) {
         longest = std::max(longest, distance(s, i, j));
     }
+    longest *= std::max(1, s.elements_per_edge);  // boundary edges of one grain edge lie on one line
     for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
         const auto [lowest, highest] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
                                                            [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });

@@ -353,6 +353,18 @@ TEST(SpecimenMaker, EveryKindOfSpecimenFollowsItsFlaws) {
     }
 }
 
+TEST(SpecimenMaker, RoundSpecimensOfFewDividedGrainsAreValid) {
+    for (const std::uint64_t seed : {8U, 9U, 10U}) {
+        SpecimenRequest request;
+        request.region = ring(16.366e-3, 6.9931e-3);
+        request.grains = 27;
+        request.spread = 0.1859;
+        request.elements_per_edge = 3;
+        request.seed = seed;
+        EXPECT_NO_THROW(validate(make_specimen(request), "ring")) << seed;
+    }
+}
+
 TEST(SpecimenMaker, JointSetsAreFollowedAndCovered) {
     SpecimenRequest request = rectangle_of(3000);
     request.joint_sets = {parse_joint_set("spacing=20mm,dip=45deg,persistence=0.7", "--joint-set"),

@@ -73,6 +73,21 @@ TEST(FitEdges, WhatMakesSliversIsRefusedByName) {
     EXPECT_EQ(complaint({a, flaw({0.02, 0}, {0.03, 0}, "b")}), "") << "one continues the other";
 }
 
+TEST(FitEdges, PolesOfADiscStayWhereTheyAre) {
+    const auto fits = [](double from_pole) {
+        Region region = disc(0.08);
+        region.edges = {flaw({0, 0}, {from_pole, 0.05})};
+        try {
+            return fitted_edges(region, edge).size() == 1;
+        } catch (const UsageError&) {
+            return false;
+        }
+    };
+    EXPECT_TRUE(fits(0)) << "the middle of the facet";
+    EXPECT_FALSE(fits(0.002 * 5 / 4 + 0.0004)) << "beside an end of the facet";
+    EXPECT_TRUE(fits(0.005));
+}
+
 TEST(FitEdges, WhatIsNotNeededIsLeftOutInstead) {
     const auto edges =
         fitted_edges(with_edges({flaw({-0.02, 0.001}, {0.02, 0.001}, "b", false), flaw({-0.02, 0}, {0.02, 0})}), edge);
