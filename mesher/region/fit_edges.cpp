@@ -28,7 +28,7 @@ Curve curve_of(const PrescribedEdge& e) { return {Curve::Kind::prescribed, e.fro
 
 class Fitting {
 public:
-    Fitting(const Region& region, double edge) : region_(region), loops_{region.name, region.loops, {}}, edge_(edge) {
+    Fitting(const Region& region, double edge) : loops_{region.name, region.loops, {}}, edge_(edge) {
         const Box box = bounds(region);
         tolerance_ = same_place * (box.width() + box.height());
         near_ = closest_ends * edge;
@@ -230,7 +230,6 @@ private:
         return std::nullopt;
     }
 
-    const Region& region_;
     Region loops_;  ///< the region without edges
     double edge_;
     double tolerance_ = 0;
