@@ -69,10 +69,11 @@ const Kind kinds[] = {
      [](const KindOptions& options, SpecimenRequest& request) {
          request.region = rectangle(options.width, options.height);
          if (options.angle && !options.notch) throw UsageError("--notch-angle: there is no notch; add --notch 20mm");
-         if (options.angle)
+         if (options.angle) {
              request.region.edges = {central_slit(request.region, *options.notch, *options.angle, "--notch")};
-         else
+         } else {
              request.notch = options.notch;
+         }
      }},
     {"disc", "a disc, loaded along its vertical diameter",
      [](CLI::App& app, KindOptions& options) {
@@ -97,9 +98,10 @@ const Kind kinds[] = {
          request.region = options.flats ? disc_with_flats(options.diameter, *options.flats)
                                         : disc(options.diameter, options.pole, options.diameters, options.loaded_diameter);
          if (options.angle && !options.notch) throw UsageError("--slit-angle: there is no slit; add --slit 20mm");
-         if (options.notch)
+         if (options.notch) {
              request.region.edges = {
                  central_slit(request.region, *options.notch, options.angle.value_or(quantity::right_angle), "--slit")};
+         }
      }},
     {"ring", "a ring, loaded along its vertical diameter",
      [](CLI::App& app, KindOptions& options) {
@@ -179,8 +181,9 @@ void add_cuts(CLI::App& app, CutOptions& options) {
 void cut_hole(const std::string& text, const std::string& where, Region& region) {
     const std::size_t first = text.find(',');
     const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
-    if (second == std::string::npos)
+    if (second == std::string::npos) {
         throw UsageError(where + ": \"" + text.substr(0, 60) + "\" is not understood; give X,Y,RADIUS as 10mm,-5mm,4mm");
+    }
     const auto value = [&](std::size_t from, std::size_t to, const Quantity& quantity) {
         return parse_quantity(std::string_view(text).substr(from, to - from), quantity, where);
     };
@@ -194,15 +197,17 @@ Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
     const auto numbered = [](const char* option, std::size_t i, std::size_t n) {
         return std::string(option) + (n > 1 ? " " + std::to_string(i + 1) : "");
     };
-    for (std::size_t i = 0; i < options.holes.size(); ++i)
+    for (std::size_t i = 0; i < options.holes.size(); ++i) {
         cut_hole(options.holes[i], numbered("--hole", i, options.holes.size()), request.region);
+    }
     if (!options.flaws.empty()) {
         const auto flaws = read_flaws(options.flaws);
         request.region.edges.insert(request.region.edges.end(), flaws.begin(), flaws.end());
     }
-    for (std::size_t i = 0; i < options.joint_sets.size(); ++i)
+    for (std::size_t i = 0; i < options.joint_sets.size(); ++i) {
         request.joint_sets.push_back(
             parse_joint_set(options.joint_sets[i], numbered("--joint-set", i, options.joint_sets.size())));
+    }
     return centre_region(request.region);
 }
 

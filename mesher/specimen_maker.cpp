@@ -149,8 +149,9 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         const auto joints = joints_of(request.joint_sets[i], region, plan.edge, request.seed, i);
         plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
     }
-    if (plan.region.edges.size() > max_edges)
+    if (plan.region.edges.size() > max_edges) {
         throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
+    }
     plan.region.edges = fitted_edges(plan.region, plan.edge);
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
@@ -181,8 +182,9 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     }
     const double whole = psi6(attempt.cells.points, attempt.cells.edges);
     attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
-    if (!is_plain(region))
+    if (!is_plain(region)) {
         attempt.excess = std::max(attempt.excess, smallest_angle / statistics_of(region, attempt.cells).min_angle);
+    }
     return attempt;
 }
 

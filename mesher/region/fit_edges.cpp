@@ -55,8 +55,9 @@ private:
         const double half_facet = circle.pole == Pole::facet ? edge_ / (2 * circle.radius) : 0;
         for (int pole = 0; pole < 2 * circle.diameters; ++pole) {
             const double middle = (0.5 + static_cast<double>(pole) / circle.diameters) * std::numbers::pi;
-            for (const double angle : {middle - half_facet, middle + half_facet})
+            for (const double angle : {middle - half_facet, middle + half_facet}) {
                 corners_.push_back(circle.centre + circle.radius * Point{std::cos(angle), std::sin(angle)});
+            }
         }
     }
 
@@ -147,9 +148,10 @@ private:
             if (!on_loop) continue;
             for (const Point corner : corners_) {
                 const double distance = length(corner - end);
-                if (distance > tolerance_ && distance < near_)
+                if (distance > tolerance_ && distance < near_) {
                     return fmt::format("it meets the boundary {} from a corner or pole; end it there or {} away",
                                        metres(distance), metres(near_));
+                }
             }
         }
         const int n = 1 + static_cast<int>(whole / (sample_distance * edge_));
@@ -178,8 +180,9 @@ private:
                 for (const Point q : {b.from, b.to}) {
                     const Point u = p - at;
                     const Point v = q - at;
-                    if (length(u) > tolerance_ && length(v) > tolerance_)
+                    if (length(u) > tolerance_ && length(v) > tolerance_) {
                         angle = std::min(angle, std::atan2(std::abs(cross(u, v)), dot(u, v)));
+                    }
                 }
             }
             if (angle >= sharpest_meeting) return std::nullopt;

@@ -64,9 +64,10 @@ std::vector<PrescribedEdge> joints_of(const JointSet& set, const Region& region,
     const double bridge = set.length * (1 - set.persistence) / set.persistence;
     const bool through = set.persistence == 1;
     const auto require = [&](double value, double least, const char* what) {
-        if (value < least)
+        if (value < least) {
             throw UsageError(fmt::format("{}: {} of {} is less than {} with grain edges of {}; give more, or smaller grains",
                                          set.name, what, metres(value), metres(least), metres(edge)));
+        }
     };
     require(set.spacing, 2 * edge, "a spacing");
     if (!through) require(set.length, 2 * edge, "a length");
@@ -75,8 +76,9 @@ std::vector<PrescribedEdge> joints_of(const JointSet& set, const Region& region,
     const Point centre = midpoint(box.low, box.high);
     const double reach = 0.5 * length(box.high - box.low);
     const double n_lines = 2 * reach / set.spacing;
-    if (n_lines * (through ? 1 : 2 * reach / (set.length + bridge) + 1) > max_joints)
+    if (n_lines * (through ? 1 : 2 * reach / (set.length + bridge) + 1) > max_joints) {
         throw UsageError(fmt::format("{}: more than {} joints; give a larger spacing or length", set.name, max_joints));
+    }
     RandomNumbers random(seed, joint_stream + number);
     const Point along{std::cos(set.dip), std::sin(set.dip)};
     std::vector<PrescribedEdge> joints;

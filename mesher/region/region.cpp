@@ -109,8 +109,9 @@ void check(const Region& region) {
     if (region.loops.empty()) refuse("has no loop around it");
     for (const Loop& loop : region.loops) {
         const bool outer = &loop == &region.loops.front();
-        if (loop.circle ? !(loop.circle->radius > 0) : loop.corners.size() < 3)
+        if (loop.circle ? !(loop.circle->radius > 0) : loop.corners.size() < 3) {
             refuse("a loop needs three corners or a radius above 0");
+        }
         if (!loop.centres.empty() && loop.centres.size() != loop.corners.size()) refuse("a loop has arcs without corners");
         if (loop.parts.size() != (loop.circle ? 1 : loop.corners.size())) refuse("each side of a loop needs one part");
         for (const std::uint8_t part : loop.parts) {
@@ -122,8 +123,9 @@ void check(const Region& region) {
         const Point some = loop.circle ? loop.circle->centre + Point{loop.circle->radius, 0} : loop.corners.front();
         for (const Loop& other : region.loops) {
             if (&other == &loop) continue;
-            if (loop_contains(other, some) != (!outer && &other == &region.loops.front()))
+            if (loop_contains(other, some) != (!outer && &other == &region.loops.front())) {
                 refuse("a hole is not inside, or inside another");
+            }
         }
     }
     const auto curves = curves_of({region.name, region.loops, {}});
@@ -219,8 +221,9 @@ std::vector<PrescribedEdge> clip(const Region& region, const PrescribedEdge& edg
     for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
         const PrescribedEdge piece{at(shares[i]), at(shares[i + 1]), edge.kind, edge.name, edge.needed};
         // A piece along a side is no piece inside.
-        if (length(piece.to - piece.from) > least && depth_inside(region, midpoint(piece.from, piece.to)) > least)
+        if (length(piece.to - piece.from) > least && depth_inside(region, midpoint(piece.from, piece.to)) > least) {
             pieces.push_back(piece);
+        }
     }
     return pieces;
 }
@@ -293,14 +296,16 @@ std::vector<Curve> curves_of(const Region& region) {
         std::size_t side = 0;
         for_each_side(loop.corners, [&](Point p, Point q) {
             const auto centre = loop.centre(side++);
-            if (centre)
+            if (centre) {
                 curves.push_back({Curve::Kind::arc, p, q, {}, Circle{*centre, length(p - *centre)}});
-            else
+            } else {
                 curves.push_back({Curve::Kind::side, p, q, unit(q - p), {}});
+            }
         });
     }
-    for (const PrescribedEdge& e : region.edges)
+    for (const PrescribedEdge& e : region.edges) {
         curves.push_back({Curve::Kind::prescribed, e.from, e.to, unit(e.to - e.from), {}});
+    }
     return curves;
 }
 

@@ -38,9 +38,10 @@ public:
         }
         if (file.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
         for (const std::string& column : needed) {
-            if (columns_.empty() || !has(column))
+            if (columns_.empty() || !has(column)) {
                 throw InputError(
                     fmt::format("{}: no column {}; a header line with {} is needed", path, column, fmt::join(needed, ", ")));
+            }
         }
         if (rows_.empty()) throw InputError(path + ": no rows below the header line");
     }
@@ -71,14 +72,16 @@ public:
 
 private:
     void add(std::size_t number, const std::string& text) {
-        if (text.find('\0') != std::string::npos)
+        if (text.find('\0') != std::string::npos) {
             throw InputError(path_ + ": is no text; a table with one header line is needed");
+        }
         std::vector<std::string> fields;
         for (std::size_t from = 0;; from = text.find('\t', from) + 1) {
             fields.push_back(text.substr(from, text.find('\t', from) - from));
             if (text.find('\t', from) == std::string::npos) break;
-            if (fields.size() == max_columns)
+            if (fields.size() == max_columns) {
                 throw InputError(fmt::format("{}: line {}: more than {} fields", path_, number, max_columns));
+            }
         }
         if (columns_.empty()) {
             columns_ = std::move(fields);

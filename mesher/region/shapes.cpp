@@ -22,8 +22,9 @@ std::string metres(double value) { return format_quantity(value, Dimension::leng
 
 double signed_area_of(const std::vector<Point>& corners) {
     double sum = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t i = 0; i < corners.size(); ++i) {
         sum += signed_area(corners.front(), corners[i], corners[(i + 1) % corners.size()]);
+    }
     return sum;
 }
 
@@ -74,8 +75,9 @@ Region polygon(std::vector<Point> corners, const std::vector<std::string>& parts
         const std::string name = i < parts.size() && !parts[i].empty() ? parts[i] : "side";
         auto found = std::find(region.part_names.begin(), region.part_names.end(), name);
         if (found == region.part_names.end()) {
-            if (region.part_names.size() > std::numeric_limits<std::uint8_t>::max())
+            if (region.part_names.size() > std::numeric_limits<std::uint8_t>::max()) {
                 throw InputError("polygon: more than 251 names of parts");
+            }
             found = region.part_names.insert(found, name);
         }
         numbers.push_back(static_cast<std::uint8_t>(found - region.part_names.begin()));
@@ -101,8 +103,9 @@ void add_hole(Region& region, Point centre, double radius, const std::string& wh
         throw UsageError(fmt::format("{}: ({}, {}) lies outside of the specimen or in another hole; give a point inside", where,
                                      metres(centre.x), metres(centre.y)));
     }
-    if (region.part_names.size() > std::numeric_limits<std::uint8_t>::max())
+    if (region.part_names.size() > std::numeric_limits<std::uint8_t>::max()) {
         throw UsageError(where + ": too many parts of the boundary; a specimen has at most 256");
+    }
     const auto n_before = std::count_if(region.part_names.begin(), region.part_names.end(),
                                         [](const std::string& name) { return name.rfind("hole_", 0) == 0; });
     region.loops.push_back({{}, {static_cast<std::uint8_t>(region.part_names.size())}, Circle{centre, radius}});
@@ -119,8 +122,9 @@ PrescribedEdge central_slit(const Region& region, double length, double angle, c
 
 PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where) {
     const Box box = bounds(region);
-    if (!(length < box.height()))
+    if (!(length < box.height())) {
         throw UsageError(where + ": " + metres(length) + " has no room; give less than " + metres(box.height()));
+    }
     return {{0, box.low.y}, {0, box.low.y + length}, ContactKind::pre_existing_crack, where};
 }
 

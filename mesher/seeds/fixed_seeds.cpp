@@ -154,8 +154,9 @@ std::vector<Point> arc_points(const Curve& arc, const std::vector<double>& share
     for (int i = 0; i < 100; ++i) {
         const auto radius_of = [&](std::size_t k) { return k == 0 || k == n ? radius : inner_radius; };
         double sector = 0;
-        for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t k = 0; k < n; ++k) {
             sector += 0.5 * radius_of(k) * radius_of(k + 1) * std::sin(angle * (shares[k + 1] - shares[k]));
+        }
         const double ratio = 0.5 * radius * radius * angle / sector;
         if (n == 1 || std::abs(ratio - 1) < 4e-16) break;
         inner_radius *= n == 2 ? ratio : std::sqrt(ratio);
@@ -223,8 +224,9 @@ public:
             const int n_loop = size() - first;
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 const int at = corners[i];
-                if (!can_be_cut_off(loop.behind((i + corners.size() - 1) % corners.size()), loop.corners[i], loop.ahead(i)))
+                if (!can_be_cut_off(loop.behind((i + corners.size() - 1) % corners.size()), loop.corners[i], loop.ahead(i))) {
                     continue;
+                }
                 seeds_.corners.push_back({first + (at - first + n_loop - 1) % n_loop, at, first + (at - first + 1) % n_loop});
             }
             kept_.insert(kept_.end(), corners.begin(), corners.end());
@@ -246,8 +248,9 @@ public:
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             std::sort(stations[i].begin(), stations[i].end());
             for (std::size_t k = 0; k + 1 < stations[i].size(); ++k) {
-                if (stations[i][k].second != stations[i][k + 1].second)
+                if (stations[i][k].second != stations[i][k + 1].second) {
                     add_line(stations[i][k].second, stations[i][k + 1].second, edge, pieces[i].kind);
+                }
             }
         }
         // Inserted points of loops come in pairs, so that the number of boundary points keeps its parity.

@@ -140,17 +140,19 @@ void write_info(std::ostream& out, const std::string& path, bool check) {
     if (check) check_file(file, path);
     out << printable(file.name()) << '\n';
     line(out, "kind", fmt::format("{}, schema {}", file.kind(), file.attribute<std::int64_t>("/", "schema_version")));
-    if (file.has_attribute("/provenance", "commit"))
+    if (file.has_attribute("/provenance", "commit")) {
         line(out, "made_by",
              fmt::format("version {} ({})", file.attribute<std::string>("/provenance", "version"),
                          file.attribute<std::string>("/provenance", "commit")));
+    }
     if (file.kind() == "run") write_run_lines(out, file);
     write_specimen_lines(out, file);
     write_datasets(out, file);
-    if (check)
+    if (check) {
         line(out, "check",
              file.kind() == "run" ? "every dataset was read; specimen and run are valid"
                                   : "every dataset was read; the specimen is valid");
+    }
 }
 
 /// `digest  file`, as sha256sum prints it.

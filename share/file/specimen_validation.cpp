@@ -39,14 +39,10 @@ class Checker {
 public:
     explicit Checker(const std::string& where) : where_(where) {}
     void require(bool condition, const char* what, std::size_t row) const {
-        if (!condition) {
-            throw InputError(fmt::format("{}: {} (row {})", where_, what, row));
-        }
+        if (!condition) throw InputError(fmt::format("{}: {} (row {})", where_, what, row));
     }
     void require(bool condition, const char* what) const {
-        if (!condition) {
-            throw InputError(fmt::format("{}: {}", where_, what));
-        }
+        if (!condition) throw InputError(fmt::format("{}: {}", where_, what));
     }
 
 private:
@@ -103,9 +99,7 @@ void check_elements(const Specimen& s, const Checker& check) {
         }
     }
     std::vector<double> area(s.n_grains(), 0);
-    for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        area[s.element_grain[e]] += signed_area(s, s.element_nodes[e]);
-    }
+    for (std::size_t e = 0; e < s.n_elements(); ++e) area[s.element_grain[e]] += signed_area(s, s.element_nodes[e]);
     for (std::size_t g = 0; g < s.n_grains(); ++g) {
         check.require(std::abs(s.grain_area[g] - area[g]) <= tolerance * area[g],
                       "area of a grain is more than 1 % off that of its elements", g);
@@ -118,9 +112,7 @@ void check_elements(const Specimen& s, const Checker& check) {
 /// either side.
 void check_size(const Specimen& s, const Checker& check) {
     double longest = 0;
-    for (const auto& [i, j] : s.boundary_edges) {
-        longest = std::max(longest, distance(s, i, j));
-    }
+    for (const auto& [i, j] : s.boundary_edges) longest = std::max(longest, distance(s, i, j));
     longest *= std::max(1, s.elements_per_edge);  // boundary edges of one grain edge lie on one line
     for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
         const auto [lowest, highest] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
@@ -141,12 +133,8 @@ void check_size(const Specimen& s, const Checker& check) {
 /// A declared mean edge must be that of the contacts and the boundary.
 void check_mean_edge(const Specimen& s, const Checker& check) {
     double length = 0;
-    for (const auto& nodes : s.contact_nodes) {
-        length += distance(s, nodes[0], nodes[1]);
-    }
-    for (const auto& [i, j] : s.boundary_edges) {
-        length += distance(s, i, j);
-    }
+    for (const auto& nodes : s.contact_nodes) length += distance(s, nodes[0], nodes[1]);
+    for (const auto& [i, j] : s.boundary_edges) length += distance(s, i, j);
     const double mean = length * s.elements_per_edge / static_cast<double>(s.n_contacts() + s.n_boundary_edges());
     const double declared = s.statistics.mean_edge;
     check.require(declared == 0 || std::abs(declared - mean) <= tolerance * mean,
@@ -158,16 +146,12 @@ class Sides {
 public:
     Sides(const Specimen& s, const Checker& check) : start_(s.n_nodes() + 1, 0), ends_(3 * s.n_elements()) {
         for (const auto& nodes : s.element_nodes) {
-            for (const std::int32_t from : nodes) {
-                ++start_[from + 1];
-            }
+            for (const std::int32_t from : nodes) ++start_[from + 1];
         }
         std::partial_sum(start_.begin(), start_.end(), start_.begin());
         std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
         for (const auto& [i, j, k] : s.element_nodes) {
-            for (const auto& [from, to] : {std::pair{i, j}, std::pair{j, k}, std::pair{k, i}}) {
-                ends_[next[from]++].node = to;
-            }
+            for (const auto& [from, to] : {std::pair{i, j}, std::pair{j, k}, std::pair{k, i}}) ends_[next[from]++].node = to;
         }
         for (std::size_t node = 0; node < s.n_nodes(); ++node) {
             check.require(start_[node] < start_[node + 1], "node is of no element", node);

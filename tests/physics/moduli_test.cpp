@@ -36,9 +36,7 @@ Moduli pulled(const SmallRun& run) {
 }
 double contact_length_per_area(const SmallRun& run) {
     double area = 0;
-    for (const double of_triangle : run.assemblage.element_geometry.area) {
-        area += of_triangle;
-    }
+    for (const double of_triangle : run.assemblage.element_geometry.area) area += of_triangle;
     return run.assemblage.contact_length / area;
 }
 

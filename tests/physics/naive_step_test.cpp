@@ -74,9 +74,7 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     run.set_velocity([&](const Vector2& x) { return Vector2{0.1 * std::sin(200 * x.y), -speed * x.y / 0.02}; });
     NaiveRun naive(run.assemblage, run.boundary, laws_of_contacts(made, run.assemblage, description.variant),
                    run.parameters.time_step, run.parameters.damping, form);
-    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        naive.set_velocity(i, run.state.velocity[i]);
-    }
+    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) naive.set_velocity(i, run.state.velocity[i]);
     run.begin();
     run.steps(n, {{speed, -speed}, {speed, -speed}, nullptr});
     std::array<double, 2> platens{};

@@ -35,13 +35,9 @@ std::vector<Vector2> spun(const SmallRun& run, const Vector2& centre) {
     }
     const Eigen::VectorXd solution = equilibrium(run, tangent_stiffness(run), load);
     std::vector<Vector2> u;
-    for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
-        u.push_back(test::displacement_of(solution, i));
-    }
+    for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) u.push_back(test::displacement_of(solution, i));
     const Vector2 mean = run.mean(u);
-    for (Vector2& x : u) {
-        x += (-1) * mean;
-    }
+    for (Vector2& x : u) x += (-1) * mean;
     return u;
 }
 
@@ -90,12 +86,8 @@ TEST(SpinningDisc, WholeTurnUnderItsCentrifugalStress) {
         verify("elements: spinning disc, centre (Pa at 100 rad/s)", stress * 1e4 / (omega * omega), 17119, 0.0125,
                "(3 + nu)/8 rho omega^2 R^2");
         verify("elements: spinning disc, centre through 360 deg over that at the start", stress / at_rest, 1, 1e-3, "stays");
-        for (const Vector2& u : run.state.displacement) {
-            farthest = std::max(farthest, length(u));
-        }
-        if (k < stations) {
-            run.steps(steps / stations);
-        }
+        for (const Vector2& u : run.state.displacement) farthest = std::max(farthest, length(u));
+        if (k < stations) run.steps(steps / stations);
     }
     EXPECT_GT(farthest, 1.9 * radius);  // it really turned
     EXPECT_EQ(run.failed_points(), 0U);

@@ -88,9 +88,7 @@ double growth(double share_of_exact, double damping, DampingForm form = DampingF
     run.set_velocity([](const Vector2& p) { return noise(p, 1e-9); });
     const auto fastest = [&run] {
         double v = 0;
-        for (const Vector2& x : run.state.velocity) {
-            v = std::max(v, length(x));
-        }
+        for (const Vector2& x : run.state.velocity) v = std::max(v, length(x));
         return v;
     };
     const double before = fastest();

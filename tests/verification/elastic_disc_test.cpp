@@ -77,9 +77,7 @@ Means means(const SmallRun& run, const Frame& frame, const PointLoads& loads, Re
         for (const std::int32_t i : run.assemblage.element_nodes[e]) {
             centroid += (1.0 / 3) * run.assemblage.position[static_cast<std::size_t>(i)];
         }
-        if (!region(centroid)) {
-            continue;
-        }
+        if (!region(centroid)) continue;
         const double a = run.assemblage.element_geometry[e].area;
         const std::array<double, 2> formula = loads.normal_stresses(centroid);
         for (std::size_t k = 0; k < 2; ++k) {

@@ -63,8 +63,9 @@ TEST(Shapes, PolygonsThroughArcsHaveTheirArea) {
             RandomNumbers random(3);
             const Seeds seeds = fixed_seeds(region, n, 5e-3, 0.07, random);
             double doubled = 0;
-            for (const Side& s : seeds.sides)
+            for (const Side& s : seeds.sides) {
                 doubled += cross(seeds.points[static_cast<std::size_t>(s.from)], seeds.points[static_cast<std::size_t>(s.to)]);
+            }
             EXPECT_NEAR(doubled / 2 / area(region), 1, 1e-12) << region.name << n;
         }
     }

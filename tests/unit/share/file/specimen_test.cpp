@@ -189,9 +189,7 @@ const std::vector<Offence>& offences() {
         {"node shared by grains",
          [](Specimen& s) {
              const auto [a1, a2, b1, b2] = s.contact_nodes[0];
-             for (auto& nodes : s.element_nodes) {
-                 std::replace(nodes.begin(), nodes.end(), b1, a1);
-             }
+             for (auto& nodes : s.element_nodes) std::replace(nodes.begin(), nodes.end(), b1, a1);
              static_cast<void>(a2);
              static_cast<void>(b2);
          },
@@ -267,9 +265,7 @@ const std::vector<Offence>& offences() {
         {"contact of crossed edges", [](Specimen& s) { std::swap(s.contact_nodes[0][2], s.contact_nodes[0][3]); }, "conform"},
         {"contact with a gap",
          [](Specimen& s) {
-             for (const std::size_t k : {2U, 3U}) {
-                 s.node_position[s.contact_nodes[0][k]][0] += 1e-8 * s.width;
-             }
+             for (const std::size_t k : {2U, 3U}) s.node_position[s.contact_nodes[0][k]][0] += 1e-8 * s.width;
          },
          "conform"},
         {"contact without length",
