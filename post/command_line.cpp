@@ -135,8 +135,9 @@ std::vector<std::string> files_of(const Registered& command) {
     if (files.empty() && command.arguments && command.arguments->needed) {
         throw UsageError(fmt::format("{}: missing; {} needs a file, or --files-from", command.arguments->name, command.name));
     }
-    if (std::count(files.begin(), files.end(), "-") > 1)
+    if (std::count(files.begin(), files.end(), "-") > 1) {
         throw UsageError("-: stands for stdin, which holds one file; give it once");
+    }
     return files;
 }
 

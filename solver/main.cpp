@@ -14,11 +14,12 @@
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "solver/loading/program_text.hpp"
-#include "solver/loading/standard_tests.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/program/program_text.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/restart/checkpoint.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/setup/setup.hpp"
 #include "solver/solve_options.hpp"
 
 namespace {
@@ -81,9 +82,7 @@ void print_summary(const SimulationSummary& s) {
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }
-    if (!s.equilibrium_warning.empty()) {
-        fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
-    }
+    if (!s.equilibrium_warning.empty()) fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
     if (h.energy_balance_error > trusted_residual) {
         fmt::print(stderr,
                    "{}: warning: the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
@@ -95,7 +94,7 @@ void print_summary(const SimulationSummary& s) {
 }
 
 /// Says so where the fracture energy in sliding leaves no softening.
-void note_sudden_loss(const SimulationRequest& request) {
+void print_sudden_loss(const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
     if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
         fmt::print(stderr,
@@ -135,12 +134,8 @@ std::string configuration_of(const H5Input& file) {
 
 int solve(int argc, char** argv) {
     const auto options = read_solve_options(argc, argv);
-    if (!options) {
-        return 0;
-    }
-    if (options->verbosity != Verbosity::quiet) {
-        write_notes(std::cerr, "graincrack-solve", options->request.material);
-    }
+    if (!options) return 0;
+    if (options->verbosity != Verbosity::quiet) write_notes(std::cerr, "graincrack-solve", options->request.material);
     catch_stop_signals();
     catch_checkpoint_signal();
     const H5Input input(options->specimen, "specimen");
@@ -163,11 +158,9 @@ int solve(int argc, char** argv) {
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary);
-        note_sudden_loss(options->request);
+        print_sudden_loss(options->request);
     }
-    if (options->request.sensitivity) {
-        print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
-    }
+    if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     return 0;
 }
 

@@ -14,8 +14,8 @@
 #include "share/file/output_file.hpp"
 #include "share/options/command_line.hpp"
 #include "solver/contact_options.hpp"
-#include "solver/loading/program_file.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/program/program_file.hpp"
+#include "solver/restart/checkpoint.hpp"
 
 namespace graincrack {
 namespace {
@@ -91,9 +91,7 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
         loading.rate_tolerance = raw.rate_tolerance;
     }
     loading.block_steps = raw.block_steps.value_or(loading.block_steps);
-    if (loading.rate == RateKind::blocks) {
-        loading.platen_speed = raw.block_speed.value_or(loading.platen_speed);
-    }
+    if (loading.rate == RateKind::blocks) loading.platen_speed = raw.block_speed.value_or(loading.platen_speed);
 }
 
 void add_method_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
@@ -216,10 +214,8 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
                          " has none; give --damping 0.8 for what is slow, --damping none for waves");
     }
     request.damping = *damping;
-    if (request.restart.empty()) {
-        request.restart = request.program->start_from;
-    }
-    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(request.restart)) {
+    if (request.restart.empty()) request.restart = request.program->start_from;
+    if (!request.restart.empty() && !request.program->initial_velocities.empty() && !is_checkpoint(RunReader(request.restart))) {
         throw UsageError(request.program->file +
                          ": [initial] and a run to start from contradict each other; leave out the one or the other");
     }
@@ -288,13 +284,9 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         {add(TestKind::tension, "direct tension between bonded platens"), TestKind::tension},
     };
     CLI::App* program = add_program(app, options, raw, common);
-    if (!parse_command_line(app, argc, argv)) {
-        return std::nullopt;
-    }
+    if (!parse_command_line(app, argc, argv)) return std::nullopt;
     for (const auto& [command, test] : tests) {
-        if (command->parsed()) {
-            options.request.loading.test = test;
-        }
+        if (command->parsed()) options.request.loading.test = test;
     }
     options.dry_run = common.dry_run;
     options.verbosity = common.verbosity;
@@ -320,9 +312,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     if (options.request.sensitivity && !options.request.restart.empty()) {
         throw UsageError("--sensitivity: repeats the test from its start, --restart does not begin there; leave out one of them");
     }
-    if (program->parsed()) {
-        complete_program(options.request, raw);
-    }
+    if (program->parsed()) complete_program(options.request, raw);
     complete_mass_scaling(options.request, raw);
     require_other_output(options);
     return options;

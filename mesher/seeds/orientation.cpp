@@ -67,8 +67,9 @@ Point six_fold(Point direction) {
 
 double psi6(std::span<const Point> points, std::span<const Edge> edges) {
     Point sum;
-    for (const Edge& e : edges)
+    for (const Edge& e : edges) {
         sum = sum + six_fold(points[static_cast<std::size_t>(e[1])] - points[static_cast<std::size_t>(e[0])]);
+    }
     return edges.empty() ? 0.0 : length(sum) / static_cast<double>(edges.size());
 }
 

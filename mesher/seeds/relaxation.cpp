@@ -91,8 +91,9 @@ private:
         if (is_hull_) mesh_.triangles = delaunay_.triangles();
         // Corners are split during relaxation too, so that the spring along the new diagonal shortens it.
         for (const Corner& c : mesh_.corners) {
-            if (is_fixed({std::min(c.before, c.after), std::max(c.before, c.after)}))
+            if (is_fixed({std::min(c.before, c.after), std::max(c.before, c.after)})) {
                 continue;  // a prescribed edge cuts the corner
+            }
             split_corner_ear(mesh_.points, mesh_.triangles, c.at, c.before, c.after);
         }
         mesh_.edges = edges_of(mesh_.triangles, mesh_.points.size());

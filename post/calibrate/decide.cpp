@@ -64,7 +64,7 @@ public:
 private:
     [[nodiscard]] const Study& study() const { return problem_.study; }
     [[nodiscard]] const Target* target(const char* name) const;
-    void note(std::string stage, std::string what, std::string result) {
+    void record(std::string stage, std::string what, std::string result) {
         decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
     }
     /// The finished runs of `n` specimens. What is missing is noted, and less is returned.
@@ -156,7 +156,7 @@ void Calibration::find_elasticity() {
         const double measured_nu = mean(nu, wanted_nu);
         const std::string grains = fmt::format("grains E {:.5g} GPa, ν {:.4g}", grain_modulus_ * 1e-9, grain_ratio_);
         const std::string assemblage = fmt::format("assemblage E {:.5g} GPa, ν {:.4g}", measured_e * 1e-9, measured_nu);
-        note("elasticity", grains, assemblage);
+        record("elasticity", grains, assemblage);
         if (std::abs(measured_e / wanted_e - 1) <= 0.01 && std::abs(measured_nu - wanted_nu) <= 0.0075) return;
         grain_modulus_ *= wanted_e / measured_e;
         grain_ratio_ += wanted_nu - measured_nu;
@@ -244,8 +244,8 @@ void Calibration::fit(const Box& box) {
     fit_.optimum = find_optimum(box, first_guess(problem_.parameters), aims, shares);
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
     decision.fit = fit_;
-    note("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
-         label_of(point_at(problem_.parameters, fit_.optimum.place)));
+    record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
+           label_of(point_at(problem_.parameters, fit_.optimum.place)));
 }
 
 /// Designs until the optimum is inside the last box, then smaller ones about it.
@@ -267,19 +267,20 @@ void Calibration::find_place() {
         for (Eigen::Index k = 0; k < p; ++k) {
             const bool at_edge =
                 std::abs(box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - box.centre(k)) > 0.1 * box.half(k);
-            if (at_edge && fit_.optimum.kept_share(k) < 0.5)
+            if (at_edge && fit_.optimum.kept_share(k) < 0.5) {
                 moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
+            }
         }
         if (!moving.empty() && moves < study().moves) {
             ++moves;
             box = moved;
-            note("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
+            record("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
         } else if (zooms < study().zooms) {
             ++zooms;
             box = box.about(at, 0.5, limits);
-            note("zoom", "a box of half the width about the optimum", "");
+            record("zoom", "a box of half the width about the optimum", "");
         } else {
-            if (!moving.empty()) note("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
+            if (!moving.empty()) record("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
             return;
         }
     }
@@ -291,8 +292,9 @@ void Calibration::correct_elasticity() {
         if (response.target.use != Use::fit || !response.surface) continue;
         const double expected = std::exp(response.surface->value(fit_.optimum.place));
         if (response.target.kind.name == "young_modulus") grain_modulus_ *= response.target.value / expected;
-        if (response.target.kind.name == "poisson_ratio")
+        if (response.target.kind.name == "poisson_ratio") {
             grain_ratio_ = std::clamp(grain_ratio_ + response.target.value - expected, 0.01, 0.45);
+        }
     }
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
 }
@@ -371,9 +373,10 @@ Miss Calibration::miss_of(const Outcome& outcome) const {
     const auto response = std::find_if(fit_.responses.begin(), fit_.responses.end(),
                                        [&](const Response& r) { return r.target.name() == t.name(); });
     if (response == fit_.responses.end() || t.is_elastic()) return {};
-    if (!response->surface)
+    if (!response->surface) {
         return {true, true,
                 fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
+    }
     const Place& place = fit_.optimum.place;
     const double wanted = std::log(t.value);
     const double here = response->surface->value(place);
@@ -429,11 +432,13 @@ void Calibration::end() {
     }
     remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
     if (expected && out_of_reach) throw Ended{Ending::not_reached, missed, remedies};
-    if (expected)
+    if (expected) {
         throw Ended{Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
+    }
     const std::string another = fmt::format("ask for one more design (setting zooms={})", study().zooms + 1);
-    if (outside)
+    if (outside) {
         throw Ended{Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
+    }
     throw Ended{Ending::undecided, missed,
                 fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
                             "{}; settings are given by --set, or by SET= of make",
@@ -450,8 +455,9 @@ void Calibration::run() {
     const auto add_response = [&](const Target& t) {
         for (const Response& known : fit_.responses) {
             if (known.target.name() == t.name() || (known.target.test() == t.test() && known.target.kind.read == t.kind.read &&
-                                                    known.target.confining_pressure == t.confining_pressure))
+                                                    known.target.confining_pressure == t.confining_pressure)) {
                 return;
+            }
         }
         fit_.responses.push_back({t, {}, {}, {}});
     };

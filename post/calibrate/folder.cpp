@@ -111,8 +111,9 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
         const std::string key = "contact." + row.key();
         const bool free =
             std::any_of(problem.parameters.begin(), problem.parameters.end(), [&](const Parameter& p) { return p.key == key; });
-        if (row.is_needed() && !free && !(rock.contact.*row.given))
+        if (row.is_needed() && !free && !(rock.contact.*row.given)) {
             throw InputError(fmt::format("{}: {} is neither given nor a row of [parameters]", rock.file.string(), key));
+        }
     }
     return problem;
 }
@@ -130,8 +131,9 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         return found == finished.end() ? nullptr : &found->second;
     })};
     const Decision& decision = out.decision;
-    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png"})
+    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png"}) {
         remove_file(path(name));
+    }
     if (decision.ending == Ending::wanted) {
         write_whole_file(path("wanted.tsv"), wanted_table(rock, problem.study, decision.wanted));
         out.wanted_time = time_of(decision.wanted, finished);

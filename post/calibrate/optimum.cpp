@@ -163,8 +163,9 @@ Optimum find_optimum(const Box& box, const Place& first, const std::vector<Aim>&
     optimum.kept = problem.kept;
     Eigen::MatrixXd told = svd.matrixV();  // of which those are left out that are kept
     for (Eigen::Index k = told.cols() - 1; k >= 0; --k) {
-        if (std::none_of(optimum.kept.begin(), optimum.kept.end(), [&](const Place& d) { return d == svd.matrixV().col(k); }))
+        if (std::none_of(optimum.kept.begin(), optimum.kept.end(), [&](const Place& d) { return d == svd.matrixV().col(k); })) {
             continue;
+        }
         told.middleCols(k, told.cols() - 1 - k) = told.rightCols(told.cols() - 1 - k).eval();
         told.conservativeResize(Eigen::NoChange, told.cols() - 1);
     }

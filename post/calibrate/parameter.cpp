@@ -164,9 +164,10 @@ void require_sound(Parameter& p, const std::string& where) {
     if (std::isnan(p.low) || std::isnan(p.high)) {
         throw InputError(fmt::format("{}: {} has no default bounds for this rock; give low and high", where, p.key));
     }
-    if (!(p.low < p.high) || (p.logarithmic && !(p.low > 0)))
+    if (!(p.low < p.high) || (p.logarithmic && !(p.low > 0))) {
         throw InputError(
             fmt::format("{}: {}: low must be below high{}", where, p.key, p.logarithmic ? " and above 0 (scale = \"log\")" : ""));
+    }
     p.least = std::min(p.least, p.low);
     p.most = std::max(p.most, p.high);
     if (!(p.first >= p.low && p.first <= p.high)) p.first = p.value(0);
@@ -239,15 +240,17 @@ Box limits_of(const std::vector<Parameter>& parameters) {
 
 Place first_guess(const std::vector<Parameter>& parameters) {
     Place place(static_cast<Eigen::Index>(parameters.size()));
-    for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
         place(static_cast<Eigen::Index>(k)) = parameters[k].coordinate(parameters[k].first);
+    }
     return place;
 }
 
 Point point_at(const std::vector<Parameter>& parameters, const Place& place) {
     Point point;
-    for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
         point.emplace_back(parameters[k].key, parameters[k].value(place(static_cast<Eigen::Index>(k))));
+    }
     return point;
 }
 
@@ -264,8 +267,9 @@ std::vector<MaterialSetting> settings_of(const Point& point) {
 
 std::string label_of(const Point& point) {
     std::string text;
-    for (const auto& [key, value] : point)
+    for (const auto& [key, value] : point) {
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value_text(key, value, " "));
+    }
     return text;
 }
 

@@ -65,22 +65,25 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     Cells peaks;
     if (decision.fit) {
         for (const Response& r : decision.fit->responses) {
-            if (r.target.kind.needs_first_peak)
+            if (r.target.kind.needs_first_peak) {
                 peaks.push_back(fmt::format("{} in {} of {} tests", r.target.symbol(), r.measured, r.tests));
+            }
         }
         for (const Outcome& o : decision.outcomes) {
-            if (o.target.kind.needs_first_peak)
+            if (o.target.kind.needs_first_peak) {
                 peaks.push_back(fmt::format("at the end {} in {} of {}", o.target.symbol(), o.ours ? o.ours->n : 0, o.tests));
+            }
         }
     }
     text += fmt::format("- first peaks: {}\n- {} runs; compression at a rate tolerance of {:g}, to {:.3g} % strain at most\n",
                         peaks.empty() ? "not tested" : fmt::format("{}", fmt::join(peaks, "; ")), n_runs,
                         problem.study.rate_tolerance, 100 * problem.study.max_strain);
     const double off = disagreement(rock);
-    if (std::abs(off) > remarkable)
+    if (std::abs(off) > remarkable) {
         text += fmt::format(
             "- C and φ of the laboratory imply a UCS that differs by {:+.1f} % from the measured one; C is not fitted\n",
             100 * off);
+    }
     return text;
 }
 
@@ -137,20 +140,22 @@ std::string values_text(const Problem& problem, const Decision& decision) {
     text +=
         "\nIntervals include the scatter about the response surfaces and the uncertainty of the measured values (the deviations "
         "of the targets).\n";
-    for (const Place& direction : optimum.kept)
+    for (const Place& direction : optimum.kept) {
         text += fmt::format(
             "\nThe data do not determine the combination {} (in widths of the first box): it was kept at the first guess, or as "
             "near to it as the last box allows.\n",
             direction_text(problem.parameters, direction));
+    }
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
     Cells pairs;
     for (Eigen::Index k = 0; k < optimum.place.size(); ++k) {
         for (Eigen::Index l = 0; l < k; ++l) {
             const double c = optimum.covariance(k, l) / std::sqrt(optimum.covariance(k, k) * optimum.covariance(l, l));
-            if (std::isfinite(c) && optimum.kept_share(k) < 0.5 && optimum.kept_share(l) < 0.5)
+            if (std::isfinite(c) && optimum.kept_share(k) < 0.5 && optimum.kept_share(l) < 0.5) {
                 pairs.push_back(fmt::format("{} and {} {:+.2f}", problem.parameters[static_cast<std::size_t>(l)].key,
                                             problem.parameters[static_cast<std::size_t>(k)].key, c));
+            }
         }
     }
     return text + (pairs.empty() ? "\n" : fmt::format(" Correlations: {}.\n", fmt::join(pairs, ", ")));

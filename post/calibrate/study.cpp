@@ -100,8 +100,9 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
     // 1.5 % for Augig granite (UCS 122 MPa, E 25.8 GPa), for other rocks in proportion to the strain UCS/E.
     const auto ucs = rock.laboratory.find("compressive_strength");
     const auto e = rock.laboratory.find("young_modulus");
-    if (ucs != rock.laboratory.end() && e != rock.laboratory.end())
+    if (ucs != rock.laboratory.end() && e != rock.laboratory.end()) {
         study.max_strain = rounded(0.015 * (ucs->second / e->second) / (122e6 / 25.8e9), 2);
+    }
     auto keys = study_keys(study);
     const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
         const auto key = keys.find(name);
@@ -154,8 +155,9 @@ RunRow row_of(const Material& rock, const Study& study, const WantedRun& run) {
     row.specimen += s.edge ? fmt::format("e{:.6g}", *s.edge * 1e3) : fmt::format("g{:.7g}", disc ? s.disc_grains : s.grains);
     row.mesh += fmt::format("{} --seed {}", fabric, run.seed);
     row.specimen += fmt::format("{}-s{}", fabric_name, run.seed);
-    for (const auto& [key, value] : settings_of(run.point))
+    for (const auto& [key, value] : settings_of(run.point)) {
         row.material += fmt::format("{}--set {}={}", row.material.empty() ? "" : " ", key, value);
+    }
     row.solve = run.test.name;
     if (run.test.name == "triaxial") row.solve += " --confining-pressure " + pressure_text(run.test.confining_pressure);
     if (run.test.name == "tension") row.solve += " --plane stress";  // as the Brazilian test, with which it is compared

@@ -188,21 +188,24 @@ std::vector<Target> targets_of(const Material& rock, const TomlFile& file, doubl
         for (const TomlEntry& entry : file.entries) {
             if (entry.section == section.name) set(target, entry, where + "." + entry.key);
         }
-        if (std::isnan(target.value) && target.use == Use::fit)
+        if (std::isnan(target.value) && target.use == Use::fit) {
             throw InputError(fmt::format("{}: value is missing; only a target with use = \"predict\" needs none", where));
+        }
         if (std::isnan(target.deviation)) target.deviation = usual_deviation(target);
         if (target.deviation < 0) target.deviation *= -target.value;
         targets.push_back(target);
     }
     for (const TomlEntry& entry : file.entries) {
-        if (entry.section == std::vector<std::string>{"targets"})
+        if (entry.section == std::vector<std::string>{"targets"}) {
             throw InputError(
                 fmt::format("{}: line {}: targets.{}: a row is needed, such as {{value = \"8.8 MPa\", deviation = \"5 %\"}}",
                             file.file, entry.line, entry.key));
+        }
     }
     if (targets.empty()) return laboratory_targets(rock, confining_pressure, predicted_pressures);
-    if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; }))
+    if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; })) {
         throw InputError(fmt::format("{}: [targets] has none to be fitted", file.file));
+    }
     return targets;
 }
 

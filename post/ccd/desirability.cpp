@@ -31,8 +31,9 @@ Goal parse_goal(const std::string& text, Goal::Kind kind, const std::string& opt
     const std::vector<double>& v = given.values;
     const bool rises = std::is_sorted(v.begin(), v.end(), std::less_equal<>());
     const std::size_t wanted = kind == Goal::Kind::target && v.size() != 1 ? 3 : kind == Goal::Kind::target ? 1 : 2;
-    if (v.size() != wanted || !rises)
+    if (v.size() != wanted || !rises) {
         throw UsageError(fmt::format("{} {}: {} with rising numbers is needed", option, text, form));
+    }
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     if (kind == Goal::Kind::maximum) return {kind, given.name, v[0], v[1], none};
     if (kind == Goal::Kind::minimum) return {kind, given.name, none, v[0], v[1]};

@@ -123,8 +123,9 @@ std::vector<std::string> solution_columns(const Problem& problem) {
     for (const Factor& factor : problem.runs.factors) {
         for (const char* end : {"", "_region_low", "_region_high"}) columns.push_back(factor.name + end);
     }
-    for (const char* name : {"desirability", "region_share_of_design", "region_reaches_edge", "free_factors"})
+    for (const char* name : {"desirability", "region_share_of_design", "region_reaches_edge", "free_factors"}) {
         columns.emplace_back(name);
+    }
     for (const Goal& goal : problem.goals) {
         for (const char* end : {"", "_confidence_low", "_confidence_high", "_prediction_low", "_prediction_high"}) {
             columns.push_back(goal.response + end);

@@ -34,8 +34,9 @@ using Surface = std::unique_ptr<cairo_surface_t, Free>;
 std::string ending(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 void require(cairo_status_t status) {
-    if (status != CAIRO_STATUS_SUCCESS)
+    if (status != CAIRO_STATUS_SUCCESS) {
         throw OutputError(fmt::format("picture: could not be made: {}", cairo_status_to_string(status)));
+    }
 }
 
 /// Lengths of strokes and gaps in turn; round ends lengthen a stroke by the width of the line.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "post/table/number.hpp"
 #include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
 #include "share/base/toml_file.hpp"
@@ -15,11 +16,6 @@
 namespace graincrack::claims {
 
 namespace {
-
-Condition condition_of(const std::string& text, const std::string& where) {
-    if (auto condition = parse_condition(text)) return *condition;
-    throw InputError(fmt::format("{}: condition \"{}\"; {}", where, text, condition_form));
-}
 
 const std::vector<std::string> needed_columns{"claim", "kind", "table", "column", "paper"};
 const std::vector<std::string> further_columns{"where",   "value", "tolerance", "interval", "by",  "pair",
@@ -52,8 +48,9 @@ std::string with_settings(const std::string& text, const std::map<std::string, s
         if (end == std::string::npos) break;
         const std::string name = text.substr(at + 1, end - at - 1);
         const auto found = settings.find(name);
-        if (found == settings.end())
+        if (found == settings.end()) {
             throw InputError(fmt::format("{}: {{{}}} is not set; give it by --set {}=…", where, name, name));
+        }
         out += text.substr(from, at - from) + found->second;
         from = end + 1;
     }
@@ -82,8 +79,9 @@ Tolerance parse_tolerance(const std::string& text, const std::string& where) {
         if (amount) return {kind, kind == Kind::relative ? *amount / 100 : *amount};
     }
     const bool interval = text.starts_with("interval ");
-    if (const auto amount = parse_number(interval ? text.substr(9) : text))
+    if (const auto amount = parse_number(interval ? text.substr(9) : text)) {
         return {interval ? Kind::interval : Kind::absolute, *amount};
+    }
     throw InputError(
         fmt::format("{}: tolerance \"{}\"; a number, a part such as 5%, interval, interval WIDTH or N standard errors is needed",
                     where, text));
@@ -140,7 +138,7 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
     claim.name = file.text(row, "claim");
     claim.kind = parse_kind(file.text(row, "kind"), where);
     claim.table = file.text(row, "table");
-    for (const std::string& part : split(file.text(row, "where"), ';')) claim.where.push_back(condition_of(part, where));
+    claim.where = file.text(row, "where");
     claim.column = file.text(row, "column");
     claim.paper = file.text(row, "paper");
     claim.value = file.text(row, "value");
@@ -150,9 +148,9 @@ Claim read_claim(const ClaimsFile& file, std::size_t row) {
     claim.by = file.text(row, "by");
     claim.pair = file.text(row, "pair");
     claim.against = file.text(row, "against");
-    const std::string needs = file.text(row, "needs");
-    claim.only_if_measured = needs == "rows";
-    if (!needs.empty() && !claim.only_if_measured) claim.needs = condition_of(needs, where);
+    claim.needs = file.text(row, "needs");
+    claim.only_if_measured = claim.needs == "rows";
+    if (claim.only_if_measured) claim.needs.clear();
     const std::string factor = file.text(row, "factor");
     if (!factor.empty()) {
         const auto number = parse_number(factor);

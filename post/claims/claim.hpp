@@ -2,12 +2,10 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "post/claims/verdict.hpp"
-#include "post/table/condition.hpp"
 
 namespace graincrack::claims {
 
@@ -28,17 +26,17 @@ struct Tolerance {
 struct Claim {
     std::string name;
     Kind kind = Kind::value;
-    std::string table;             ///< stem of a table's file name
-    std::vector<Condition> where;  ///< which of its rows
-    std::string column;            ///< a column; "A - B"; "filled A", the part of rows with an entry; "x at 8.8", of a line
-    std::string paper;             ///< what the paper has, as shown
-    std::string value;             ///< the same as a number, bound, sign or direction; "=COLUMN": a column of the table has it
+    std::string table;   ///< name of a table in SQL
+    std::string where;   ///< which of its rows: a condition in SQL; empty: all
+    std::string column;  ///< an expression in SQL
+    std::string paper;   ///< what the paper has, as shown
+    std::string value;   ///< the same as a number, bound, sign or direction; "=COLUMN": a column of the table has it
     Tolerance tolerance;
     std::vector<std::string> interval;  ///< columns of the low and high end, or of half the interval
     std::string by;                     ///< column of levels, or by which rows of two tables are joined
     std::string pair;                   ///< column of specimens: levels are compared on the same ones
     std::string against;                ///< TABLE:COLUMN of a second quantity
-    std::optional<Condition> needs;     ///< without it the claim is open
+    std::string needs;                  ///< a condition in SQL, without which the claim is open
     bool only_if_measured = false;      ///< left out if there are no rows
     double factor = 1;                  ///< of our number, to the unit of the paper
     std::string unit;

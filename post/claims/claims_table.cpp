@@ -4,6 +4,7 @@
 
 #include "post/claims/evaluate.hpp"
 #include "post/report/html.hpp"
+#include "post/table/number.hpp"
 
 namespace graincrack::claims {
 
@@ -44,7 +45,7 @@ void write_html(std::ostream& out, const std::vector<std::vector<Cell>>& rows, c
 
 void write_claims(std::ostream& out, const std::string& claims, const std::vector<std::string>& tables,
                   const ClaimsOptions& options) {
-    const Tables results(tables);
+    const summary::Database results(tables, "");
     std::vector<std::vector<Cell>> rows;
     for (const Claim& claim : read_claims(claims, options.settings)) {
         if (const auto finding = evaluate(claim, results)) rows.push_back(row_of(claim, *finding, options.study));

@@ -1,15 +1,13 @@
 #include "post/claims/evaluate.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <numeric>
 
 #include "post/claims/levels.hpp"
 #include "post/statistics/rank.hpp"
+#include "post/table/number.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::claims {
@@ -26,23 +24,13 @@ std::string percent(double part) { return fmt::format("{:+.1f} %", 100 * part); 
 
 Finding open(const std::string& reason) { return {Verdict::open, std::nullopt, "not measured", "", reason, ""}; }
 
+std::string counted_peaks(const std::vector<Row>& rows) { return rows.size() == 1 ? rows.front().without_peak : ""; }
+
 const char* const too_wide = "the interval is too wide for a verdict";
 
-/// " (3 of 10 without a peak)" of a row that counts them.
-std::string without_peak(const Rows& rows) {
-    if (rows.size() != 1 || !rows.has("without_peak")) return "";
-    const auto total = rows.has("specimens") ? rows.number(0, "specimens")
-                       : rows.has("runs")    ? rows.number(0, "runs")
-                                             : std::nullopt;
-    const auto count = rows.number(0, "without_peak");
-    if (!count || *count == 0 || !total) return "";
-    return fmt::format(" ({:.0f} of {:.0f} without a peak)", *count, *total);
-}
-
 /// The paper's number: of the claim, or of a column. Empty if that is empty.
-std::optional<double> claimed_number(const Claim& claim, const Rows& rows) {
-    if (claim.value.starts_with('=')) return rows.number(0, claim.value.substr(1));
-    return parse_number(claim.value);
+std::optional<double> claimed_number(const Claim& claim, const std::vector<Row>& rows) {
+    return claim.value.starts_with('=') ? rows.front().paper : parse_number(claim.value);
 }
 
 Finding value_finding(const Claim& claim, const Estimate& ours, double paper) {
@@ -68,10 +56,10 @@ Bound bound_of(const Claim& claim, const std::string& where) {
 }
 
 /// Without an interval of its own, or one of standard errors in place of Student's.
-Finding order_finding(const Claim& claim, const Rows& rows, const Estimate& ours, const std::string& where) {
+Finding order_finding(const Claim& claim, const std::vector<Row>& rows, const Estimate& ours, const std::string& where) {
     const Bound bound = bound_of(claim, where);
     if (claim.tolerance.kind != Tolerance::Kind::standard_errors) return {judge_order(ours, bound), ours, "", "", "", ""};
-    const std::vector<double> values = numbers_of(claim, rows);
+    const std::vector<double> values = numbers_of(rows);
     const Sample all = sample(values);
     if (!all.deviation) return {Verdict::open, ours, "", "", "one specimen has no standard error", ""};
     const double error = *all.deviation / std::sqrt(static_cast<double>(all.n));
@@ -86,29 +74,27 @@ struct Joined {
     std::vector<double> ours;
     std::vector<double> theirs;
 };
-Joined join(const Claim& claim, const Rows& rows, const Tables& tables, const std::string& where) {
+Joined join(const Claim& claim, const summary::Database& tables, const std::string& where) {
     const std::size_t colon = claim.against.find(':');
-    if (colon == std::string::npos)
+    if (colon == std::string::npos) {
         throw InputError(fmt::format("{}: against \"{}\"; TABLE:COLUMN is needed", where, claim.against));
-    const TableFile& other = tables.at(claim.against.substr(0, colon), where);
-    const std::vector<double> values = other.numbers_or_nan(claim.against.substr(colon + 1));
-    const std::vector<std::string> keys = other.texts(claim.by);
+    }
+    const std::string sql = fmt::format(
+        "SELECT ours, theirs FROM (SELECT {0} AS key, {1} AS ours FROM {2} WHERE {3}) JOIN (SELECT {0} AS key, {4} AS theirs "
+        "FROM {5}) USING (key) WHERE ours IS NOT NULL AND theirs IS NOT NULL",
+        claim.by, claim.column, claim.table, claim.where.empty() ? "TRUE" : claim.where, claim.against.substr(colon + 1),
+        claim.against.substr(0, colon));
     Joined joined;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto ours = rows.number(i, claim.column);
-        const auto found = std::find(keys.begin(), keys.end(), rows.text(i, claim.by));
-        if (!ours || found == keys.end()) continue;
-        const double theirs = values[static_cast<std::size_t>(found - keys.begin())];
-        if (!std::isfinite(theirs)) continue;
-        joined.ours.push_back(*ours * claim.factor);
-        joined.theirs.push_back(theirs);
+    for (const std::vector<Cell>& row : tables.answer_of_file(sql, where)) {
+        joined.ours.push_back(parse_number(row[0].text()).value_or(0) * claim.factor);
+        joined.theirs.push_back(parse_number(row[1].text()).value_or(0));
     }
     return joined;
 }
 
 /// The rank correlation of two columns, or the median of |ln ratio|.
-Finding joined_finding(const Claim& claim, const Rows& rows, const Tables& tables, const std::string& where) {
-    const Joined joined = join(claim, rows, tables, where);
+Finding joined_finding(const Claim& claim, const summary::Database& tables, const std::string& where) {
+    const Joined joined = join(claim, tables, where);
     if (joined.ours.size() < 3) return open("fewer than three rows can be compared");
     const std::string count = fmt::format(" over {} rows", joined.ours.size());
     if (claim.kind == Kind::order) {
@@ -130,7 +116,7 @@ Finding joined_finding(const Claim& claim, const Rows& rows, const Tables& table
             ""};
 }
 
-Finding levels_finding(const Claim& claim, const Rows& rows) {
+Finding levels_finding(const Claim& claim, const std::vector<Row>& rows) {
     const std::optional<LevelDifference> found =
         claim.pair.empty() ? difference_between_levels(claim, rows) : difference_on_same_specimens(claim, rows);
     if (!found) return open("fewer than two levels can be compared");
@@ -143,23 +129,20 @@ Finding levels_finding(const Claim& claim, const Rows& rows) {
     return finding;
 }
 
-Finding trend_finding(const Claim& claim, const Rows& rows) {
-    const std::vector<std::pair<double, Estimate>> levels = estimates_by_level(claim, rows);
+Finding trend_finding(const Claim& claim, const std::vector<Row>& rows) {
+    const std::vector<std::pair<double, Estimate>> levels = estimates_by_level(rows);
     if (levels.size() < 2) return open("fewer than two levels can be compared");
     const auto& [from, first] = levels.front();
     const auto& [to, last] = levels.back();
     return {judge_change(first, last, claim.value == "rises"),
             last,
-            fmt::format("{:.4g} at {:g}, {:.4g} at {:g}{}", first.value, from, last.value, to, without_peak(rows)),
+            fmt::format("{:.4g} at {:g}, {:.4g} at {:g}{}", first.value, from, last.value, to, counted_peaks(rows)),
             "",
             "not above the scatter",
             ""};
 }
 
-/// Whether the rows have what the claim needs for a verdict.
-bool has_needs(const Claim& claim, const Rows& rows) { return !claim.needs || matches(*claim.needs, rows, 0); }
-
-std::optional<Finding> number_finding(const Claim& claim, const Rows& rows, const std::string& where) {
+std::optional<Finding> number_finding(const Claim& claim, const std::vector<Row>& rows, const std::string& where) {
     const std::optional<double> paper =
         claim.kind == Kind::value || claim.kind == Kind::equality ? claimed_number(claim, rows) : std::optional(0.0);
     if (!paper) return std::nullopt;
@@ -179,46 +162,29 @@ std::optional<Finding> number_finding(const Claim& claim, const Rows& rows, cons
             if (*paper != 0) finding.difference = fmt::format("{:+.2f} %", 100 * (ours->value / *paper - 1));
         }
     }
-    if (finding.verdict == Verdict::holds && !has_needs(claim, rows)) {
+    if (finding.verdict == Verdict::holds && !rows.front().meets_needs) {
         finding.verdict = Verdict::open;
-        finding.reason = fmt::format("{} does not follow from these rows", claim.needs->column);
+        finding.reason = fmt::format("{} does not follow from these rows", claim.needs);
     }
-    finding.text = shown(*ours, claim.unit) + without_peak(rows);
+    finding.text = shown(*ours, claim.unit) + counted_peaks(rows);
     if (claim.value.starts_with('=')) finding.paper = shown({*paper, std::nullopt, std::nullopt}, claim.unit);
     return finding;
 }
 
 }  // namespace
 
-Tables::Tables(const std::vector<std::string>& files) {
-    for (const std::string& file : files) {
-        const std::string stem = file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
-        if (!tables_.emplace(stem, TableFile(file)).second)
-            throw InputError(fmt::format("{}: another table has the name {} too; claims name tables by their files", file, stem));
-    }
-}
-
-const TableFile& Tables::at(const std::string& stem, const std::string& where) const {
-    const auto found = tables_.find(stem);
-    if (found != tables_.end()) return found->second;
-    std::vector<std::string> names;
-    for (const auto& [name, table] : tables_) names.push_back(name);
-    throw InputError(fmt::format("{}: no table {}; there are {}", where, stem, fmt::join(names, ", ")));
-}
-
-std::optional<Finding> evaluate(const Claim& claim, const Tables& tables) {
+std::optional<Finding> evaluate(const Claim& claim, const summary::Database& tables) {
     const std::string where = fmt::format("claim {} ({})", claim.row, claim.name);
-    const TableFile& table = tables.at(claim.table, where);
     // A study with fewer levels has no column for the others.
-    if (claim.only_if_measured && !claim.against.empty() && !table.has(claim.column)) return std::nullopt;
-    const Rows rows(table, claim.where);
-    if (rows.size() == 0) {
+    if (claim.only_if_measured && !claim.against.empty() && !tables.has(claim.table, claim.column)) return std::nullopt;
+    const std::vector<Row> rows = rows_of(claim, tables, where);
+    if (rows.empty()) {
         if (claim.only_if_measured) return std::nullopt;
         return open("there are no such rows");
     }
     std::optional<Finding> finding;
     if (!claim.against.empty()) {
-        finding = joined_finding(claim, rows, tables, where);
+        finding = joined_finding(claim, tables, where);
     } else if (claim.kind == Kind::trend) {
         finding = trend_finding(claim, rows);
     } else if (claim.kind == Kind::equality && !claim.by.empty()) {

@@ -1,28 +1,14 @@
 // A claim against tables of results: our number with its interval, and the verdict.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "post/claims/claim.hpp"
 #include "post/claims/verdict.hpp"
-#include "post/table/table_file.hpp"
+#include "post/summary/database.hpp"
 
 namespace graincrack::claims {
-
-/// Tables by the stems of their file names.
-class Tables {
-public:
-    /// \throws InputError if one cannot be read, or two have the same stem
-    explicit Tables(const std::vector<std::string>& files);
-    /// \throws InputError naming `where` if there is no such table
-    [[nodiscard]] const TableFile& at(const std::string& stem, const std::string& where) const;
-
-private:
-    std::map<std::string, TableFile> tables_;
-};
 
 struct Finding {
     Verdict verdict = Verdict::open;
@@ -34,7 +20,7 @@ struct Finding {
 };
 
 /// Empty if the claim has no number to compare with: its laboratory value is empty, or it is left out unless measured.
-/// \throws InputError naming the claim if a table or column is missing
-std::optional<Finding> evaluate(const Claim& claim, const Tables& tables);
+/// \throws InputError naming the claim if a table or column is missing, or its SQL cannot be understood
+std::optional<Finding> evaluate(const Claim& claim, const summary::Database& tables);
 
 }  // namespace graincrack::claims

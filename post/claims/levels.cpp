@@ -1,146 +1,111 @@
 #include "post/claims/levels.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "post/table/number.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::claims {
 
 namespace {
 
-/// One row's entry of the claim's column.
-std::optional<double> entry_of(const Claim& claim, const Rows& rows, std::size_t row) {
-    const std::size_t minus = claim.column.find(" - ");
-    if (minus != std::string::npos) {
-        const auto first = rows.number(row, claim.column.substr(0, minus));
-        const auto second = rows.number(row, claim.column.substr(minus + 3));
-        if (!first || !second) return std::nullopt;
-        return (*first - *second) * claim.factor;
-    }
-    if (claim.column.starts_with("x at ")) {
-        const auto intercept = rows.number(row, "intercept");
-        const auto slope = rows.number(row, "slope");
-        const auto y = parse_number(claim.column.substr(5));
-        if (!intercept || !slope || !y) return std::nullopt;
-        return (*y - *intercept) / *slope * claim.factor;
-    }
-    const auto number = rows.number(row, claim.column);
-    if (!number) return std::nullopt;
-    return *number * claim.factor;
+/// A text for tests without a peak, where the table counts them.
+std::string without_peak(const summary::Database& tables, const std::string& table) {
+    const std::string total = tables.has(table, "specimens") ? "specimens" : "runs";
+    if (!tables.has(table, "without_peak") || !tables.has(table, total)) return "";
+    return fmt::format("iif(without_peak > 0, text(' ({{}} of {{}} without a peak)', without_peak, {}), NULL)", total);
 }
 
-/// One row's entry with the interval of the claim's columns.
-std::optional<Estimate> estimate_of_row(const Claim& claim, const Rows& rows, std::size_t row) {
-    const auto value = entry_of(claim, rows, row);
-    if (!value) return std::nullopt;
-    Estimate estimate{*value, std::nullopt, std::nullopt};
-    if (claim.interval.size() == 1) {
-        if (const auto half = rows.number(row, claim.interval[0])) {
-            estimate.low = *value - *half * claim.factor;
-            estimate.high = *value + *half * claim.factor;
-        }
-    } else if (claim.interval.size() == 2) {
-        const auto low = rows.number(row, claim.interval[0]);
-        const auto high = rows.number(row, claim.interval[1]);
-        if (low && high) {
-            estimate.low = *low * claim.factor;
-            estimate.high = *high * claim.factor;
-        }
-    }
-    return estimate;
-}
-
-/// The part of rows that have an entry in a column.
-Estimate part_filled(const Rows& rows, const std::string& column) {
-    double filled = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) filled += rows.text(i, column).empty() ? 0 : 1;
-    return {filled / static_cast<double>(rows.size()), std::nullopt, std::nullopt};
-}
-
-double tolerance_of(const Claim& claim) { return claim.tolerance.amount; }
-
-/// The levels of a claim with the value of each specimen, by the entries of its pair column.
-std::map<double, std::map<std::string, double>> values_by_level(const Claim& claim, const Rows& rows) {
+/// The levels of a claim with the value of each specimen.
+std::map<double, std::map<std::string, double>> values_by_level(const std::vector<Row>& rows) {
     std::map<double, std::map<std::string, double>> levels;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto level = rows.number(i, claim.by);
-        const auto value = entry_of(claim, rows, i);
-        if (level && value) levels[*level][rows.text(i, claim.pair)] = *value;
+    for (const Row& row : rows) {
+        if (row.level && row.ours) levels[*row.level][row.specimen] = row.ours->value;
     }
     return levels;
 }
 
 }  // namespace
 
-Rows::Rows(const TableFile& table, const std::vector<Condition>& where) : table_(&table), rows_(table.n_rows()) {
-    std::iota(rows_.begin(), rows_.end(), std::size_t{0});
-    for (const Condition& condition : where) {
-        if (condition.column == "row") continue;
-        const std::vector<std::string> entries = table.texts(condition.column);
-        std::erase_if(rows_, [&](std::size_t row) { return !meets(condition, entries[row]); });
+std::vector<Row> rows_of(const Claim& claim, const summary::Database& tables, const std::string& where) {
+    std::vector<std::string> interval = claim.interval;
+    interval.resize(2);
+    if (claim.interval.size() == 1) {
+        const std::string half = claim.interval[0];
+        interval = {claim.column + " - " + half, claim.column + " + " + half};
     }
-    for (const Condition& condition : where) {
-        if (condition.column != "row") continue;
-        const double place = parse_number(condition.value).value_or(0);
-        if (place < 1 || place > static_cast<double>(rows_.size())) {
-            rows_.clear();
-        } else {
-            rows_ = {rows_[static_cast<std::size_t>(place) - 1]};
-        }
+    const bool has_levels = claim.kind == Kind::trend || !claim.pair.empty();
+    std::vector<std::string> parts{claim.column, interval[0],
+                                   interval[1],  has_levels ? claim.by : "",
+                                   claim.pair,   claim.value.starts_with('=') ? claim.value.substr(1) : "",
+                                   claim.needs,  without_peak(tables, claim.table)};
+    for (std::string& part : parts) part = part.empty() ? "NULL" : "(" + part + ")";
+    const std::string sql = fmt::format("SELECT {} FROM {} WHERE {}", fmt::join(parts, ", "), claim.table,
+                                        claim.where.empty() ? "TRUE" : claim.where);
+    std::vector<Row> rows;
+    for (const std::vector<Cell>& cells : tables.answer_of_file(sql, where)) {
+        const auto number = [&](std::size_t place) -> std::optional<double> {
+            const std::string& text = cells[place].text();
+            if (text.empty()) return std::nullopt;
+            if (const auto value = parse_number(text)) return value;
+            throw InputError(fmt::format("{}: \"{}\"; a number is needed", where, text));
+        };
+        const auto ours = [&](std::size_t place) {
+            const auto value = number(place);
+            return value ? std::optional(*value * claim.factor) : std::nullopt;
+        };
+        Row& row = rows.emplace_back();
+        if (const auto value = ours(0)) row.ours = Estimate{*value, ours(1), ours(2)};
+        row.level = number(3);
+        row.specimen = cells[4].text();
+        row.paper = number(5);
+        row.meets_needs = claim.needs.empty() || number(6).value_or(0) != 0;
+        row.without_peak = cells[7].text();
     }
+    return rows;
 }
 
-std::string Rows::text(std::size_t row, const std::string& column) const { return table_->texts(column)[rows_[row]]; }
-
-std::optional<double> Rows::number(std::size_t row, const std::string& column) const {
-    const double value = table_->numbers_or_nan(column)[rows_[row]];
-    return std::isnan(value) ? std::nullopt : std::optional(value);
-}
-
-bool matches(const Condition& condition, const Rows& rows, std::size_t row) {
-    return meets(condition, rows.text(row, condition.column));
-}
-
-std::vector<double> numbers_of(const Claim& claim, const Rows& rows) {
+std::vector<double> numbers_of(const std::vector<Row>& rows) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (const auto value = entry_of(claim, rows, i)) values.push_back(*value);
+    for (const Row& row : rows) {
+        if (row.ours) values.push_back(row.ours->value);
     }
     return values;
 }
 
-std::optional<Estimate> estimate_of(const Claim& claim, const Rows& rows) {
-    if (claim.column.starts_with("filled ")) return part_filled(rows, claim.column.substr(7));
-    if (!claim.interval.empty() || rows.size() == 1) return estimate_of_row(claim, rows, 0);
-    const std::vector<double> values = numbers_of(claim, rows);
+std::optional<Estimate> estimate_of(const Claim& claim, const std::vector<Row>& rows) {
+    if (!claim.interval.empty() || rows.size() == 1) return rows.front().ours;
+    const std::vector<double> values = numbers_of(rows);
     if (values.empty()) return std::nullopt;
     return sample(values).mean;
 }
 
-std::vector<std::pair<double, Estimate>> estimates_by_level(const Claim& claim, const Rows& rows) {
+std::vector<std::pair<double, Estimate>> estimates_by_level(const std::vector<Row>& rows) {
     std::vector<std::pair<double, Estimate>> levels;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto level = rows.number(i, claim.by);
-        const auto estimate = estimate_of_row(claim, rows, i);
-        if (level && estimate) levels.emplace_back(*level, *estimate);
+    for (const Row& row : rows) {
+        if (row.level && row.ours) levels.emplace_back(*row.level, *row.ours);
     }
     std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return levels;
 }
 
-std::optional<LevelDifference> difference_between_levels(const Claim& claim, const Rows& rows) {
+std::optional<LevelDifference> difference_between_levels(const Claim& claim, const std::vector<Row>& rows) {
     std::vector<Estimate> means;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (const auto estimate = estimate_of_row(claim, rows, i)) means.push_back(*estimate);
+    for (const Row& row : rows) {
+        if (row.ours) means.push_back(*row.ours);
     }
     if (means.size() < 2) return std::nullopt;
-    const Spread spread = judge_spread(means, tolerance_of(claim));
+    const Spread spread = judge_spread(means, claim.tolerance.amount);
     return LevelDifference{{spread.relative, std::nullopt, std::nullopt}, spread.verdict};
 }
 
-std::optional<LevelDifference> difference_on_same_specimens(const Claim& claim, const Rows& rows) {
-    const auto levels = values_by_level(claim, rows);
+std::optional<LevelDifference> difference_on_same_specimens(const Claim& claim, const std::vector<Row>& rows) {
+    const auto levels = values_by_level(rows);
     if (levels.size() < 2) return std::nullopt;
     const auto base = std::min_element(
         levels.begin(), levels.end(), [](const auto& a, const auto& b) { return std::abs(a.first - 1) < std::abs(b.first - 1); });
@@ -154,7 +119,7 @@ std::optional<LevelDifference> difference_on_same_specimens(const Claim& claim, 
         }
         if (ratios.empty()) continue;
         const Estimate off = sample(ratios).mean;
-        const Verdict verdict = judge_value(off, 0, tolerance_of(claim));
+        const Verdict verdict = judge_value(off, 0, claim.tolerance.amount);
         if (!out) out = LevelDifference{off, verdict};
         if (std::abs(off.value) > std::abs(out->largest.value)) out->largest = off;
         out->verdict = worse(out->verdict, verdict);

@@ -7,37 +7,33 @@
 #include <vector>
 
 #include "post/claims/claim.hpp"
-#include "post/table/table_file.hpp"
+#include "post/statistics/statistics.hpp"
+#include "post/summary/database.hpp"
 
 namespace graincrack::claims {
 
-/// Rows of a table that meet conditions. The condition row=N selects the N-th of those that meet the others.
-class Rows {
-public:
-    Rows(const TableFile& table, const std::vector<Condition>& where);
-    [[nodiscard]] std::size_t size() const { return rows_.size(); }
-    [[nodiscard]] bool has(const std::string& column) const { return table_->has(column); }
-    [[nodiscard]] std::string text(std::size_t row, const std::string& column) const;
-    /// Empty if the entry is. \throws InputError if it is no number
-    [[nodiscard]] std::optional<double> number(std::size_t row, const std::string& column) const;
-
-private:
-    const TableFile* table_;
-    std::vector<std::size_t> rows_;
+/// What a claim takes from a row of its table. What is empty there, or has no column in the claim, is empty.
+struct Row {
+    std::optional<Estimate> ours;  ///< in the unit of the paper, with the interval of the claim's columns
+    std::optional<double> level;
+    std::string specimen;
+    std::optional<double> paper;  ///< where `value` of the claim is a column
+    bool meets_needs = true;
+    std::string without_peak;  ///< " (3 of 10 without a peak)" of a row that counts them
 };
 
-/// Whether a row meets a condition. Numbers are compared as numbers.
-bool matches(const Condition& condition, const Rows& rows, std::size_t row);
+/// The rows of a claim. \throws InputError that begins with `where` for a table, column or condition that cannot be understood
+std::vector<Row> rows_of(const Claim& claim, const summary::Database& tables, const std::string& where);
 
-/// The column of a claim in every row that has an entry, in the paper's unit: a column, or "A - B".
-std::vector<double> numbers_of(const Claim& claim, const Rows& rows);
+/// The entries that there are, in the unit of the paper.
+std::vector<double> numbers_of(const std::vector<Row>& rows);
 
 /// Our number: of one row with the interval of the claim's columns, or the mean over rows with Student's interval. Empty without
 /// an entry.
-std::optional<Estimate> estimate_of(const Claim& claim, const Rows& rows);
+std::optional<Estimate> estimate_of(const Claim& claim, const std::vector<Row>& rows);
 
 /// The same at each level, by rising level; rows need the interval columns of the claim, without them levels have none.
-std::vector<std::pair<double, Estimate>> estimates_by_level(const Claim& claim, const Rows& rows);
+std::vector<std::pair<double, Estimate>> estimates_by_level(const std::vector<Row>& rows);
 
 /// How much the levels differ.
 struct LevelDifference {
@@ -45,9 +41,9 @@ struct LevelDifference {
     Verdict verdict = Verdict::open;
 };
 /// The largest of the means at the levels over the smallest, against the tolerance. Empty for fewer than two levels.
-std::optional<LevelDifference> difference_between_levels(const Claim& claim, const Rows& rows);
+std::optional<LevelDifference> difference_between_levels(const Claim& claim, const std::vector<Row>& rows);
 /// At each level the mean ratio to the base on the same specimens, which must be 1 within the tolerance at each of them. The base
 /// is the level nearest to 1. Empty for fewer than two levels.
-std::optional<LevelDifference> difference_on_same_specimens(const Claim& claim, const Rows& rows);
+std::optional<LevelDifference> difference_on_same_specimens(const Claim& claim, const std::vector<Row>& rows);
 
 }  // namespace graincrack::claims

@@ -18,8 +18,9 @@ struct Options {
 };
 
 void write(const Options& options, const Call& call) {
-    if (call.files.size() < 2)
+    if (call.files.size() < 2) {
         throw UsageError("tables: missing; claims needs the file of claims and the tables of results that it names");
+    }
     claims::ClaimsOptions parts{options.study, {}, options.format};
     for (const std::string& text : options.settings) {
         const std::size_t at = text.find('=');

@@ -15,7 +15,7 @@ namespace {
 /// The one row of the table: its columns with their values.
 class RowBuilder {
 public:
-    void add(const std::string& column, Cell value) { add(column, unit::none, std::move(value)); }
+    void add(const std::string& column, const Cell& value) { add(column, unit::none, value); }
     void add(const std::string& column, const ColumnUnit& unit, const Cell& value) {
         columns_.push_back(script_name(column, unit));
         cells_.push_back(value.times(unit.factor));
@@ -110,7 +110,7 @@ void write_to_terminal(std::ostream& out, const Envelope& envelope, const Envelo
     const std::size_t runs = tests.compression.size();
     const auto add = [&](const std::string& label, const ColumnUnit& unit, const std::string& symbol,
                          const std::optional<Estimate>& e) {
-        const Cell none = e ? Cell() : Cell(fmt::format("not determined by {} tests", runs));
+        const Cell none = e ? Cell(fmt::format("not determined by {} tests", runs)) : Cell();
         table.row(cells_of(terminal_columns(), {label, e ? Cell(e->value).times(unit.factor) : Cell(),
                                                 e && e->low ? interval_cell(e->low, e->high, unit) : none, symbol}));
     };

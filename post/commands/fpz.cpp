@@ -172,8 +172,9 @@ KnownRock known_rock(const IncompleteMaterial& read, const FpzOptions& options, 
     if (!rock.contact_tensile_strength) {
         notes.emplace_back("contact.tensile_strength is missing: quantities that follow from it are left out");
     }
-    if (rock.edges.empty())
+    if (rock.edges.empty()) {
         notes.emplace_back("no grain size: give --edge or laboratory.grain_size for the quantities that depend on it");
+    }
     return rock;
 }
 

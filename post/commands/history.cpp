@@ -19,9 +19,7 @@ void write_probe(std::ostream& out, const RunReader& run, const std::string& nam
     std::vector<std::string> columns{"time_s", "step"};
     for (const ProbeColumn& column : probe.columns) columns.push_back(column.name + "_" + std::string(si_unit(column.dimension)));
     for (const std::vector<double>& values : probe.values) {
-        if (values.size() != history.size()) {
-            throw InputError(run.name() + ": probe " + name + " and history differ in length");
-        }
+        if (values.size() != history.size()) throw InputError(run.name() + ": probe " + name + " and history differ in length");
     }
     TableWriter table(out, columns, format);
     for (std::size_t i = 0; i < history.size(); ++i) {
@@ -35,8 +33,9 @@ void write_probe(std::ostream& out, const RunReader& run, const std::string& nam
 /// of loading programs, or whose records differ in number
 void write_stages(std::ostream& out, const RunReader& run, TableFormat format) {
     const std::string group = schema::program_group;
-    if (!run.file().has(group))
+    if (!run.file().has(group)) {
         throw InputError(run.name() + ": stages are recorded only for runs of `graincrack-solve program`");
+    }
     const auto names = run.file().attribute<std::vector<std::string>>(group, "stages");
     const auto ended_by = run.file().attribute<std::vector<std::string>>(group, "ended_by");
     const auto begin = run.file().read<double>(group + "/begin");

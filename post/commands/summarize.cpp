@@ -10,25 +10,23 @@ namespace graincrack {
 Command summarize_command() {
     using summary::SummaryOptions;
     return make_command<SummaryOptions>(
-        "summarize", "statistics of tables by groups of rows: means, deviations, intervals, fits",
-        {"strength.tsv --by test --column 'runs=n(file)' --column 'mean_MPa=mean(tensile_strength_MPa)'",
-         "strength.tsv --where test!=brazilian --by confining_pressure_MPa --sort --column 'cracks=mean(tensile_cracks + "
-         "shear_cracks)'"},
-        trend_tables,
+        "summarize", "tables queried by SQL, with means, deviations, intervals and fits",
+        {"strength.tsv --sql 'SELECT test, count(*) AS runs, mean(tensile_strength_MPa) AS mean_MPa FROM strength GROUP BY test'",
+         "strength.tsv --sql \"SELECT test, mean_and_half(energy_balance_error, '.1e') FROM strength GROUP BY test\" --pivot "
+         "--format markdown"},
+        FileArguments{"tables", "tables as FILE, named by the stem of the file, or NAME=FILE; those of one name are combined"},
         [](CLI::App& app, SummaryOptions& options) {
-            add_names(app, "--by", options.by, "COLUMN|NAME=EXPRESSION",
-                      "one row for each value of this column; may be given again");
-            app.add_option("--join", options.join, "merge the rows that have the same value in this column")->type_name("COLUMN");
-            add_names(app, "--where", options.where, "CONDITION",
-                      "use only rows that meet COLUMN=VALUE, or !=, <, <=, >, >=; may be given again");
-            add_names(app, "--column", options.columns, "NAME=EXPRESSION",
-                      "a column of the result: statistics such as mean(A), n(A where B=x), slope(X, Y) with + - * / | and "
-                      "numbers, or a text with them in braces: {mean(A):.1f}; may be given again");
-            app.add_flag("--sort", options.sort, "sort the rows by the columns of --by");
-            app.add_option("--label", options.label, "give tables as LABEL=FILE; this new column holds the label")
+            app.add_option("--sql", options.sql,
+                           "a SELECT as SQLite has it, or a file *.sql with one. Further aggregates: mean, deviation (n-1), low, "
+                           "high, half_interval (95 %, Student's t), slope(x, y), intercept, exponent, cohesion(s3, s1), "
+                           "friction_angle, mean_and_half(x, '.1f'), entries; text('{:.1f} of {}', x, y) formats numbers. "
+                           "Default: all of the first table")
+                ->type_name("QUERY|FILE.sql");
+            add_names(app, "--set", options.settings, "NAME=VALUE", "value of :NAME in the query; may be given again");
+            app.add_flag("--pivot", options.pivot,
+                         "the last two columns of the query are a name and a value: make a column for each name");
+            app.add_option("--label", options.label, "add this column to each table: the name of the row's file without its end")
                 ->type_name("COLUMN");
-            add_names(app, "--look-up", options.look_up, "TABLE",
-                      "add the columns of this table to each row with the same value in its first column; may be given again");
             add_choice<TableFormat>(
                 app, "--format", options.format,
                 {{"table", TableFormat::aligned},

@@ -27,6 +27,7 @@
 
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
+#include "share/file/end_faces.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack {
@@ -291,7 +292,7 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
 }
 
 void write_platens(const std::string& path, const Specimen& specimen, const FrameMoment& moment) {
-    const double half_width = specimen.width / 2 * (specimen.shape == "disc" ? 0.5 : 1.0);
+    const double half_width = loaded_width(specimen) / 2;
     const double thickness = 0.05 * specimen.height;
     std::vector<std::array<double, 2>> corners;
     std::vector<std::array<double, 2>> moves;

@@ -182,9 +182,7 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
 }
 
 void print_left_out(std::ostream& diagnostics, const EnvelopeTests& tests) {
-    for (const std::string& reason : tests.left_out) {
-        fmt::print(diagnostics, "graincrack-post: envelope: left out: {}\n", reason);
-    }
+    for (const std::string& reason : tests.left_out) fmt::print(diagnostics, "graincrack-post: envelope: left out: {}\n", reason);
 }
 
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {

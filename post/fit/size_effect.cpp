@@ -93,9 +93,7 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLi
     require_same_settings(runs, "a size effect");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a size effect");
-        if (!(run.specimen.mean_edge > 0)) {
-            throw InputError(run.name + ": the specimen has no mean edge; a size effect needs it");
-        }
+        if (!(run.specimen.mean_edge > 0)) throw InputError(run.name + ": the specimen has no mean edge; a size effect needs it");
         const Strength strength = measure_strength(run);
         const RunHeader& h = run.header;
         SizeSeries& s = series[{h.test, h.confining_pressure}];

@@ -260,9 +260,7 @@ namespace {
 /// Stiffness of all contacts in series over their number: one of many classes by its mean compliance.
 double mean_stiffness(const RunHeader& header, const std::vector<std::uint8_t>& classes, ContactValue stiffness) {
     double compliance = 0;
-    for (const std::uint8_t each : classes) {
-        compliance += 1 / (header.fabric.contacts.at(each).*stiffness);
-    }
+    for (const std::uint8_t each : classes) compliance += 1 / (header.fabric.contacts.at(each).*stiffness);
     return static_cast<double>(classes.size()) / compliance;
 }
 

@@ -87,8 +87,9 @@ std::vector<Curve> curves_of(const CrackCounts& counts) {
 Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition, Abscissa abscissa,
                     const PictureStyle& style) {
     const ModeCounts& last = counts.moments.back().all;
-    if (last.tensile + last.shear == 0)
+    if (last.tensile + last.shear == 0) {
         throw InputError(run.name + ": no micro-cracks; counts over the loading need a run with some");
+    }
     const std::vector<Curve> curves = curves_of(counts);
     const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
     double most = 0;

@@ -14,6 +14,7 @@
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
+#include "share/file/end_faces.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {
@@ -110,7 +111,7 @@ bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     map.draw_grains();
     if (scene.data.header.test != "tension") {
         const double y = specimen.height / 2 * (1 + scene.options.magnification * now.axial_strain);
-        const double half_width = specimen.width / 2 * (specimen.shape == "disc" ? 0.5 : 1.0);
+        const double half_width = loaded_width(specimen) / 2;
         map.draw_platen(y, true, half_width);
         map.draw_platen(-y, false, half_width);
     }

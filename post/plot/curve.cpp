@@ -174,8 +174,9 @@ LaboratoryCurve read_laboratory_curve(const std::string& path) {
     curve.name = std::filesystem::path(table.name()).filename().string();
     curve.axial_strain = strains(table, "axial_strain");
     curve.stress = times(table.numbers_or_nan("stress_MPa"), 1e6);
-    if (table.has("lateral_strain") || table.has("lateral_strain_percent"))
+    if (table.has("lateral_strain") || table.has("lateral_strain_percent")) {
         curve.lateral_strain = strains(table, "lateral_strain");
+    }
     return curve;
 }
 
@@ -203,8 +204,9 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
         chart.legend(first_peak_marker, "first peak");
         chart.legend(Marker{}, "largest stress");
     }
-    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual)))
+    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual))) {
         chart.legend(residual_stroke, "residual strength");
+    }
     for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], i);
     if (!style.x_limits) mark_cut_branches(chart, runs, extent, 1.1 * drawn_lateral(extent));
     return chart.finish();

@@ -92,8 +92,9 @@ std::string strength_label(const EnvelopeTests& tests) {
                          : tests.kind == StrengthKind::residual ? "residual strength"
                                                                 : "largest stress";
     std::string label = fmt::format("σ1 is the {} of a test", stress);
-    if (!tests.left_out.empty())
+    if (!tests.left_out.empty()) {
         label += fmt::format("; {} of {} tests have one", tests.compression.size(), tests.compression_runs());
+    }
     return label;
 }
 
@@ -114,8 +115,9 @@ Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::stri
         for (const double strength : *strengths) left = std::max(left, 1.3 * strength * mega);
     }
     std::vector<std::string> subtitle{line_label(envelope), strength_label(tests)};
-    if (tests.at_strain_limit > 0)
+    if (tests.at_strain_limit > 0) {
         subtitle.push_back(fmt::format("{} of the tests stopped at the strain limit, without a peak", tests.at_strain_limit));
+    }
     return {style, ChartText{title, subtitle}, Axis{"normal stress, MPa (compression positive)", -left, 1.03 * right},
             Axis{"shear stress, MPa", 0, 1.3 * radius}, ChartForm{.equal_scales = true}};
 }

@@ -210,8 +210,9 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
         legend.push_back({curves.stroke(i), name + (of_material ? " (the material's own)" : "")});
     }
     double end = draw_legend(page, legend, column, page.height()).bottom;
-    if (curves.laws.size() > 1)
+    if (curves.laws.size() > 1) {
         end = draw_heading(page, {"", {"a law without a curve of its own has the black one"}}, column, end);
+    }
     page.set_height(end + 14);
     return page;
 }

@@ -72,8 +72,9 @@ Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureSty
         at_strain_limit += s.at_strain_limit;
     }
     std::vector<std::string> subtitle{"strength ∝ (mean edge)ⁿ by logarithms, 95 % interval of n"};
-    if (at_strain_limit > 0)
+    if (at_strain_limit > 0) {
         subtitle.push_back(fmt::format("{} of the runs stopped at the strain limit, without a peak", at_strain_limit));
+    }
     Chart chart(style, {"Size effect", subtitle}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
     for (std::size_t i = 0; i < series.size(); ++i) draw_series(chart, series[i], i);
     return chart.finish();

@@ -12,6 +12,7 @@
 #include "post/plot/make_plot.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
+#include "share/file/end_faces.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/options/command_line.hpp"
 
@@ -21,9 +22,9 @@ namespace {
 
 ChartText heading(const Specimen& specimen) {
     const MeshStatistics& mesh = specimen.statistics;
-    const bool round = specimen.shape == "disc" || specimen.shape == "ring";
-    const std::string size = round ? "⌀ " + format_number(specimen.width * 1e3, 4)
-                                   : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
+    const bool is_round = !has_end_faces(specimen);
+    const std::string size = is_round ? "⌀ " + format_number(specimen.width * 1e3, 4)
+                                      : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
     std::string shape = specimen.shape;
     if (!shape.empty() && shape[0] >= 'a' && shape[0] <= 'z') shape[0] = static_cast<char>(shape[0] - 'a' + 'A');
     return {fmt::format("{} {} mm, {} grains", shape, size, specimen.n_grains()),

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "post/report/html.hpp"
-#include "post/table/condition.hpp"
+#include "post/table/number.hpp"
 #include "post/table/table.hpp"
 #include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
@@ -37,9 +37,7 @@ std::string title_of(const fs::path& file) {
 std::string text_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
-    if (!(text << stream.rdbuf())) {
-        throw InputError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-    }
+    if (!(text << stream.rdbuf())) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
     return text.str();
 }
 
@@ -64,8 +62,9 @@ std::string table_of(const fs::path& file) {
     const TableFile table(file.string());
     std::vector<std::string> header = table.columns();
     for (const std::string& name : header) {
-        if (std::count(header.begin(), header.end(), name) > 1)
+        if (std::count(header.begin(), header.end(), name) > 1) {
             throw InputError(fmt::format("{}: column {} is there twice; each needs a name of its own", file.string(), name));
+        }
     }
     std::vector<std::vector<std::string>> columns;
     for (const std::string& name : header) columns.push_back(table.texts(name));

@@ -225,9 +225,7 @@ std::string curve_figures(const Content& content, const ReportOptions& options) 
         return draw_strengths(data_of(content), options.material, caveat_lines(content), style);
     });
     std::map<std::string, std::vector<RunData>> kinds;
-    for (const RunData& run : content.curves) {
-        kinds[kind_of(run.header)].push_back(run);
-    }
+    for (const RunData& run : content.curves) kinds[kind_of(run.header)].push_back(run);
     for (const auto& each : kinds) {
         const std::string& kind = each.first;
         const std::vector<RunData>& runs = each.second;

@@ -55,14 +55,16 @@ std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vecto
     if (!settles(work.get())) return std::nullopt;
     NonlinearFit fit;
     fit.parameters.assign(work->x->data, work->x->data + p);
-    if (!std::all_of(fit.parameters.begin(), fit.parameters.end(), [](double v) { return std::isfinite(v); }))
+    if (!std::all_of(fit.parameters.begin(), fit.parameters.end(), [](double v) { return std::isfinite(v); })) {
         return std::nullopt;
+    }
     std::vector<double> covariance(p * p);
     gsl_matrix_view matrix = gsl_matrix_view_array(covariance.data(), p, p);
     gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work.get()), 0, &matrix.matrix);
-    for (std::size_t i = 0; i < p; ++i)
+    for (std::size_t i = 0; i < p; ++i) {
         fit.inverse.emplace_back(covariance.begin() + static_cast<std::ptrdiff_t>(i * p),
                                  covariance.begin() + static_cast<std::ptrdiff_t>((i + 1) * p));
+    }
     gsl_blas_ddot(work->f, work->f, &fit.residual_sum);
     fit.freedom = static_cast<int>(n_residuals) - static_cast<int>(p);
     return fit;

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 
 #include "post/fit/mohr_coulomb.hpp"
@@ -16,12 +14,12 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// A statistic of one column, from the entries that there are; empty without any.
+/// A statistic of one argument, from the entries that there are; empty without any.
 template <class Function>
 Statistic of_one(Function function) {
-    return {1, [function](const std::vector<std::vector<Number>>& columns) -> Number {
+    return {1, [function](const std::vector<std::vector<Number>>& arguments) -> Number {
                 Values values;
-                for (const Number& entry : columns[0]) {
+                for (const Number& entry : arguments[0]) {
                     if (entry) values.push_back(*entry);
                 }
                 if (values.empty()) return std::nullopt;
@@ -32,14 +30,14 @@ Statistic of_one(Function function) {
 /// A statistic of pairs with at least two different x.
 template <class Function>
 Statistic of_pairs(Function function) {
-    return {2, [function](const std::vector<std::vector<Number>>& columns) -> Number {
+    return {2, [function](const std::vector<std::vector<Number>>& arguments) -> Number {
                 Values x;
                 Values y;
-                for (std::size_t row = 0; row < columns[0].size(); ++row) {
-                    if (!columns[0][row]) continue;
-                    if (!columns[1][row]) return std::nullopt;
-                    x.push_back(*columns[0][row]);
-                    y.push_back(*columns[1][row]);
+                for (std::size_t row = 0; row < arguments[0].size(); ++row) {
+                    if (!arguments[0][row]) continue;
+                    if (!arguments[1][row]) return std::nullopt;
+                    x.push_back(*arguments[0][row]);
+                    y.push_back(*arguments[1][row]);
                 }
                 if (std::set<double>(x.begin(), x.end()).size() < 2) return std::nullopt;
                 return function(x, y);
@@ -61,22 +59,15 @@ Number exponent(const Values& x, const Values& y) {
     return fit_line(log_x, log_y)->slope;
 }
 
+}  // namespace
+
 const std::map<std::string, Statistic>& statistics() {
     static const std::map<std::string, Statistic> all{
-        {"n",
-         {1,
-          [](const auto& columns) -> Number {
-              return std::count_if(columns[0].begin(), columns[0].end(), [](const Number& entry) { return entry.has_value(); });
-          }}},
-        {"first", of_one([](const Values& v) { return Number(v.front()); })},
-        {"sum", of_one([](const Values& v) { return Number(std::accumulate(v.begin(), v.end(), 0.0)); })},
         {"mean", of_one([](const Values& v) { return Number(sample(v).mean.value); })},
         {"deviation", of_one([](const Values& v) { return sample(v).deviation; })},
         {"low", of_one([](const Values& v) { return sample(v).mean.low; })},
         {"high", of_one([](const Values& v) { return sample(v).mean.high; })},
         {"half_interval", of_one(half_interval)},
-        {"smallest", of_one([](const Values& v) { return Number(*std::min_element(v.begin(), v.end())); })},
-        {"largest", of_one([](const Values& v) { return Number(*std::max_element(v.begin(), v.end())); })},
         {"intercept", of_pairs([](const Values& x, const Values& y) { return Number(fit_line(x, y)->intercept); })},
         {"slope", of_pairs([](const Values& x, const Values& y) { return Number(fit_line(x, y)->slope); })},
         {"exponent", of_pairs(exponent)},
@@ -85,19 +76,6 @@ const std::map<std::string, Statistic>& statistics() {
              return Number(fit_mohr_coulomb(x, y).friction_angle * 180 / std::numbers::pi);
          })}};
     return all;
-}
-
-}  // namespace
-
-const Statistic* find_statistic(const std::string& name) {
-    const auto found = statistics().find(name);
-    return found == statistics().end() ? nullptr : &found->second;
-}
-
-std::string statistic_names() {
-    std::string names;
-    for (const auto& [name, statistic] : statistics()) names += (names.empty() ? "" : ", ") + name;
-    return names;
 }
 
 }  // namespace graincrack::summary

@@ -3,134 +3,87 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
 
-#include "post/summary/expression.hpp"
-#include "post/summary/text_template.hpp"
-#include "post/table/condition.hpp"
+#include "post/summary/database.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::summary {
 
 namespace {
 
-struct Group {
-    std::vector<std::string> key;
-    std::vector<std::size_t> rows;
-};
+std::string content(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
-std::vector<Condition> conditions_of(const SummaryOptions& options, const JoinedRows& rows) {
-    std::vector<Condition> conditions;
-    for (const std::string& text : options.where) {
-        const auto condition = parse_condition(text);
-        if (!condition) throw UsageError(fmt::format("--where {}: {}", text, condition_form));
-        static_cast<void>(rows.column(condition->column));  // there must be one
-        conditions.push_back(*condition);
+std::map<std::string, std::string> settings_of(const SummaryOptions& options) {
+    std::map<std::string, std::string> settings;
+    for (const std::string& text : options.settings) {
+        const std::size_t at = text.find('=');
+        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: NAME=VALUE is needed", text));
+        settings[text.substr(0, at)] = text.substr(at + 1);
     }
-    return conditions;
+    return settings;
 }
 
-bool all_meet(const std::vector<Condition>& conditions, const JoinedRows& rows, std::size_t row) {
-    return std::all_of(conditions.begin(), conditions.end(),
-                       [&](const Condition& condition) { return meets(condition, rows.column(condition.column)[row]); });
+/// The place of an entry, which is added if it is new.
+template <class Entry, class Same>
+std::size_t place_of(std::vector<Entry>& entries, const Entry& entry, Same same) {
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& other) { return same(other, entry); });
+    const auto place = static_cast<std::size_t>(found - entries.begin());
+    if (place == entries.size()) entries.push_back(entry);
+    return place;
 }
 
-bool before(const std::string& a, const std::string& b) {
-    const auto x = parse_number(a);
-    const auto y = parse_number(b);
-    if (x && y) return *x < *y;
-    if (x || y) return x.has_value();
-    return a < b;
-}
-
-/// NAME and EXPRESSION of an option. \throws UsageError
-std::pair<std::string, std::string> assignment(const std::string& text, const char* option) {
-    const std::size_t at = text.find('=');
-    if (at != 0 && at != std::string::npos) return {text.substr(0, at), text.substr(at + 1)};
-    throw UsageError(fmt::format("{} {}: NAME=EXPRESSION is needed, as runs=n(file)", option, text));
-}
-
-/// The entries of a column, or of an expression of each row.
-std::vector<std::string> entries_of(const std::string& by, const JoinedRows& rows) {
-    if (by.find('=') == std::string::npos) return rows.column(by);
-    const RowExpression expression = parse_row_expression(assignment(by, "--by").second, rows);
-    std::vector<std::string> entries;
-    for (std::size_t row = 0; row < rows.size(); ++row) entries.push_back(cell(expression(row)).text());
-    return entries;
-}
-
-std::vector<Group> groups_of(const JoinedRows& rows, const SummaryOptions& options) {
-    const std::vector<Condition> conditions = conditions_of(options, rows);
-    std::vector<std::vector<std::string>> by;
-    for (const std::string& text : options.by) by.push_back(entries_of(text, rows));
-    std::vector<Group> groups;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        if (!all_meet(conditions, rows, row)) continue;
-        std::vector<std::string> key;
-        for (const std::vector<std::string>& entries : by) key.push_back(entries[row]);
-        auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.key == key; });
-        if (group == groups.end()) group = groups.insert(groups.end(), Group{key, {}});
-        group->rows.push_back(row);
+Answer pivoted(const Answer& answer) {
+    if (answer.columns.size() < 2) {
+        throw UsageError("--pivot: the query has one column; a name and a value are its last two columns");
     }
-    if (options.sort) {
-        std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
-            return std::lexicographical_compare(a.key.begin(), a.key.end(), b.key.begin(), b.key.end(), before);
+    const std::size_t n_keys = answer.columns.size() - 2;
+    std::vector<std::string> names;
+    std::vector<std::vector<Cell>> keys;
+    std::map<std::pair<std::size_t, std::size_t>, Cell> values;
+    const auto same_text = [](const Cell& a, const Cell& b) { return a.text() == b.text(); };
+    for (const std::vector<Cell>& row : answer.rows) {
+        const std::vector<Cell> key(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n_keys));
+        const std::size_t at = place_of(keys, key, [&](const auto& a, const auto& b) {
+            return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_text);
         });
+        const std::size_t column = place_of(names, row[n_keys].text(), std::equal_to<>());
+        if (!values.emplace(std::pair(at, column), row.back()).second) {
+            throw UsageError(fmt::format("--pivot: the query has two rows of {} for the same {}", names[column],
+                                         n_keys > 0 ? answer.columns.front() : "row"));
+        }
     }
-    return groups;
-}
-
-/// The tables that are named; with --label as LABEL=FILE.
-JoinedRows rows_of(const std::vector<std::string>& files, const SummaryOptions& options) {
-    Joining joining{options.join, options.label, {}};
-    std::vector<TableFile> tables;
-    for (const std::string& file : files) {
-        const std::size_t at = options.label.empty() ? std::string::npos : file.find('=');
-        if (!options.label.empty() && (at == 0 || at == std::string::npos))
-            throw UsageError(fmt::format("{}: with --label a table is LABEL=FILE", file));
-        tables.emplace_back(at == std::string::npos ? file : file.substr(at + 1));
-        joining.labels.push_back(file.substr(0, at));
+    Answer wide{{answer.columns.begin(), answer.columns.end() - 2}, std::move(keys)};
+    wide.columns.insert(wide.columns.end(), names.begin(), names.end());
+    for (std::size_t row = 0; row < wide.rows.size(); ++row) {
+        for (std::size_t column = 0; column < names.size(); ++column) {
+            const auto found = values.find({row, column});
+            wide.rows[row].push_back(found == values.end() ? Cell() : found->second);
+        }
     }
-    JoinedRows rows(tables, joining);
-    for (const std::string& file : options.look_up) rows.look_up(TableFile(file));
-    return rows;
-}
-
-/// A column of the summary: an entry from the rows of a group.
-using Column = std::function<Cell(const std::vector<std::size_t>&)>;
-
-Column column_of(const std::string& text, const JoinedRows& rows) {
-    if (text.find('{') != std::string::npos) {
-        return [fill = parse_template(text, rows)](const std::vector<std::size_t>& group) { return Cell(fill(group)); };
-    }
-    return [evaluate = parse_expression(text, rows)](const std::vector<std::size_t>& group) { return cell(evaluate(group)); };
-}
-
-Cell key_cell(const std::string& entry) {
-    const auto number = parse_number(entry);
-    return number ? Cell(*number) : Cell(entry);
+    return wide;
 }
 
 }  // namespace
 
 void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options) {
-    const JoinedRows rows = rows_of(files, options);
-    std::vector<std::string> names;
-    for (const std::string& by : options.by) names.push_back(by.substr(0, by.find('=')));
-    std::vector<Column> columns;
-    for (const std::string& column : options.columns) {
-        const auto [name, expression] = assignment(column, "--column");
-        names.push_back(name);
-        columns.push_back(column_of(expression, rows));
-    }
-    std::vector<std::vector<Cell>> cells;
-    for (const Group& group : groups_of(rows, options)) {
-        std::vector<Cell>& row = cells.emplace_back();
-        for (const std::string& entry : group.key) row.push_back(key_cell(entry));
-        for (const Column& column : columns) row.push_back(column(group.rows));
-    }
-    TableWriter table(out, names, options.format);
-    for (const std::vector<Cell>& row : cells) table.row(row);
+    const Database database(files, options.label);
+    const bool is_file = options.sql.ends_with(".sql");
+    const std::string sql = is_file               ? content(options.sql)
+                            : options.sql.empty() ? fmt::format("SELECT * FROM \"{}\"", database.tables().front())
+                                                  : options.sql;
+    Answer answer = database.query(sql, is_file ? options.sql : "--sql", settings_of(options));
+    if (options.pivot) answer = pivoted(answer);
+    TableWriter table(out, answer.columns, options.format);
+    for (const std::vector<Cell>& row : answer.rows) table.row(row);
 }
 
 }  // namespace graincrack::summary

@@ -17,7 +17,7 @@ namespace graincrack {
 
 /// ColumnUnit in which a column shows its SI values.
 struct ColumnUnit {
-    std::string_view name = "";
+    std::string_view name = {};
     double factor = 1;  ///< from SI
 };
 namespace unit {

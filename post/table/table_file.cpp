@@ -44,8 +44,9 @@ TableFile::TableFile(const std::string& path) : name_(path == "-" ? "stdin" : pa
     for (std::string line; std::getline(stream, line);) {
         ++line_number;
         if (line.empty() || line == "\r" || line[0] == '#') continue;
-        if (line.find('\0') != std::string::npos)
+        if (line.find('\0') != std::string::npos) {
             throw InputError(name_ + ": is no text; a table with one header line is needed");
+        }
         if (columns_.empty()) {
             separator = line.find('\t') == std::string::npos && line.find(',') != std::string::npos ? ',' : '\t';
             columns_ = fields(line, separator);

@@ -32,9 +32,7 @@ constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns o
 int report(const std::string& tool, const std::string& message, ExitCode code) {
     std::string line = message;
     for (char& c : line) {
-        if (c == '\n') {
-            c = ' ';
-        }
+        if (c == '\n') c = ' ';
     }
     std::fprintf(stderr, "%s: %s\n", tool.c_str(), shortened(printable(line), longest_message).c_str());
     return static_cast<int>(code);
@@ -43,9 +41,7 @@ int report(const std::string& tool, const std::string& message, ExitCode code) {
 /// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using it fails.
 void open_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        if (::fcntl(stream, F_GETFD) < 0) {
-            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-        }
+        if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     }
 }
 
@@ -92,9 +88,7 @@ void catch_stop_signals() {
 int stop_signal() noexcept { return caught_signal; }
 
 void throw_if_interrupted() {
-    if (caught_signal != 0) {
-        throw Interrupted(caught_signal);
-    }
+    if (caught_signal != 0) throw Interrupted(caught_signal);
 }
 
 }  // namespace graincrack

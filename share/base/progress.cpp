@@ -36,14 +36,10 @@ Progress::Progress(std::string label, Verbosity verbosity)
 Progress::~Progress() { finish(); }
 
 void Progress::update(double share, const std::string& detail) {
-    if (verbosity_ == Verbosity::quiet) {
-        return;
-    }
+    if (verbosity_ == Verbosity::quiet) return;
     const auto now = std::chrono::steady_clock::now();
     const bool due = seconds_between(last_print_, now) >= (terminal_ ? terminal_interval : log_interval);
-    if (!due) {
-        return;
-    }
+    if (!due) return;
     last_print_ = now;
     share = std::clamp(share, 0.0, 1.0);
     const double elapsed = seconds_between(start_, now);

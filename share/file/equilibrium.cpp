@@ -21,9 +21,7 @@ std::size_t largest_load(const History& history) {
 }  // namespace
 
 double load_rise_at_peak(const RunHeader& header, const History& history) {
-    if (header.test == "program" || history.size() == 0) {
-        return 0;
-    }
+    if (header.test == "program" || history.size() == 0) return 0;
     const std::size_t peak = largest_load(history);
     const double strain = std::abs(history[HistoryColumn::axial_strain][peak]);
     const double wave_speed = std::sqrt(header.rock.young_modulus / header.rock.density);
@@ -32,9 +30,7 @@ double load_rise_at_peak(const RunHeader& header, const History& history) {
 }
 
 double unbalanced_before_peak(const RunHeader& header, const History& history) {
-    if (header.test == "program" || history.size() == 0) {
-        return 0;
-    }
+    if (header.test == "program" || history.size() == 0) return 0;
     const std::size_t peak = largest_load(history);
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     double sum = 0;

@@ -12,9 +12,7 @@ namespace {
 
 void require_same_phases(const Material& material, const std::vector<std::string>& phase_names) {
     std::vector<std::string> described;
-    for (const auto& [name, phase] : material.fabric.phases) {
-        described.push_back(name);
-    }
+    for (const auto& [name, phase] : material.fabric.phases) described.push_back(name);
     std::vector<std::string> present = phase_names;
     std::sort(present.begin(), present.end());
     if (present != described) {
@@ -56,9 +54,7 @@ void take_stiffness_of_sides(const Sides& sides, const Material& material, Plane
 void take_factors(const GivenContact& factors, const Material& material, PlaneCondition plane, GivenContact& given) {
     const ContactParameters before = derived_contact(given, material.rock, plane);
     for (const ContactParameter& row : all_contact_parameters()) {
-        if (factors.*row.given) {
-            given.*row.given = *(factors.*row.given) * before.*row.value;
-        }
+        if (factors.*row.given) given.*row.given = *(factors.*row.given) * before.*row.value;
     }
 }
 
@@ -69,9 +65,7 @@ Fabric fabric_of(const Material& material, PlaneCondition plane, const std::opti
     const MaterialFabric& fabric = material.fabric;
     const Rock& rock = material.rock;
     const GivenContact base = given_contact(material, plane, choice);
-    if (fabric.phases.empty()) {
-        return uniform_fabric(rock, derived_contact(base, rock, plane), phase_names.size());
-    }
+    if (fabric.phases.empty()) return uniform_fabric(rock, derived_contact(base, rock, plane), phase_names.size());
     require_same_phases(material, phase_names);
     Fabric made;
     for (const std::string& name : phase_names) {

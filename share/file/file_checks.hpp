@@ -35,9 +35,7 @@ inline std::vector<double> read_finite(const H5Input& file, const std::string& d
 /// Rows of a dataset, of which all columns that belong to it must have as many. \throws InputError for a dataset without rows
 inline std::size_t rows_of(const H5Input& file, const std::string& dataset) {
     const Extents extents = file.extents(dataset);
-    if (extents.empty()) {
-        throw InputError(fmt::format("{}: dataset {} has no rows; a list is needed", file.name(), dataset));
-    }
+    if (extents.empty()) throw InputError(fmt::format("{}: dataset {} has no rows; a list is needed", file.name(), dataset));
     return extents[0];
 }
 

@@ -19,9 +19,7 @@ Handle fixed_string_type(std::size_t size) {
 }
 
 void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
-    if (H5Aexists(object, name.c_str()) > 0) {
-        H5Adelete(object, name.c_str());
-    }
+    if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
     const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const bool is_empty = H5Sget_simple_extent_npoints(space) == 0;  // HDF5 cannot write an empty list of texts
     if (!attribute.valid() || (!is_empty && H5Awrite(attribute.get(), type, data) < 0)) {
@@ -57,13 +55,9 @@ void write_attribute(hid_t object, const std::string& name, const std::vector<st
 }
 void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& values) {
     std::size_t size = 1;
-    for (const std::string& value : values) {
-        size = std::max(size, value.size());
-    }
+    for (const std::string& value : values) size = std::max(size, value.size());
     std::string padded;
-    for (const std::string& value : values) {
-        padded += value + std::string(size - value.size(), '\0');
-    }
+    for (const std::string& value : values) padded += value + std::string(size - value.size(), '\0');
     replace_attribute(object, name, fixed_string_type(size).get(), vector_space(values.size()).get(), padded.data());
 }
 
@@ -73,16 +67,12 @@ namespace {
 bool read_strings(hid_t attribute, std::vector<std::string>& out) {
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);
-    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
-        return false;
-    }
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) return false;
     const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
     out.clear();
     const std::size_t size = H5Tget_size(type.get());
     std::vector<char> bytes(n * size);
-    if (n > 0 && H5Aread(attribute, type.get(), bytes.data()) < 0) {
-        return false;
-    }
+    if (n > 0 && H5Aread(attribute, type.get(), bytes.data()) < 0) return false;
     for (std::size_t i = 0; i < n; ++i) {
         const char* begin = bytes.data() + i * size;
         out.emplace_back(begin, strnlen(begin, size));
@@ -94,9 +84,7 @@ template <class T>
 bool read_numbers(hid_t attribute, std::vector<T>& out) {
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type.get());
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
-        return false;
-    }
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) return false;
     const Handle space(H5Aget_space(attribute), H5Sclose);
     out.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
     return out.empty() || H5Aread(attribute, memory_type<T>(), out.data()) >= 0;
@@ -143,9 +131,7 @@ std::vector<std::string> link_names(hid_t object, const std::string& group) {
     std::vector<std::string> names;
     hsize_t start = 0;
     const Handle id(H5Gopen2(object, group.c_str(), H5P_DEFAULT), H5Gclose);
-    if (id.valid()) {
-        H5Literate(id.get(), H5_INDEX_NAME, H5_ITER_INC, &start, collect_name, &names);
-    }
+    if (id.valid()) H5Literate(id.get(), H5_INDEX_NAME, H5_ITER_INC, &start, collect_name, &names);
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -176,17 +162,13 @@ std::string type_name(hid_t type) {
 Extents space_extents(hid_t space) {
     const int rank = H5Sget_simple_extent_ndims(space);
     std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
-    if (rank > 0) {
-        H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-    }
+    if (rank > 0) H5Sget_simple_extent_dims(space, extents.data(), nullptr);
     return {extents.begin(), extents.end()};
 }
 
 std::string extents_text(const Extents& extents) {
     std::string text = "[";
-    for (std::size_t i = 0; i < extents.size(); ++i) {
-        text += (i > 0 ? "," : "") + std::to_string(extents[i]);
-    }
+    for (std::size_t i = 0; i < extents.size(); ++i) text += (i > 0 ? "," : "") + std::to_string(extents[i]);
     return text + "]";
 }
 

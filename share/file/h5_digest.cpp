@@ -24,9 +24,7 @@ public:
         unsigned size = 0;
         EVP_DigestFinal_ex(context_, bytes, &size);
         std::string text;
-        for (unsigned i = 0; i < size; ++i) {
-            text += fmt::format("{:02x}", bytes[i]);
-        }
+        for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", bytes[i]);
         return text;
     }
 
@@ -55,9 +53,7 @@ public:
             hash.add(path + " group");
             digest_attributes(object.get(), path, hash);
             for (const std::string& child : children_of(path)) {
-                if (child != left_out) {
-                    digest(child, left_out, hash);
-                }
+                if (child != left_out) digest(child, left_out, hash);
             }
             return;
         }
@@ -70,9 +66,7 @@ public:
     void describe(const std::string& path, std::vector<std::string>& lines) const {
         const Handle object = open(path);
         if (H5Iget_type(object.get()) == H5I_GROUP) {
-            for (const std::string& child : children_of(path)) {
-                describe(child, lines);
-            }
+            for (const std::string& child : children_of(path)) describe(child, lines);
             return;
         }
         std::string line = path + " " + shape_of(object.get());
@@ -90,16 +84,12 @@ public:
 private:
     [[nodiscard]] Handle open(const std::string& path) const {
         Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
-        if (!object.valid()) {
-            throw InputError(fmt::format("{}: {} cannot be read", file_name_, path));
-        }
+        if (!object.valid()) throw InputError(fmt::format("{}: {} cannot be read", file_name_, path));
         return object;
     }
     [[nodiscard]] std::vector<std::string> children_of(const std::string& path) const {
         std::vector<std::string> children = link_names(file_, path);
-        for (std::string& child : children) {
-            child = (path == "/" ? "" : path) + "/" + child;
-        }
+        for (std::string& child : children) child = (path == "/" ? "" : path) + "/" + child;
         return children;
     }
     /// Type and extents.
@@ -118,23 +108,17 @@ private:
             const auto refuse = [&] {
                 throw InputError(fmt::format("{}: attribute {} of {} cannot be read", file_name_, name, path));
             };
-            if (!attribute.valid()) {
-                refuse();
-            }
+            if (!attribute.valid()) refuse();
             require_readable_attribute(attribute.get(), file_name_, path, name);
             const Handle type(H5Aget_type(attribute.get()), H5Tclose);
             const Handle space(H5Aget_space(attribute.get()), H5Sclose);
             hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
             std::vector<std::string> texts;
             if (read_attribute(attribute.get(), texts)) {
-                for (const std::string& text : texts) {
-                    hash.add(text);
-                }
+                for (const std::string& text : texts) hash.add(text);
             } else if (const hid_t as = hash_type(type.get()); as >= 0) {
                 std::vector<char> bytes(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())) * H5Tget_size(as));
-                if (!bytes.empty() && H5Aread(attribute.get(), as, bytes.data()) < 0) {
-                    refuse();
-                }
+                if (!bytes.empty() && H5Aread(attribute.get(), as, bytes.data()) < 0) refuse();
                 hash.add(bytes.data(), bytes.size());
             }
         }

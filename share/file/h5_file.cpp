@@ -40,9 +40,7 @@ void silence_hdf5() {
 
 std::size_t product(const Extents& extents) {
     std::size_t n = 1;
-    for (const std::size_t e : extents) {
-        n *= e;
-    }
+    for (const std::size_t e : extents) n *= e;
     return n;
 }
 
@@ -53,15 +51,11 @@ Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool 
     Handle properties = property_list(H5P_DATASET_CREATE);
     H5Pset_obj_track_times(properties.get(), 0);
     const std::size_t bytes = product(extents) * item_bytes;
-    if (extents.empty() || bytes == 0 || (!grows && bytes <= small_bytes)) {
-        return properties;
-    }
+    if (extents.empty() || bytes == 0 || (!grows && bytes <= small_bytes)) return properties;
     const std::size_t row_bytes = std::max<std::size_t>(1, bytes / std::max<std::size_t>(extents[0], 1));
     std::vector<hsize_t> chunk = to_hsize(extents);
     chunk[0] = std::max<std::size_t>(1, chunk_bytes / (grows ? 16 : 1) / row_bytes);
-    if (!grows) {
-        chunk[0] = std::min<hsize_t>(chunk[0], extents[0]);
-    }
+    if (!grows) chunk[0] = std::min<hsize_t>(chunk[0], extents[0]);
     H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
     H5Pset_shuffle(properties.get());
     H5Pset_deflate(properties.get(), deflate_level);
@@ -138,9 +132,7 @@ const std::string& H5Input::kind() const { return state_->kind; }
 bool H5Input::has(const std::string& path) const {
     // H5Lexists needs every parent to exist.
     for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
-        if (H5Lexists(state_->file.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
-            return false;
-        }
+        if (H5Lexists(state_->file.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
     }
     return path == "/" || H5Lexists(state_->file.get(), path.c_str(), H5P_DEFAULT) > 0;
 }
@@ -153,9 +145,7 @@ namespace {
 
 Handle open_dataset(hid_t file, const std::string& file_name, const std::string& dataset) {
     Handle id(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!id.valid()) {
-        throw InputError(fmt::format("{}: dataset {} is missing", file_name, dataset));
-    }
+    if (!id.valid()) throw InputError(fmt::format("{}: dataset {} is missing", file_name, dataset));
     return id;
 }
 
@@ -219,9 +209,7 @@ T H5Input::attribute(const std::string& object, const std::string& attribute) co
         throw InputError(fmt::format("{}: attribute {} of {} is missing", state_->name, attribute, object));
     }
     const Handle id(H5Aopen_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    if (id.valid()) {
-        require_readable_attribute(id.get(), state_->name, object, attribute);
-    }
+    if (id.valid()) require_readable_attribute(id.get(), state_->name, object, attribute);
     T value{};
     if (!id.valid() || !read_attribute(id.get(), value)) {
         throw InputError(fmt::format("{}: attribute {} of {} has an unexpected type", state_->name, attribute, object));
@@ -254,9 +242,7 @@ namespace {
 /// \throws UsageError if an output would replace what is no file of its kind
 void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
     const std::string replaced = place.replaced();
-    if (replaced.empty()) {
-        return;
-    }
+    if (replaced.empty()) return;
     try {
         const H5Input existing(replaced, kind);
     } catch (const SchemaError&) {  // of this kind, from before
@@ -289,9 +275,7 @@ H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
         path = state_->place->begin();
     }
     state_->file = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
-    if (!state_->file.valid()) {
-        throw OutputError(name() + ": cannot be created");
-    }
+    if (!state_->file.valid()) throw OutputError(name() + ": cannot be created");
     attribute("/", "format", std::string("graincrack"));
     attribute("/", "schema_version", std::int64_t{schema_version});
     attribute("/", "kind", std::string(kind));
@@ -310,22 +294,16 @@ void H5Output::create_group(const std::string& group) {
             const Handle properties = property_list(H5P_GROUP_CREATE);
             H5Pset_obj_track_times(properties.get(), 0);
             const Handle id(H5Gcreate2(state_->file.get(), path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose);
-            if (!id.valid()) {
-                throw OutputError(fmt::format("{}: group {} cannot be created", name(), path));
-            }
+            if (!id.valid()) throw OutputError(fmt::format("{}: group {} cannot be created", name(), path));
         }
-        if (slash == std::string::npos) {
-            return;
-        }
+        if (slash == std::string::npos) return;
     }
 }
 
 template <class T>
 void H5Output::write(const std::string& dataset, std::span<const T> values, const Extents& extents, std::string_view unit,
                      std::string_view description) {
-    if (values.size() != product(extents)) {
-        throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
-    }
+    if (values.size() != product(extents)) throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
     if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
         create_group(dataset.substr(0, slash));
     }
@@ -364,9 +342,7 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
         const Handle id(H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT,
                                    properties.get(), H5P_DEFAULT),
                         H5Dclose);
-        if (!id.valid()) {
-            throw OutputError(fmt::format("{}: dataset {} cannot be created", name(), dataset));
-        }
+        if (!id.valid()) throw OutputError(fmt::format("{}: dataset {} cannot be created", name(), dataset));
         write_attribute(id.get(), "unit", std::string(unit));
         write_attribute(id.get(), "description", std::string(description));
     }
@@ -393,9 +369,7 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
 template <class T>
 void H5Output::attribute(const std::string& object, const std::string& attribute, const T& value) {
     const Handle id(H5Oopen(state_->file.get(), object.c_str(), H5P_DEFAULT), H5Oclose);
-    if (!id.valid()) {
-        throw std::logic_error("attribute " + attribute + ": no object " + object);
-    }
+    if (!id.valid()) throw std::logic_error("attribute " + attribute + ": no object " + object);
     write_attribute(id.get(), attribute, value);
 }
 
@@ -405,9 +379,7 @@ void H5Output::quantity(const std::string& object, const std::string& name, doub
 }
 
 void H5Output::hard_link(const std::string& existing, const std::string& link) {
-    if (const std::size_t slash = link.rfind('/'); slash > 0 && slash != std::string::npos) {
-        create_group(link.substr(0, slash));
-    }
+    if (const std::size_t slash = link.rfind('/'); slash > 0 && slash != std::string::npos) create_group(link.substr(0, slash));
     if (H5Lcreate_hard(state_->file.get(), existing.c_str(), state_->file.get(), link.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
         throw OutputError(fmt::format("{}: {} cannot be linked to {}", name(), link, existing));
     }

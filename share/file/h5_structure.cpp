@@ -47,9 +47,7 @@ public:
         require(depth <= max_depth, path, "is nested deeper than any group of a file of ours");
         H5O_info_t info;
         require(H5Oget_info_by_name2(file_, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0, path, "cannot be read");
-        if (info.type == H5O_TYPE_DATASET) {
-            return;
-        }
+        if (info.type == H5O_TYPE_DATASET) return;
         require(info.type == H5O_TYPE_GROUP, path, "is neither a group nor a dataset");
         require(groups_.insert(info.addr).second, path, "is a group with two links, perhaps in a circle");
         for (const Link& link : links_of(path)) {
@@ -85,26 +83,20 @@ private:
 bool is_kept_plainly(hid_t properties) {
     const H5D_layout_t layout = H5Pget_layout(properties);
     const bool is_known = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS || layout == H5D_CHUNKED;
-    if (!is_known || H5Pget_external_count(properties) > 0) {
-        return false;
-    }
+    if (!is_known || H5Pget_external_count(properties) > 0) return false;
     for (int i = 0; i < H5Pget_nfilters(properties); ++i) {
         unsigned flags = 0;
         std::size_t n_values = 0;
         const H5Z_filter_t filter =
             H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &n_values, nullptr, 0, nullptr, nullptr);
-        if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32) {
-            return false;
-        }
+        if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32) return false;
     }
     return true;
 }
 
 /// Values of a chunk; 1 where there are no chunks.
 std::size_t chunk_values(hid_t properties) {
-    if (H5Pget_layout(properties) != H5D_CHUNKED) {
-        return 1;
-    }
+    if (H5Pget_layout(properties) != H5D_CHUNKED) return 1;
     std::vector<hsize_t> extents(H5S_MAX_RANK);
     const int rank = H5Pget_chunk(properties, H5S_MAX_RANK, extents.data());
     extents.resize(static_cast<std::size_t>(std::max(rank, 0)));
@@ -129,9 +121,7 @@ std::size_t require_readable(hid_t dataset, const std::string& file_name, const 
     const H5T_class_t kind = H5Tget_class(type.get());
     require(kind == H5T_INTEGER || kind == H5T_FLOAT, "holds no numbers");
     require(is_kept_plainly(properties.get()), "is kept in another file or by an unknown filter");
-    if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) {
-        return 0;
-    }
+    if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) return 0;
     const std::size_t n = product_of(space_extents(space.get()));
     const std::size_t item = H5Tget_size(type.get());
     const std::size_t stored = std::min<std::size_t>(H5Dget_storage_size(dataset), size_of_file(dataset));
@@ -146,9 +136,7 @@ void require_readable_attribute(hid_t attribute, const std::string& file_name, c
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);
     const auto require = [&](bool holds, const char* what) {
-        if (!holds) {
-            throw InputError(fmt::format("{}: attribute {} of {} {}", file_name, name, object, what));
-        }
+        if (!holds) throw InputError(fmt::format("{}: attribute {} of {} {}", file_name, name, object, what));
     };
     require(type.valid() && space.valid(), "is damaged");
     const H5T_class_t kind = H5Tget_class(type.get());

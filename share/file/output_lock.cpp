@@ -24,20 +24,14 @@ bool is_at(const std::string& path, int file) {
 
 OutputLock::OutputLock(const std::string& output) : path_(output + ".lock") {
     do {
-        if (file_ >= 0) {
-            ::close(file_);
-        }
+        if (file_ >= 0) ::close(file_);
         file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (file_ < 0) {
-            return;
-        }
+        if (file_ < 0) return;
         if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
             const bool is_held = errno == EWOULDBLOCK;
             ::close(file_);
             file_ = -1;
-            if (is_held) {
-                throw OutputError(output + ": is being written by another program; wait for it, or name another output");
-            }
+            if (is_held) throw OutputError(output + ": is being written by another program; wait for it, or name another output");
             return;
         }
     } while (!is_at(path_, file_));

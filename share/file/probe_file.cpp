@@ -59,9 +59,7 @@ ProbeHistory read_probe(const H5Input& file, const std::string& name) {
         const std::size_t rows = rows_of(file, path);
         probe.values.push_back(read_finite(file, path, {probe.values.empty() ? rows : probe.values.front().size()}));
     }
-    if (probe.values.empty()) {
-        throw InputError(fmt::format("{}: probe {} has no columns", file.name(), name));
-    }
+    if (probe.values.empty()) throw InputError(fmt::format("{}: probe {} has no columns", file.name(), name));
     return probe;
 }
 

@@ -57,9 +57,7 @@ void write_provenance(H5Output& file, const Provenance& provenance) {
     if (!provenance.specimen_configuration.empty()) {
         file.attribute(group, "specimen_configuration", provenance.specimen_configuration);
     }
-    if (!provenance.vector_target.empty()) {
-        file.attribute(group, "vector_target", provenance.vector_target);
-    }
+    if (!provenance.vector_target.empty()) file.attribute(group, "vector_target", provenance.vector_target);
     file.quantity(group, "wall_time", provenance.wall_time, "s");
     file.attribute(group, "threads", std::int64_t{provenance.threads});
 }

@@ -30,33 +30,25 @@ std::string path_of(const Column& column) { return std::string(schema::sensitivi
 void write_sensitivity(H5Output& file, const std::vector<SensitivityRow>& rows) {
     file.create_group(schema::sensitivity_group);
     std::vector<std::string> changed;
-    for (const SensitivityRow& row : rows) {
-        changed.push_back(row.changed);
-    }
+    for (const SensitivityRow& row : rows) changed.push_back(row.changed);
     file.attribute(schema::sensitivity_group, "changed", changed);
     for (const Column& column : columns) {
         std::vector<double> values;
-        for (const SensitivityRow& row : rows) {
-            values.push_back(row.*column.member);
-        }
+        for (const SensitivityRow& row : rows) values.push_back(row.*column.member);
         file.write<double>(path_of(column), std::span<const double>(values), {values.size()}, si_unit(column.dimension),
                            column.description);
     }
 }
 
 std::vector<SensitivityRow> read_sensitivity(const H5Input& file) {
-    if (!file.has(schema::sensitivity_group)) {
-        return {};
-    }
+    if (!file.has(schema::sensitivity_group)) return {};
     std::vector<SensitivityRow> rows;
     for (const std::string& changed : file.attribute<std::vector<std::string>>(schema::sensitivity_group, "changed")) {
         rows.push_back({changed, 0, 0, 0, 0, 0});
     }
     for (const Column& column : columns) {
         const std::vector<double> values = file.read<double>(path_of(column), {rows.size()});  // NaN where a value does not apply
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            rows[i].*column.member = values[i];
-        }
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*column.member = values[i];
     }
     return rows;
 }

@@ -75,9 +75,7 @@ void write_vtk_view(H5Output& file, const Specimen& s) {
     });
     std::vector<std::int64_t> connectivity(flat(s.element_nodes).begin(), flat(s.element_nodes).end());
     std::vector<std::int64_t> offsets(s.n_elements() + 1);
-    for (std::size_t e = 0; e < offsets.size(); ++e) {
-        offsets[e] = static_cast<std::int64_t>(3 * e);
-    }
+    for (std::size_t e = 0; e < offsets.size(); ++e) offsets[e] = static_cast<std::int64_t>(3 * e);
     constexpr std::uint8_t vtk_triangle = 5;
     const std::vector<std::uint8_t> types(s.n_elements(), vtk_triangle);
     const auto scalar = [&](const char* name, std::int64_t value, std::string_view description) {
@@ -101,9 +99,7 @@ void write_vtk_view(H5Output& file, const Specimen& s) {
 std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
     std::vector<std::int32_t> grain(s.n_nodes(), -1);
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        for (const std::int32_t node : s.element_nodes[e]) {
-            grain[node] = s.element_grain[e];
-        }
+        for (const std::int32_t node : s.element_nodes[e]) grain[node] = s.element_grain[e];
     }
     return grain;
 }
@@ -111,9 +107,7 @@ std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
 std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names) {
     std::vector<std::string> names;
     for (std::size_t high = 0; high < phase_names.size(); ++high) {
-        for (std::size_t low = 0; low <= high; ++low) {
-            names.push_back(phase_names[low] + "-" + phase_names[high]);
-        }
+        for (std::size_t low = 0; low <= high; ++low) names.push_back(phase_names[low] + "-" + phase_names[high]);
     }
     return names;
 }
@@ -168,9 +162,7 @@ void write_specimen(H5Output& file, const Specimen& s) {
         write_column(file, schema::contact_class, contact_classes(s));
         file.attribute(schema::contact_class.path, "names", contact_class_names(s.phase_names));
     }
-    if (!s.contact_strength_factor.empty()) {
-        write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
-    }
+    if (!s.contact_strength_factor.empty()) write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
     write_rows(file, schema::boundary_edges, s.boundary_edges);
     write_column(file, schema::boundary_part, s.boundary_part);
     file.attribute(schema::boundary_part.path, "names", s.part_names);
@@ -187,9 +179,7 @@ Specimen read_specimen(const H5Input& file) {
     s.seed = static_cast<std::uint64_t>(file.attribute_or<std::int64_t>(group, "seed", 0));
     s.elements_per_edge = static_cast<int>(file.attribute_or<std::int64_t>(group, "elements_per_edge", 1));
     s.loading_arc = file.attribute_or<double>(group, "loading_arc", 0);
-    for (const StatisticAttribute& a : statistic_attributes) {
-        s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
-    }
+    for (const StatisticAttribute& a : statistic_attributes) s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
     s.node_position = table_of<double, 2>(file, schema::node_position);
     s.element_nodes = table_of<std::int32_t, 3>(file, schema::element_nodes);
     s.element_grain = file.read<std::int32_t>(schema::element_grain.path, {s.n_elements()});

@@ -62,8 +62,9 @@ struct Cases {
 Cases cases_of(const std::vector<Place>& places, const std::string& offer) {
     Cases cases;
     for (const Place& place : places) {
-        if (!place.command.empty())
+        if (!place.command.empty()) {
             cases.commands += (cases.commands.empty() ? "" : " | ") + fmt::format("\"{}\"", place.command);
+        }
         for (const auto& [option, words] : place.choices) {
             cases.choices += fmt::format("        \"{} {}\") {}; return ;;\n", place.command, option,
                                          fmt::format(fmt::runtime(offer), fmt::join(words, " ")));

@@ -15,23 +15,24 @@ namespace {
 constexpr std::string_view prefix = "GRAINCRACK_";
 
 constexpr const char* option_list =
-    "--alpha --block-speed --block-steps --by --capped --centre-runs --check --checkpoint-every --class --colour --column "
+    "--alpha --block-speed --block-steps --capped --centre-runs --check --checkpoint-every --class --colour "
     "--confining-pressure --contact-cohesion --contact-friction-angle --contact-law "
     "--contact-normal-stiffness --contact-open-shear-strength --contact-residual-cohesion "
     "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
     "--contact-tensile-strength --coupling --crack-event --crack-mode --damping --damping-form --diameter "
     "--diameters --digest --discard-checkpoint --dpi --dry-run --edge --elements-per-edge --event-distance --event-time "
     "--extrapolate --flats --flaws --hole --inner-diameter --joint-set --length --notch-angle --slit --slit-angle "
-    "--factor --follow --format --fracture-energy --frame --frames --grains --group --height --join --label --laboratory "
-    "--look-up "
+    "--factor --follow --format --fracture-energy --frame --frames --grains --group --height --label --laboratory "
     "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
     "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --paraview --peak-drop "
-    "--phase-cluster --phase-seed --phases --plane --platen-friction --points --pole --power --print-program --probe --program "
+    "--phase-cluster --phase-seed --phases --pivot --plane --platen-friction --points --pole --power --print-program --probe "
+    "--program "
     "--quiet --rate "
-    "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set --sort "
-    "--spread --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study --summary --table "
+    "--rate-share --rate-tolerance --response --restart --save-state --seed --sensitivity --set "
+    "--spread --sql --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study --summary "
+    "--table "
     "--target --threads --time "
-    "--time-step-fraction --title --unit --vector --verbose --walltime --where --width --x --x-limits --y --y-limits";
+    "--time-step-fraction --title --unit --vector --verbose --walltime --width --x --x-limits --y --y-limits";
 
 std::string option_of(std::string_view variable) {
     std::string option(variable.substr(prefix.size()));

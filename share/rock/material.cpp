@@ -123,8 +123,9 @@ void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::s
         MaterialFabric read;
         for (const TomlEntry& entry : toml.entries) {
             std::optional<TomlKeys> table = entry.section.empty() ? std::nullopt : fabric_table(read, entry.section);
-            if (!table)
+            if (!table) {
                 throw InputError(fmt::format("{}: line {}: only tables of phases are allowed here", toml.file, entry.line));
+            }
             table->read(toml.file, entry);
         }
         fabric.phases.merge(read.phases);
@@ -163,8 +164,9 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     }
     for (const TomlEntry& entry : toml.entries) {
         if (!entry.section.empty() && is_of_calibration(entry.section.front())) {
-            if (entry.section.front() == "fitted" && !entry.values.empty())
+            if (entry.section.front() == "fitted" && !entry.values.empty()) {
                 material.fitted[entry.key] = entry.values.front().text;
+            }
             continue;
         }
         if (entry.section.empty()) {

@@ -33,8 +33,9 @@ std::pair<std::string, std::string> parts_of(const std::string& key) {
 void check(const MaterialSetting& setting) {
     const auto& [key, value] = setting;
     if (key == "name") {
-        if (value.empty() || value.find_first_of("\"\\\n") != std::string::npos)
+        if (value.empty() || value.find_first_of("\"\\\n") != std::string::npos) {
             throw UsageError(fmt::format("name={}: a name without quotes is needed", value));
+        }
         return;
     }
     const TomlKey found = material_key(key);

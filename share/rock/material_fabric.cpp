@@ -30,16 +30,12 @@ auto to(std::optional<double>& target) {
 /// Contact parameters of which none is needed.
 std::vector<TomlKey> optional_contact_keys(GivenContact& given) {
     std::vector<TomlKey> keys = contact_keys(given);
-    for (TomlKey& key : keys) {
-        key.needed = false;
-    }
+    for (TomlKey& key : keys) key.needed = false;
     return keys;
 }
 std::vector<TomlKey> factor_keys(GivenContact& given) {
     std::vector<TomlKey> keys = optional_contact_keys(given);
-    for (TomlKey& key : keys) {
-        key.quantity = factor;
-    }
+    for (TomlKey& key : keys) key.quantity = factor;
     return keys;
 }
 
@@ -65,9 +61,7 @@ std::vector<TomlKey> rule_keys(MaterialFabric& fabric) {
 
 std::vector<std::string> names_of(const std::map<std::string, PhaseMaterial>& phases) {
     std::vector<std::string> names;
-    for (const auto& [name, phase] : phases) {
-        names.push_back(name);
-    }
+    for (const auto& [name, phase] : phases) names.push_back(name);
     return names;
 }
 

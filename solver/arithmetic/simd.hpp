@@ -33,9 +33,7 @@ inline bool is_available(VectorTarget target) {
 /// The widest that this machine can run.
 inline VectorTarget widest_vector_target() {
     for (const VectorTarget target : {VectorTarget::avx512, VectorTarget::avx2}) {
-        if (is_available(target)) {
-            return target;
-        }
+        if (is_available(target)) return target;
     }
     return VectorTarget::plain;
 }
@@ -76,17 +74,13 @@ template <class Term>
 GRAINCRACK_INLINE double sum_by_lanes(std::int32_t count, const Term& term) {
     double sum[sum_lanes] = {};
     for (std::int32_t k = 0; k < count; k += sum_lanes) {
-        for (std::int32_t l = 0; l < sum_lanes; ++l) {
-            sum[l] += term(k + l);
-        }
+        for (std::int32_t l = 0; l < sum_lanes; ++l) sum[l] += term(k + l);
     }
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 /// Sum by lanes of `count` values. Those from `count` up to whole lanes are set to zero: the array must have room for them.
 GRAINCRACK_INLINE double sum_values_by_lanes(std::int32_t count, double* values) {
-    for (std::int32_t k = count; k < in_whole_lanes(count); ++k) {
-        values[k] = 0;
-    }
+    for (std::int32_t k = count; k < in_whole_lanes(count); ++k) values[k] = 0;
     return sum_by_lanes(count, [&](std::int32_t k) GRAINCRACK_KERNEL { return values[k]; });
 }
 

@@ -211,9 +211,7 @@ void load_active(const Assemblage& a, const ContactLaws& laws, ContactPairList& 
         const std::int32_t end = list.watched_groups[list.chunks[chunk].end - 1].end;
         for (std::int32_t i = list.first_watched(chunk); i < end; ++i) {
             const NodeEdgeContact& contact = list.contacts[list.watched[i]];
-            if (contact.active || contact.release_correction != 0) {
-                append_active(a, laws, chunk, list.watched[i], list);
-            }
+            if (contact.active || contact.release_correction != 0) append_active(a, laws, chunk, list.watched[i], list);
         }
     }
     index_node_forces(a, list);
@@ -235,9 +233,7 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     const ActiveContacts& active = list.active;
     const auto for_forces = [&](auto&& act) {
         list.for_active([&](std::int32_t i) {
-            for (std::int32_t k = 0; k < 3; ++k) {
-                act(active.nodes[i][k], 3 * i + k);
-            }
+            for (std::int32_t k = 0; k < 3; ++k) act(active.nodes[i][k], 3 * i + k);
         });
     };
     list.node_forces.clear();

@@ -91,9 +91,7 @@ std::int32_t nearer_face(const NodePairs& pairs, std::int32_t i, double depth) {
     std::int32_t found = -1;
     for (std::int32_t k = 0; k < pairs.size(); ++k) {
         const std::int32_t neighbour = pairs.pair(k).edge;
-        if (neighbour != edge.previous && neighbour != edge.next) {
-            continue;
-        }
+        if (neighbour != edge.previous && neighbour != edge.next) continue;
         if (is_convex_corner(tangent, pairs.geometry(k).tangent, neighbour == edge.next) && !pairs.contact(k).active &&
             pairs.depth(k) < depth) {
             depth = pairs.depth(k);
@@ -182,9 +180,7 @@ void continue_contacts(NodePairs& pairs) {
         }
     }
     for (const std::int32_t i : active) {
-        if (const std::int32_t to = continue_contact(pairs, i); to >= 0) {
-            append_active(pairs, to);
-        }
+        if (const std::int32_t to = continue_contact(pairs, i); to >= 0) append_active(pairs, to);
     }
 }
 
@@ -193,13 +189,9 @@ void continue_contacts(NodePairs& pairs) {
 /// out even in a corner zone, and even where it has a contact with the same surface of another grain.
 bool may_begin(const NodePairs& pairs, std::int32_t i) {
     const PairGeometry g = pairs.geometry(i);
-    if (pairs.contact(i).active || g.depth <= 0 || !is_over(g, 0)) {
-        return false;
-    }
+    if (pairs.contact(i).active || g.depth <= 0 || !is_over(g, 0)) return false;
     const bool is_deep = g.depth > detection_rule::deep_node_depth * pairs.data.assemblage.surface.mean_length;
-    if (!is_deep && !is_over(g, -detection_rule::corner_zone)) {
-        return false;
-    }
+    if (!is_deep && !is_over(g, -detection_rule::corner_zone)) return false;
     for (std::int32_t k = 0; k < pairs.size(); ++k) {
         if (pairs.contact(k).active && (pairs.edge(k).grain == pairs.edge(i).grain ||
                                         (!is_deep && dot(pairs.geometry(k).normal, g.normal) > cos_same_surface))) {
@@ -224,9 +216,7 @@ void begin_contacts(NodePairs& pairs) {
 
 /// Whether an edge belongs to a contact that has not been released and is not one of the node.
 bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, const SurfaceEdge& edge) {
-    if (edge.contact < 0 || s.contact_pairs.released[edge.contact] != 0) {
-        return false;
-    }
+    if (edge.contact < 0 || s.contact_pairs.released[edge.contact] != 0) return false;
     const auto& nodes = a.contacts[edge.contact].nodes;
     return std::find(nodes.begin(), nodes.end(), node) == nodes.end();
 }
@@ -260,16 +250,12 @@ void for_occupied(const ContactPairList& list, Visit&& visit) {
 bool belongs_to_neighbour(const Assemblage& a, const State& s, const CandidatePair& pair, const PairGeometry& g, double margin) {
     const SurfaceEdge& edge = a.surface.edges[pair.edge];
     for (const std::int32_t neighbour : {edge.previous, edge.next}) {
-        if (neighbour < 0) {
-            continue;
-        }
+        if (neighbour < 0) continue;
         const PairGeometry other = pair_geometry(a, s, CandidatePair{pair.node, neighbour});
         const double limit = is_between_others(a, s, pair.node, a.surface.edges[neighbour])
                                  ? std::min(g.depth, bond_width * a.surface.mean_length)
                                  : g.depth;
-        if (is_convex_corner(g.tangent, other.tangent, neighbour == edge.next) && other.depth < limit - margin) {
-            return true;
-        }
+        if (is_convex_corner(g.tangent, other.tangent, neighbour == edge.next) && other.depth < limit - margin) return true;
     }
     return false;
 }
@@ -291,29 +277,21 @@ void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& param
             contacts.push_back({i, list.pairs[list.active.pair[i]], {node, end}, a.surface.tributary[node]});
         }
     });
-    if (contacts.empty()) {
-        return;
-    }
+    if (contacts.empty()) return;
     find_occupied_area(a, list);
     std::vector<double> wanted(a.position.size(), 0.0);
     for (const NewContact& contact : contacts) {
-        for (const std::int32_t node : contact.occupied) {
-            wanted[node] += contact.area;
-        }
+        for (const std::int32_t node : contact.occupied) wanted[node] += contact.area;
     }
     for (NewContact& contact : contacts) {
         double share = 1;
-        for (const std::int32_t node : contact.occupied) {
-            share = std::min(share, available_area(a, list, node) / wanted[node]);
-        }
+        for (const std::int32_t node : contact.occupied) share = std::min(share, available_area(a, list, node) / wanted[node]);
         contact.area *= std::max(share, min_area);
     }
     limit_new_areas(a, parameters, contacts, s);
     for (const NewContact& contact : contacts) {
         list.active.area[contact.active] = list.contacts[list.active.pair[contact.active]].area = contact.area;
-        for (const std::int32_t node : contact.occupied) {
-            list.occupied_area[node] += contact.area;
-        }
+        for (const std::int32_t node : contact.occupied) list.occupied_area[node] += contact.area;
     }
 }
 

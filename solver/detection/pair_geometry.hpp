@@ -56,9 +56,7 @@ private:
     void make_room(std::size_t count) {
         for (auto* values :
              {&along_x_, &along_y_, &from_x_, &from_y_, &tangent_x_, &tangent_y_, &inv_length_, &place_, &depth_}) {
-            if (values->size() < count) {
-                values->resize(count);
-            }
+            if (values->size() < count) values->resize(count);
         }
     }
     GRAINCRACK_INLINE void compute(std::int32_t count) {

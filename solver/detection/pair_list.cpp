@@ -60,9 +60,7 @@ bool find_debonded(const Assemblage& a, const ContactLaws& laws, State& s) {
         const ContactLaw& law = laws[contact_class];
         const double far = debonding_travel * 2 * a.contacts[c].point_area / a.contacts[c].strength;
         for (const std::size_t point : points_of(c)) {
-            if (s.failed[point] == 0 || s.contact_pairs.debonded[point] != 0) {
-                continue;
-            }
+            if (s.failed[point] == 0 || s.contact_pairs.debonded[point] != 0) continue;
             const bool has_moved = !law.softens_in_shear && std::max(s.opening[point], std::abs(s.sliding[point])) > far;
             if (has_moved || is_lost<Law>(law, s, point)) {
                 s.contact_pairs.debonded[point] = 1;
@@ -86,9 +84,7 @@ std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaws& 
         const double far = release_travel * 2 * a.contacts[c].point_area / a.contacts[c].strength;
         const double moved =
             std::max({std::abs(s.sliding[first]), std::abs(s.sliding[second]), s.opening[first], s.opening[second]});
-        if (moved > far && is_lost<Law>(law, s, first) && is_lost<Law>(law, s, second)) {
-            released_now.push_back(c);
-        }
+        if (moved > far && is_lost<Law>(law, s, first) && is_lost<Law>(law, s, second)) released_now.push_back(c);
     });
     return released_now;
 }
@@ -99,9 +95,7 @@ std::vector<NodeEdgeContact> keep_contacts(const Assemblage& a, const ContactLaw
     std::vector<NodeEdgeContact> contacts(pairs.size());
     std::size_t at = 0;  // both are ascending
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        while (at < pairs.size() && pairs[at] < list.pairs[i]) {
-            ++at;
-        }
+        while (at < pairs.size() && pairs[at] < list.pairs[i]) ++at;
         if (at < pairs.size() && pairs[at] == list.pairs[i]) {
             contacts[at] = list.contacts[i];
         } else if (list.contacts[i].active) {
@@ -115,9 +109,7 @@ std::vector<NodeEdgeContact> keep_contacts(const Assemblage& a, const ContactLaw
 std::vector<Range> group_pairs(const std::vector<CandidatePair>& pairs) {
     std::vector<Range> groups;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(pairs.size()); ++i) {
-        if (i == 0 || pairs[i].node != pairs[i - 1].node) {
-            groups.push_back({i, i});
-        }
+        if (i == 0 || pairs[i].node != pairs[i - 1].node) groups.push_back({i, i});
         ++groups.back().end;
     }
     return groups;
@@ -154,10 +146,8 @@ public:
     Watch(const Assemblage& a, double duration, double speed_p95, const State& s)
         : assemblage_(a), state_(s), duration_(duration), speed_p95_(speed_p95) {
         speed_.reserve(s.velocity.size());
-        for (const Vector2& v : s.velocity) {
-            speed_.push_back(length(v));
-        }
-        note_contacts();
+        for (const Vector2& v : s.velocity) speed_.push_back(length(v));
+        find_continuing();
     }
 
     /// Finds the geometry of the pairs of some nodes, for `add_watched`.
@@ -178,27 +168,23 @@ public:
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (continues_[p] != 0 || may_be_in_contact(p, geometry_[p - begin_])) {
-                watched.push_back(p);
-            }
+            if (continues_[p] != 0 || may_be_in_contact(p, geometry_[p - begin_])) watched.push_back(p);
         }
     }
 
 private:
     /// Contacts are among the pairs that were watched; after a search, when none is watched yet, anywhere.
-    void note_contacts() {
+    void find_continuing() {
         const ContactPairList& list = state_.contact_pairs;
         continues_.assign(list.pairs.size(), 0);
-        const auto note = [&](std::int32_t pair) {
+        const auto look_at = [&](std::int32_t pair) {
             const NodeEdgeContact& contact = list.contacts[pair];
             continues_[pair] = contact.active || contact.release_correction != 0 ? 1 : 0;
         };
         if (list.watched.empty()) {
-            for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) {
-                note(pair);
-            }
+            for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) look_at(pair);
         }
-        std::for_each(list.watched.begin(), list.watched.end(), note);
+        std::for_each(list.watched.begin(), list.watched.end(), look_at);
     }
     [[nodiscard]] const SurfaceEdge& edge_of(std::int32_t pair) const {
         return assemblage_.surface.edges[state_.contact_pairs.pairs[pair].edge];
@@ -215,9 +201,7 @@ private:
             !belongs_to_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
             return true;
         }
-        if (active_.empty()) {
-            return false;
-        }
+        if (active_.empty()) return false;
         const double margin = near + detection_rule::end_tolerance / g.inv_length;
         return (g.depth < overlap_ + near && is_beside_active(pair)) ||
                (distance_along(g, 0) < margin && is_at_depth_of_active(g, margin));
@@ -265,9 +249,7 @@ void find_watched(const Assemblage& a, double duration, double speed_p95, State&
         const auto begin = static_cast<std::int32_t>(list.watched.size());
         watch.add_watched(pairs, list.watched);
         const auto end = static_cast<std::int32_t>(list.watched.size());
-        if (end > begin) {
-            list.watched_groups.push_back({begin, end});
-        }
+        if (end > begin) list.watched_groups.push_back({begin, end});
     }
 }
 
@@ -345,9 +327,7 @@ void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& 
         for (std::int32_t side = 0; side < 2; ++side) {
             const CandidatePair pair{contact.nodes[2 * (1 - side) + h.point], 2 * a.specimen_contact[h.contact] + side};
             const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), pair);
-            if (it == list.pairs.end() || *it != pair) {
-                continue;
-            }
+            if (it == list.pairs.end() || *it != pair) continue;
             const PairGeometry g = pair_geometry(a, s, *it);
             const double margin = std::min(g.place, 1 - g.place);
             if (margin > inside) {
@@ -379,9 +359,7 @@ Speeds find_speeds(const std::vector<Vector2>& velocity) {
     }
     auto faster = static_cast<std::int32_t>(velocity.size() / fastest_one_in);
     std::uint64_t bin = std::bit_cast<std::uint64_t>(fastest) >> dropped_bits;
-    while (bin > 0 && faster >= count[bin]) {
-        faster -= count[bin--];
-    }
+    while (bin > 0 && faster >= count[bin]) faster -= count[bin--];
     const auto end_of_bin = std::bit_cast<double>((bin + 1) << dropped_bits);
     return {std::sqrt(std::min(end_of_bin, fastest)), std::sqrt(fastest)};
 }

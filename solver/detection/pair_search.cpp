@@ -32,9 +32,7 @@ std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairLis
             }
         }
     });
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(root.size()); ++i) {
-        root[i] = find(i);
-    }
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(root.size()); ++i) root[i] = find(i);
     return root;
 }
 
@@ -91,13 +89,9 @@ public:
     void visit_near(const Vector2& p, Visit&& visit) const {
         const std::int32_t i = column(p.x);
         const std::int32_t j = row(p.y);
-        if (i < 0 || j < 0 || i >= columns_ || j >= rows_) {
-            return;
-        }
+        if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return;
         const std::size_t cell = cell_of(i, j);
-        for (std::int32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
-            visit(edges_[k]);
-        }
+        for (std::int32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) visit(edges_[k]);
     }
 
 private:
@@ -110,9 +104,7 @@ private:
     void for_cells_of(const std::vector<Box>& boxes, Visit&& visit) const {
         for (std::int32_t b = 0; b < static_cast<std::int32_t>(boxes.size()); ++b) {
             for (std::int32_t j = row(boxes[b].low.y); j <= row(boxes[b].high.y); ++j) {
-                for (std::int32_t i = column(boxes[b].low.x); i <= column(boxes[b].high.x); ++i) {
-                    visit(cell_of(i, j), b);
-                }
+                for (std::int32_t i = column(boxes[b].low.x); i <= column(boxes[b].high.x); ++i) visit(cell_of(i, j), b);
             }
         }
     }
@@ -141,28 +133,20 @@ std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, const 
     const std::vector<std::int32_t> linked = linked_nodes(a, s.contact_pairs);
     std::vector<CandidatePair> pairs;
     for (std::int32_t node = 0; node < a.n_nodes(); ++node) {
-        if (is_exposed_node[node] == 0) {
-            continue;
-        }
+        if (is_exposed_node[node] == 0) continue;
         const Vector2 p = position_of(a, s, node);
         cells.visit_near(p, [&](std::int32_t box) {
             const SurfaceEdge& edge = surface.edges[edges[box]];
-            if (!contains(boxes[box], p) || edge.grain == surface.grain_of_node[node]) {
-                return;
-            }
+            if (!contains(boxes[box], p) || edge.grain == surface.grain_of_node[node]) return;
             const Vector2 first = position_of(a, s, edge.nodes[0]);
             const Vector2 along = position_of(a, s, edge.nodes[1]) - first;
             const double place = std::clamp(dot(p - first, along) / dot(along, along), 0.0, 1.0);
-            if (length(p - first - place * along) > margin) {
-                return;
-            }
+            if (length(p - first - place * along) > margin) return;
             const bool is_linked = linked[node] == linked[edge.nodes[0]] || linked[node] == linked[edge.nodes[1]];
             const bool is_partner =
                 edge.contact >= 0 && std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
                                                node) != a.contacts[edge.contact].nodes.end();
-            if (is_partner ? s.contact_pairs.released[edge.contact] != 0 : !is_linked) {
-                pairs.push_back({node, edges[box]});
-            }
+            if (is_partner ? s.contact_pairs.released[edge.contact] != 0 : !is_linked) pairs.push_back({node, edges[box]});
         });
     }
     std::sort(pairs.begin(), pairs.end());

@@ -31,9 +31,7 @@ UnitLoads unit_loads(const Assemblage& a, const StepParameters& p, const Candida
         sum[static_cast<std::size_t>(same - loads.cluster.begin())] += shares[k];
     }
     const double all = friction_law(a, p.laws, pair).normal_stiffness * (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2]));
-    for (std::size_t k = 0; k < 3; ++k) {
-        loads.load[k] = std::abs(sum[k]) * all;
-    }
+    for (std::size_t k = 0; k < 3; ++k) loads.load[k] = std::abs(sum[k]) * all;
     return loads;
 }
 
@@ -43,18 +41,14 @@ double max_load(const StepParameters& p, std::int32_t cluster) {
 }
 
 void add_load(const UnitLoads& unit, double area, std::vector<double>& cluster_load) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        cluster_load[unit.cluster[k]] += area * unit.load[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) cluster_load[unit.cluster[k]] += area * unit.load[k];
 }
 
 /// Share of its area that the loads of its clusters leave a contact.
 double share_left(const StepParameters& p, const UnitLoads& unit, const std::vector<double>& cluster_load) {
     double share = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (unit.load[k] > 0) {
-            share = std::min(share, max_load(p, unit.cluster[k]) / cluster_load[unit.cluster[k]]);
-        }
+        if (unit.load[k] > 0) share = std::min(share, max_load(p, unit.cluster[k]) / cluster_load[unit.cluster[k]]);
     }
     return share;
 }
@@ -67,24 +61,18 @@ void reduce_area(double share, std::size_t pair, ContactPairList& list) {
     contact.initial_overlap -= (growth - 1) * contact.overlap;
     contact.overlap *= growth;
     contact.elastic_slip *= growth;
-    for (std::size_t k = 3 * pair; k < 3 * pair + 3; ++k) {
-        list.forces[k] = std::sqrt(share) * list.forces[k];
-    }
+    for (std::size_t k = 3 * pair; k < 3 * pair + 3; ++k) list.forces[k] = std::sqrt(share) * list.forces[k];
 }
 
 }  // namespace
 
 void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s) {
     ContactPairList& list = s.contact_pairs;
-    if (!p.mass_scaling.is_on()) {
-        return;
-    }
+    if (!p.mass_scaling.is_on()) return;
     std::vector<double> cluster_load(a.n_clusters(), 0.0);
     list.cluster_load.assign(a.n_clusters(), 0.0);
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        if (list.contacts[i].active) {
-            add_load(unit_loads(a, p, list.pairs[i], s), list.contacts[i].area, cluster_load);
-        }
+        if (list.contacts[i].active) add_load(unit_loads(a, p, list.pairs[i], s), list.contacts[i].area, cluster_load);
     }
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) {
@@ -96,9 +84,7 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
 }
 
 void limit_new_areas(const Assemblage& a, const StepParameters& p, std::vector<NewContact>& contacts, State& s) {
-    if (!p.mass_scaling.is_on()) {
-        return;
-    }
+    if (!p.mass_scaling.is_on()) return;
     std::vector<double>& cluster_load = s.contact_pairs.cluster_load;
     std::vector<double> wanted(cluster_load.size(), 0.0);
     std::vector<UnitLoads> units;
@@ -118,9 +104,7 @@ void limit_new_areas(const Assemblage& a, const StepParameters& p, std::vector<N
         }
         contacts[i].area *= share;
     }
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        add_load(units[i], contacts[i].area, cluster_load);
-    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) add_load(units[i], contacts[i].area, cluster_load);
 }
 
 }  // namespace graincrack

@@ -33,7 +33,7 @@ inline double cohesive_form(const ContactLaw& law, double opening, double slidin
 }
 /// D at a load past the peak, where λu − 1 is `range`.
 inline double softening_damage(double load, double range) { return range > load - 1 ? (load - 1) / range : 1.0; }
-/// λu − 1 of a branch on which the way to the peak and beyond takes the energy `energy` (J/m²) along a straight path in which
+/// λu − 1 of a branch on which the path to the peak and beyond takes the energy `energy` (J/m²) along a straight path in which
 /// q = `stiffness` λ²: `stiffness` · [(1 − 2/e) + (λu − 1)/(2 e)] = `energy`. Not above 0: there is no softening.
 inline double softening_range(double energy, double stiffness) {
     constexpr double e = std::numbers::e;
@@ -58,13 +58,12 @@ GRAINCRACK_INLINE IntactResponse damage_before_peak(const ContactLaw& law, const
 inline double damaged_energy(const ContactLaw& law, const ContactHistory& h) {
     const ContactMotion& m = h.motion;
     const double shear = law.ks * m.sliding * m.sliding;
-    if (m.opening >= 0) {
-        return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear);
-    }
+    if (m.opening >= 0) return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear);
     const double elastic = m.sliding - h.slip;
     return 0.5 * (law.kt * m.opening * m.opening + h.integrity * shear + h.friction_share * law.ks * elastic * elastic);
 }
-/// In pure opening, the energy to the peak. A direction whose way to the peak takes more than Gf has no softening and takes that.
+/// In pure opening, the energy to the peak. A direction whose path to the peak takes more than Gf has no softening and takes
+/// that.
 inline double min_opening_energy(const ContactLaw& law) { return law.tc * law.dct * (std::numbers::e - 2); }
 /// Under compression, the energy to the peak of sliding, J/m².
 inline double energy_to_sliding_peak(const ContactLaw& law) { return law.cc * law.dcs * (std::numbers::e - 2); }

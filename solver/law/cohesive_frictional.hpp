@@ -13,7 +13,7 @@
 // Friction itself may weaken (cohesion weakening, Hajiabdolmajid, Kaiser & Martin 2002, Int J Rock Mech Min Sci 39): tan φ falls
 // from tan φc, while all cohesion is there, to tan φr, when it is gone, in proportion to 1 − D of the closed branch.
 //
-// The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the way to the peak,
+// The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the path to the peak,
 // cc δcs (e − 2), there is no softening: cohesion is lost at once, and friction starts from the traction the point had (Eq 12).
 //
 // Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip, is never negative. On crossing δn =
@@ -46,9 +46,7 @@ struct CohesiveFrictional {
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         if (!h.failed()) {
-            if (advance_intact<CohesiveFrictional>(law, to, r)) {
-                return;
-            }
+            if (advance_intact<CohesiveFrictional>(law, to, r)) return;
             fail(law, to, r);
         }
         if (h.integrity == 0) {
@@ -121,9 +119,7 @@ private:
         const bool closed = to.opening < 0;
         mark_failed(h, closed ? CrackMode::shear : CrackMode::tensile);
         h.friction_share = 1;
-        if (!closed) {
-            return;
-        }
+        if (!closed) return;
         h.slip = to.sliding;
         if (integrity_at(law, to.opening, to.sliding) == 0) {
             const double limit = residual_limit(law, -law.kt * to.opening);

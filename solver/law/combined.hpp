@@ -136,9 +136,7 @@ struct Combined {
         const Stretch at = stretch_of(law, to);
         const double left = cohesion_of(law, h).left;
         const CrackMode mode = to.opening >= 0 ? CrackMode::tensile : CrackMode::shear;
-        if (!h.failed() && to.opening < 0) {
-            h.slip = to.sliding;
-        }
+        if (!h.failed() && to.opening < 0) h.slip = to.sliding;
         if (passes_peak(at.open, h.largest_open) != 0) {
             mark_failed(h, mode);
             r.dissipation.fracture += lost_at_peak * left * law.tc * law.op;
@@ -152,9 +150,7 @@ struct Combined {
     }
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
-        if (!h.failed() && advance_intact<Combined>(law, to, r)) {
-            return;
-        }
+        if (!h.failed() && advance_intact<Combined>(law, to, r)) return;
         pass_peaks(law, to, r);
         h.separated = advance_softening<Combined>(law, to, r) == 0 || h.separated;
     }
@@ -163,9 +159,7 @@ struct Combined {
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         const double cohesive = cohesive_energy(law, stretch_of(law, h.motion), cohesion_of(law, h));
-        if (h.motion.opening >= 0) {
-            return cohesive;
-        }
+        if (h.motion.opening >= 0) return cohesive;
         const double elastic = h.failed() ? h.motion.sliding - h.slip : 0;
         return cohesive + 0.5 * (law.kt * h.motion.opening * h.motion.opening + law.ks * elastic * elastic);
     }

@@ -47,22 +47,16 @@ struct PaperLaw {
             return;
         }
         const bool has_failed = open ? r.history.failed_open : r.history.failed_closed;
-        if (!has_failed && advance_intact<Open>(law, to, r)) {
-            return;
-        }
+        if (!has_failed && advance_intact<Open>(law, to, r)) return;
         open ? Open::advance_open(law, to, r) : lose_cohesion(law, to, r);
         r.history.motion = to;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& law, ContactHistory& h) {
-        if (is_frictional(law, h)) {
-            h.slip = h.motion.sliding;
-        }
+        if (is_frictional(law, h)) h.slip = h.motion.sliding;
     }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
-        if (h.motion.opening < 0) {
-            return closed_energy(law, h);
-        }
+        if (h.motion.opening < 0) return closed_energy(law, h);
         return is_lost_open(law, h) ? 0 : Open::open_energy(law, h);
     }
     static double damage(const ContactLaw& law, const ContactHistory& h) {

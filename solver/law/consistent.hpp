@@ -14,7 +14,7 @@
 //
 // A point that failed closed carries friction on all of its area, starting from the traction it had (Eq 12). One that failed open
 // carries friction on the share D of the area that it has lost, starting from zero when it closes (Alfano & Sacco 2006, Int J
-// Numer Meth Engng 68: friction on the damaged part). When a point fails while closed, both shares go on with their mean slip;
+// Numer Meth Engng 68: friction on the damaged part). When a point fails while closed, both shares continue with their mean slip;
 // the energy is convex in the slip, so the loss is never negative. On crossing δn = 0 β can only fall, which dissipates energy:
 // the law has a potential. Failure in one mode always weakens the other (full coupling).
 #pragma once
@@ -85,7 +85,7 @@ private:
         r.dissipation.fracture += energy_of_fall(law, intact_point(h, to), h.integrity - integrity);
         h.integrity = integrity;
     }
-    /// Past the peak of the closed branch: the cohesive share goes on with friction, from the traction it had.
+    /// Past the peak of the closed branch: the cohesive share continues with friction, from the traction it had.
     /// \return the traction of friction on the whole area, Pa
     static double lose_cohesion(const ContactLaw& law, const ContactMotion& to, double old_friction, ContactResponse& r) {
         ContactHistory& h = r.history;

@@ -72,9 +72,7 @@ struct ContactLaws {
 /// \param contacts parameters by class
 inline ContactLaws make_contact_laws(const std::vector<ContactParameters>& contacts, LawVariant variant, Coupling coupling) {
     ContactLaws laws;
-    for (const ContactParameters& contact : contacts) {
-        laws.of_class.push_back(make_contact_law(contact, variant, coupling));
-    }
+    for (const ContactParameters& contact : contacts) laws.of_class.push_back(make_contact_law(contact, variant, coupling));
     return laws;
 }
 
@@ -131,9 +129,7 @@ double damage(const ContactLaw& law, const ContactHistory& history) {
 
 template <class Law>
 double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
-    if (!history.failed() || history.separated) {
-        return history.failed() ? 0 : 1;
-    }
+    if (!history.failed() || history.separated) return history.failed() ? 0 : 1;
     if constexpr (requires { Law::remaining_cohesion(law, history); }) {
         return Law::remaining_cohesion(law, history);
     } else {

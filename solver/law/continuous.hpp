@@ -36,9 +36,7 @@ inline double continuous_reduction(const ContactLaw& law, const ContactHistory& 
 inline double continuous_non_conservative_work(const ContactLaw& law, const ContactMotion& from, const ContactMotion& to) {
     const ContactMotion mid{0.5 * (from.opening + to.opening), 0.5 * (from.sliding + to.sliding)};
     const double l2 = lambda_squared(law, mid);
-    if (l2 == 0) {
-        return 0;
-    }
+    if (l2 == 0) return 0;
     const double lambda = std::sqrt(l2);
     const double e = exp_of_minus(lambda);
     const double ratio = quadratic_form(law, mid) / l2;
@@ -84,9 +82,7 @@ struct Continuous : PaperLaw<Continuous> {
         r.traction = {law.kt * reduction * to.opening, law.ks * reduction * to.sliding};
     }
     static double open_energy(const ContactLaw& law, const ContactHistory& h) {
-        if (h.failed_open) {
-            return 0.5 * continuous_reduction(law, h) * quadratic_form(law, h.motion);
-        }
+        if (h.failed_open) return 0.5 * continuous_reduction(law, h) * quadratic_form(law, h.motion);
         const double lambda = std::sqrt(lambda_squared(law, h.motion));
         return quadratic_form(law, h.motion) * exponential_energy(lambda, exp_of_minus(lambda));
     }

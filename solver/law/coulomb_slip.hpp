@@ -2,7 +2,7 @@
 // "Coulomb slip with residual strength (area contact)"), without dilation.
 //
 //   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0
-//   fails if  σn > T  or  |τ| > c − σn tan φ    T, c, φ: tensile strength, cohesion, friction angle; the Coulomb line goes on
+//   fails if  σn > T  or  |τ| > c − σn tan φ    T, c, φ: tensile strength, cohesion, friction angle; the Coulomb line continues
 //                                               into tension, where it ends at zero
 //
 // A point that failed in either way has the residual values T_r, c_r, φ_r in place of T, c, φ at once. From then on slip keeps
@@ -45,9 +45,7 @@ struct CoulombSlip {
             return;
         }
         if (!h.failed()) {
-            if (advance_intact<CoulombSlip>(law, to, r)) {
-                return;
-            }
+            if (advance_intact<CoulombSlip>(law, to, r)) return;
             fail(law, to, r);
         }
         const bool open = to.opening >= 0;
@@ -65,9 +63,7 @@ struct CoulombSlip {
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.separated ? h.motion.sliding : h.slip; }
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
-        if (h.separated && h.motion.opening >= 0) {
-            return 0;
-        }
+        if (h.separated && h.motion.opening >= 0) return 0;
         const double elastic = h.motion.sliding - h.slip;
         return 0.5 * (law.kt * h.motion.opening * h.motion.opening + law.ks * elastic * elastic);
     }

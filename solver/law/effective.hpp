@@ -46,16 +46,12 @@ struct Effective : PaperLaw<Effective> {
     }
     static double open_energy(const ContactLaw& law, const ContactHistory& h) {
         const double d = effective_displacement(law, h.motion);
-        if (h.failed_open) {
-            return 0.5 * reduced_stiffness(law, h.max_displacement) * d * d;
-        }
+        if (h.failed_open) return 0.5 * reduced_stiffness(law, h.max_displacement) * d * d;
         const double x = d * law.inv_dct;
         return law.kt * d * d * exponential_energy(x, exp_of_minus(x));
     }
     static double open_damage(const ContactLaw& law, const ContactHistory& h) {
-        if (!h.failed_open) {
-            return 0;
-        }
+        if (!h.failed_open) return 0;
         return law.dut > law.dct ? std::min(1.0, (h.max_displacement - law.dct) / (law.dut - law.dct)) : 1.0;
     }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {

@@ -54,9 +54,7 @@ constexpr auto with_law(LawVariant variant, const Action& action) {
 
 constexpr bool is_in_order(const auto& descriptions) {
     for (std::size_t i = 0; i < descriptions.size(); ++i) {
-        if (static_cast<std::size_t>(descriptions[i].variant) != i) {
-            return false;
-        }
+        if (static_cast<std::size_t>(descriptions[i].variant) != i) return false;
     }
     return true;
 }

@@ -123,12 +123,8 @@ inline ContactHistory broken_contact() {
 
 /// State of a contact point as the files name it.
 inline PointState point_state(const ContactHistory& h) {
-    if (!h.failed()) {
-        return PointState::intact;
-    }
-    if (h.separated) {
-        return PointState::separated;
-    }
+    if (!h.failed()) return PointState::intact;
+    if (h.separated) return PointState::separated;
     return h.first_mode == CrackMode::tensile ? PointState::failed_tension : PointState::failed_shear;
 }
 
@@ -139,9 +135,7 @@ constexpr double cohesion_mark(std::size_t passed) { return passed < cohesion_ma
 /// Number of marks that lie above what remains of the cohesion of a point.
 constexpr std::size_t count_marks_above(double remaining) {
     std::size_t count = 0;
-    while (remaining < cohesion_mark(count)) {
-        ++count;
-    }
+    while (remaining < cohesion_mark(count)) ++count;
     return count;
 }
 
@@ -149,9 +143,7 @@ namespace contact_law {
 
 /// Records that a point has passed its peak in a mode.
 inline void mark_failed(ContactHistory& h, CrackMode mode) {
-    if (!h.failed()) {
-        h.first_mode = mode;
-    }
+    if (!h.failed()) h.first_mode = mode;
     (mode == CrackMode::tensile ? h.failed_open : h.failed_closed) = true;
 }
 

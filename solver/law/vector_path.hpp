@@ -87,9 +87,7 @@ inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion
 template <class Law>
 bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
     const IntactResponse intact = Law::intact(law, intact_point(r.history, to));
-    if (intact.holds == 0) {
-        return false;
-    }
+    if (intact.holds == 0) return false;
     r.traction = {intact.normal, intact.shear};
     r.dissipation.fracture += intact.fracture;
     r.history.integrity = intact.integrity;

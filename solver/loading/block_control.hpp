@@ -2,10 +2,10 @@
 // (Kazerani & Zhao 2014, §4: blocks of some 5,000 steps, each followed by cycling to quasi-static equilibrium).
 #pragma once
 
+#include "solver/program/program.hpp"
+
 namespace graincrack {
 
-/// Intervals of equal length that a loading block consists of: the platens start in the first and stop in the last.
-inline constexpr int parts_of_block = 5;
 /// Travel of the platens in a block over their speed and the duration of the block: they accelerate in the first interval and
 /// decelerate in the last.
 inline constexpr double moving_share_of_block = 1 - 1.0 / parts_of_block;

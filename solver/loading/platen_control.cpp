@@ -5,7 +5,8 @@
 #include <numeric>
 #include <variant>
 
-#include "solver/setup/transit_time.hpp"
+#include "share/file/end_faces.hpp"
+#include "solver/model/transit_time.hpp"
 
 namespace graincrack {
 namespace {
@@ -25,14 +26,14 @@ PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, double 
     : height_(specimen.height),
       area_(std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0)),
       transit_time_(bar_transit_time(specimen, rock)),
-      is_disc_(specimen.shape == "disc"),
+      has_end_faces_(has_end_faces(specimen)),
       rock_(rock),
       max_strain_(max_strain),
       rate_(default_rate_tolerance, {}),
       blocks_(0, default_rest_tolerance, 0) {}
 
 RateScales PlatenControl::rate_scales(bool apart) const {
-    const double load = apart ? tension_load : is_disc_ ? disc_load : compression_load;
+    const double load = apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
     const double stress = load * rock_.tensile_strength;
     return {height_, transit_time_, stress / rock_.young_modulus, 0.5 * stress * stress / rock_.young_modulus * area_};
 }
@@ -54,7 +55,7 @@ void PlatenControl::set(const PlatenMotion& motion, double time) {
     }
 }
 
-void PlatenControl::resume(double speed, double mean_compression) {
+void PlatenControl::take_over(double speed, double mean_compression) {
     TimeFunction constant;
     constant.value = speed;
     motion_ = constant;
@@ -70,14 +71,7 @@ double PlatenControl::servo_speed(double time, double duration) const {
     return 0.5 * height_ / rock_.young_modulus * (rate + lag / servo_time);
 }
 
-double PlatenControl::automatic_speed(const AutomaticRate& rate, const PlatenFeedback& feedback, double duration) {
-    const double sense = rate.apart ? -1 : 1;
-    RateMeasures measures = feedback.rate;
-    measures.strain = strain_;
-    return sense * rate_.next(measures, duration);
-}
-
-PlatenSpeeds PlatenControl::next(const PlatenFeedback& feedback, double duration) {
+PlatenSpeeds PlatenControl::next(const Feedback& feedback, double duration) {
     // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
     mean_compression_ += std::min(1.0, duration / transit_time_) * (feedback.axial_compression - mean_compression_);
     const double begin = speed_;
@@ -88,7 +82,7 @@ PlatenSpeeds PlatenControl::next(const PlatenFeedback& feedback, double duration
         speed_ = servo_speed(feedback.time, duration);
     } else if (const auto* const rate = as<AutomaticRate>()) {
         sense = rate->apart ? -1 : 1;
-        speed_ = automatic_speed(*rate, feedback, duration);
+        speed_ = sense * rate_.next(feedback, strain_, duration);
     } else {
         speed_ = blocks_.next(feedback.unbalanced_ratio, duration);
     }
@@ -100,9 +94,7 @@ bool PlatenControl::paces_rows() const { return as<AutomaticRate>() != nullptr |
 
 std::int64_t PlatenControl::interval_steps(double time_step) const {
     const double travel = max_strain_ * height_ / 2 / history_rows;
-    if (const auto* const blocks = as<LoadingBlocks>()) {
-        return std::max<std::int64_t>(1, blocks->steps / parts_of_block);
-    }
+    if (const auto* const blocks = as<LoadingBlocks>()) return std::max<std::int64_t>(1, blocks->steps / parts_of_block);
     const double at_most = max_transits * transit_time_ / time_step;
     if (as<TimeFunction>() != nullptr) {
         const double speed = final_speed();
@@ -133,12 +125,8 @@ double PlatenControl::final_speed() const {
 }
 
 double PlatenControl::slowest_speed(double strain) const {
-    if (const auto* const rate = as<AutomaticRate>()) {
-        return rate_.min_speed(strain, rate->tolerance);
-    }
-    if (const auto* const blocks = as<LoadingBlocks>()) {
-        return std::abs(blocks->speed) * moving_share_of_block;
-    }
+    if (const auto* const rate = as<AutomaticRate>()) return rate_.min_speed(strain, rate->tolerance);
+    if (const auto* const blocks = as<LoadingBlocks>()) return std::abs(blocks->speed) * moving_share_of_block;
     return final_speed();
 }
 
@@ -146,9 +134,7 @@ double PlatenControl::longest_time() const {
     const double travel = max_strain_ * height_ / 2;
     double time = 0;
     constexpr int parts = 1000;
-    for (int i = 0; i < parts; ++i) {
-        time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
-    }
+    for (int i = 0; i < parts; ++i) time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
     return time + (std::isfinite(function_end()) ? function_end() : 0);  // the speed is lower until its function ends
 }
 

@@ -9,17 +9,9 @@
 #include "solver/loading/block_control.hpp"
 #include "solver/loading/rate_control.hpp"
 #include "solver/model/amplitude.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
-
-/// What the specimen answered to the loading, as of the last row of the history.
-struct PlatenFeedback {
-    double time = 0;               ///< s
-    double axial_compression = 0;  ///< mean of the platens, Pa
-    double unbalanced_ratio = 0;
-    RateMeasures rate = {};  ///< but for the strain, which the platens know
-};
 
 /// Speed of each platen at both ends of an interval, approach positive, m/s; linear between.
 struct PlatenSpeeds {
@@ -36,12 +28,12 @@ public:
     /// aims at or, without a servo so far, at the present pressure.
     void set(const PlatenMotion& motion, double time);
     /// Takes over what another run left.
-    void resume(double speed, double mean_compression);
+    void take_over(double speed, double mean_compression);
     /// Speeds over the next `duration` seconds. \throws NumericalError if a block does not come to rest
-    PlatenSpeeds next(const PlatenFeedback& feedback, double duration);
+    PlatenSpeeds next(const Feedback& feedback, double duration);
 
     /// Steps to the next row of the history where the measures or blocks decide, or where only the strain limit ends a stage:
-    /// as many as move the platens by the 8000th part of the way to it, enough to resolve a brittle peak; at most half a
+    /// as many as move the platens by the 8000th part of the travel to it, enough to resolve a brittle peak; at most half a
     /// transit; of a block a part.
     [[nodiscard]] std::int64_t interval_steps(double time_step) const;
     /// Whether `interval_steps` decides in any case.
@@ -79,12 +71,11 @@ private:
     [[nodiscard]] double servo_speed(double time, double duration) const;
     [[nodiscard]] double final_speed() const;  ///< of a function of time, m/s
     [[nodiscard]] double slowest_speed(double strain) const;
-    double automatic_speed(const AutomaticRate& rate, const PlatenFeedback& feedback, double duration);
 
     double height_;
     double area_;
     double transit_time_;  ///< of a bar wave through the specimen, s
-    bool is_disc_;
+    bool has_end_faces_;
     Rock rock_;
     double max_strain_;
     PlatenMotion motion_ = TimeFunction{};

@@ -32,7 +32,7 @@ double RateControl::min_speed(double strain, double allowed) const {
     return std::min(slowest * allowed * 0.5 * wave_speed * std::max(strain, scales_.min_strain), max_speed(strain, 1));
 }
 
-double RateControl::next(const RateMeasures& now, double duration) {
+double RateControl::next(const Feedback& now, double strain, double duration) {
     const double share = std::min(1.0, duration / (smoothing_transits * scales_.transit_time));
     // ½ m v(n−½)·v(n+½) of nodes that turn back within the step is below zero.
     const double kinetic = std::max(now.kinetic_energy, 0.0);
@@ -47,7 +47,7 @@ double RateControl::next(const RateMeasures& now, double duration) {
     const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
     speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));
-    speed_ = std::min(std::max(speed_, min_speed(now.strain, limit)), max_speed(now.strain, near_failure_));
+    speed_ = std::min(std::max(speed_, min_speed(strain, limit)), max_speed(strain, near_failure_));
     return speed_;
 }
 

@@ -18,18 +18,9 @@
 // rate is limited, so that the speed changes smoothly. The lowest speed only keeps a test from standing still.
 #pragma once
 
-namespace graincrack {
+#include "solver/loading/feedback.hpp"
 
-/// What a run measures at the end of an interval.
-struct RateMeasures {
-    double strain = 0;            ///< platen travel over height since axial loading began, in the sense of the test
-    double kinetic_energy = 0;    ///< of the masses as they are, J
-    double stored_energy = 0;     ///< J
-    double unbalanced_ratio = 0;  ///< as in the history
-    double force_difference = 0;  ///< of the platens, over their mean
-    double damping_load = 0;      ///< load that damping carries, over that of the platens
-    double near_failure = 0;      ///< how far failure involves the section, 0 to 1
-};
+namespace graincrack {
 
 /// The specimen as a bar between platens.
 struct RateScales {
@@ -44,8 +35,9 @@ public:
     /// \param share of all that the measures may reach and of the slowest and fastest speed: half of it is half the speed
     RateControl(double tolerance, const RateScales& scales, double share = 1)
         : tolerance_(tolerance), scales_(scales), share_(share) {}
-    /// Speed of each platen at the end of the next `duration` seconds, m/s.
-    double next(const RateMeasures& measures, double duration);
+    /// Speed of each platen at the end of the next `duration` seconds, m/s. \param strain platen travel over height since axial
+    /// loading began, in the sense of the test
+    double next(const Feedback& feedback, double strain, double duration);
     /// The slowest the platens ever go at a strain, m/s: a twentieth of what the tolerance means there in an elastic bar.
     /// \param allowed what counts of the tolerance
     [[nodiscard]] double min_speed(double strain, double allowed) const;
@@ -53,7 +45,7 @@ public:
     [[nodiscard]] double allowed(double near_failure) const;
     /// The fastest the platens ever go at a strain where failure involves so much of the section, m/s.
     [[nodiscard]] double max_speed(double strain, double near_failure) const;
-    /// Calls `visit(name, member)` with all that changes: a test that goes on needs it.
+    /// Calls `visit(name, member)` with all that changes: a test that resumes needs it.
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit) {
         visit("rate.near_failure", self.near_failure_);

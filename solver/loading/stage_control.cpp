@@ -15,11 +15,9 @@ constexpr double history_rows = 8000;  // of the longest time
 constexpr double wave_transits = 2;    // of a wave, to the other platen and back
 constexpr std::int64_t min_steps = 10;
 
-double last(const StageFeedback& f, HistoryColumn column) { return f.history[column].back(); }
-
 /// Distance of a condition from being reached, with its side.
-double offset(const Condition& c, const StageFeedback& f) {
-    return (c.probe.empty() ? f.history.columns[c.column].back() : f.probe(c.probe, c.column)) - c.value;
+double offset(const Condition& c, const Rows& rows) {
+    return (c.probe.empty() ? rows.history.columns[c.column].back() : rows.probe(c.probe, c.column)) - c.value;
 }
 
 double max_strain_of(const Program& program) { return program.platens ? program.platens->max_strain : 0; }
@@ -49,14 +47,12 @@ template <class Act>
 void StageController::for_each_amplitude(Act&& act) const {
     for (std::size_t c = 0; c < program_.boundary_conditions.size(); ++c) {
         for (std::size_t i = 0; i < n_actions; ++i) {
-            if (numbers_[c][i] != no_amplitude) {
-                act(c, i, static_cast<std::size_t>(numbers_[c][i]));
-            }
+            if (numbers_[c][i] != no_amplitude) act(c, i, static_cast<std::size_t>(numbers_[c][i]));
         }
     }
 }
 
-// --- what a run goes on with -----------------------------------------------------------------------------------------------
+// --- what a run resumes with -------------------------------------------------------------------------------------------------
 
 template <class Self, class Visit>
 void StageController::visit_state(Self& self, Visit&& visit) {
@@ -68,12 +64,12 @@ void StageController::visit_state(Self& self, Visit&& visit) {
     visit("feedback.time", self.feedback_.time);
     visit("feedback.axial_compression", self.feedback_.axial_compression);
     visit("feedback.unbalanced_ratio", self.feedback_.unbalanced_ratio);
-    visit("feedback.kinetic_energy", self.feedback_.rate.kinetic_energy);
-    visit("feedback.stored_energy", self.feedback_.rate.stored_energy);
-    visit("feedback.rate.unbalanced_ratio", self.feedback_.rate.unbalanced_ratio);
-    visit("feedback.force_difference", self.feedback_.rate.force_difference);
-    visit("feedback.damping_load", self.feedback_.rate.damping_load);
-    visit("feedback.near_failure", self.feedback_.rate.near_failure);
+    visit("feedback.kinetic_energy", self.feedback_.kinetic_energy);
+    visit("feedback.stored_energy", self.feedback_.stored_energy);
+    visit("feedback.rate.unbalanced_ratio", self.feedback_.unbalanced_ratio);  // the same: files have both names
+    visit("feedback.force_difference", self.feedback_.force_difference);
+    visit("feedback.damping_load", self.feedback_.damping_load);
+    visit("feedback.near_failure", self.feedback_.near_failure);
     for (std::size_t i = 0; i < self.amplitudes_.size(); ++i) {
         const std::string name = fmt::format("amplitude{}.", i);
         visit(name + "origin", self.origins_[i]);
@@ -81,9 +77,7 @@ void StageController::visit_state(Self& self, Visit&& visit) {
         visit(name + "value", self.amplitudes_[i].function.value);
         visit(name + "start", self.amplitudes_[i].start);
     }
-    for (std::size_t i = 0; i < self.offsets_.size(); ++i) {
-        visit(fmt::format("offset{}", i), self.offsets_[i]);
-    }
+    for (std::size_t i = 0; i < self.offsets_.size(); ++i) visit(fmt::format("offset{}", i), self.offsets_[i]);
     for (std::size_t i = 0; i < self.records_.size(); ++i) {
         visit(fmt::format("stage{}.begin", i), self.records_[i].begin);
         visit(fmt::format("stage{}.end", i), self.records_[i].end);
@@ -92,7 +86,7 @@ void StageController::visit_state(Self& self, Visit&& visit) {
     PlatenControl::visit_state(self.platens_, visit);
 }
 
-void StageController::resume(const StageControllerState& state) {
+void StageController::take_over(const StageControllerState& state) {
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
         const std::string name =
             program_.boundary_conditions[condition].name + "." + std::string(name_of(static_cast<Action>(action)));
@@ -103,15 +97,13 @@ void StageController::resume(const StageControllerState& state) {
                 state.boundary_conditions.values[static_cast<std::size_t>(found - names.begin())];
         }
     });
-    platens_.resume(program_.platens ? state.platen_speed : 0, state.mean_compression);
+    platens_.take_over(program_.platens ? state.platen_speed : 0, state.mean_compression);
 }
 
 const TimeFunction* StageController::function_of(std::size_t amplitude) const {
     const TimeFunction* function = nullptr;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t each) {
-        if (each != amplitude) {
-            return;
-        }
+        if (each != amplitude) return;
         const BoundaryCondition& c = program_.boundary_conditions[condition];
         if (origins_[amplitude] == at_start) {
             function = c.start[action] ? &*c.start[action] : nullptr;
@@ -124,11 +116,9 @@ const TimeFunction* StageController::function_of(std::size_t amplitude) const {
     return function;
 }
 
-void StageController::go_on(const StageControllerState& state) {
+void StageController::resume(const StageControllerState& state) {
     const auto require = [](bool holds, const char* what) {
-        if (!holds) {
-            throw InputError(fmt::format("the saved state of the loading does not fit this program: {}", what));
-        }
+        if (!holds) throw InputError(fmt::format("the saved state of the loading does not fit this program: {}", what));
     };
     // A whole number between two others.
     const auto index = [&](const std::string& name, int low, std::size_t high) {
@@ -138,9 +128,7 @@ void StageController::go_on(const StageControllerState& state) {
     };
     at_ = static_cast<std::size_t>(index("stage", 0, program_.order.size()));
     require(state.stages_end_by.size() == at_, "the stages that have been");
-    for (std::size_t i = 0; i < at_; ++i) {
-        records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
-    }
+    for (std::size_t i = 0; i < at_; ++i) records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
     offsets_.resize(finished() ? 0 : now().until.size());
     for (std::size_t i = 0; i < amplitudes_.size(); ++i) {
         const std::string name = fmt::format("amplitude{}.origin", i);
@@ -152,7 +140,7 @@ void StageController::go_on(const StageControllerState& state) {
         }
     }
     platens_origin_ = index("platens.origin", nowhere, program_.stages.size() - 1);
-    platens_.resume(state.platen_speed, state.mean_compression);
+    platens_.take_over(state.platen_speed, state.mean_compression);
     if (platens_origin_ != nowhere) {
         require(platens_origin_ >= 0 && program_.stages[platens_origin_].platens.has_value(), "platens.origin");
         platens_.set(*program_.stages[platens_origin_].platens, 0);
@@ -169,12 +157,12 @@ void StageController::go_on(const StageControllerState& state) {
     require(!state.progress.names.empty() && rows_at_rest_ >= 0, "rows_at_rest");
 }
 
-StageControllerState StageController::state(double time) const {
+StageControllerState StageController::state() const {
     StageControllerState state;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
         state.boundary_conditions.names.push_back(program_.boundary_conditions[condition].name + "." +
                                                   std::string(name_of(static_cast<Action>(action))));
-        state.boundary_conditions.values.push_back(amplitudes_[amplitude].at(time));
+        state.boundary_conditions.values.push_back(amplitudes_[amplitude].at(feedback_.time));
     });
     state.platen_speed = platens_.speed();
     state.mean_compression = platens_.mean_compression();
@@ -196,24 +184,21 @@ std::vector<double> StageController::values(double time) const {
 
 // --- stages ----------------------------------------------------------------------------------------------------------------
 
-void StageController::note(const StageFeedback& f) {
-    feedback_ = {f.time, -last(f, HistoryColumn::axial_stress), last(f, HistoryColumn::unbalanced_ratio), f.rate};
-}
-
-void StageController::begin(const StageFeedback& f) {
-    note(f);
+void StageController::begin(const Feedback& feedback, const Rows& rows) {
+    feedback_ = feedback;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
         if (const auto& function = program_.boundary_conditions[condition].start[action]) {
-            amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(f.time)), f.time, amplitudes_[i].of_velocity};
+            amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
+                              amplitudes_[i].of_velocity};
             origins_[i] = at_start;
         }
     });
-    start_stage(f);
+    start_stage(rows);
 }
 
-void StageController::start_stage(const StageFeedback& f) {
+void StageController::start_stage(const Rows& rows) {
     const Stage& stage = now();
-    stage_begin_ = f.time;
+    stage_begin_ = feedback_.time;
     functions_end_ = 0;
     rows_at_rest_ = 0;
     highest_ = 0;
@@ -221,95 +206,76 @@ void StageController::start_stage(const StageFeedback& f) {
         const auto settings = stage.settings.find(program_.boundary_conditions[condition].name);
         if (settings != stage.settings.end() && settings->second[action]) {
             const TimeFunction& function = *settings->second[action];
-            amplitudes_[i] = {starting_from(function, amplitudes_[i].at(f.time)), f.time, amplitudes_[i].of_velocity};
+            amplitudes_[i] = {starting_from(function, amplitudes_[i].at(feedback_.time)), feedback_.time,
+                              amplitudes_[i].of_velocity};
             origins_[i] = number_of(stage);
-            functions_end_ = std::max(functions_end_, f.time + function.end());
+            functions_end_ = std::max(functions_end_, feedback_.time + function.end());
         }
     });
     if (stage.platens) {
-        platens_.set(*stage.platens, f.time);
+        platens_.set(*stage.platens, feedback_.time);
         platens_origin_ = number_of(stage);
         functions_end_ = std::max(functions_end_, platens_.function_end());
     }
     offsets_.clear();
-    for (const Condition& condition : stage.until) {
-        offsets_.push_back(offset(condition, f));
-    }
+    for (const Condition& condition : stage.until) offsets_.push_back(offset(condition, rows));
 }
 
-bool StageController::is_at_rest(const StageFeedback& f, double tolerance) {
-    const bool rests = f.time >= functions_end_ && last(f, HistoryColumn::unbalanced_ratio) < tolerance &&
-                       std::abs(platens_.pressure_error(f.time)) < tolerance;
+bool StageController::is_at_rest(double tolerance) {
+    const bool rests = feedback_.time >= functions_end_ && feedback_.unbalanced_ratio < tolerance &&
+                       std::abs(platens_.pressure_error(feedback_.time)) < tolerance;
     rows_at_rest_ = rests ? rows_at_rest_ + 1 : 0;
     return rows_at_rest_ >= rest_rows;
 }
 
-// Without damping waves do not die out: what one of them takes from the load, less than its way to and fro, is no fall.
+// Without damping waves do not die out: what one of them takes from the load, less than its time to and fro, is no fall.
 bool StageController::has_fallen_below(double stress, const History& history) const {
     const std::vector<double>& time = history[HistoryColumn::time];
     const bool is_damped = history[HistoryColumn::energy_damping].back() > 0;
     const double since = time.back() - (is_damped ? 0 : wave_transits * platens_.transit_time());
     std::size_t row = history.size() - 1;
-    while (row > 0 && time[row] > since && std::abs(history[HistoryColumn::axial_stress][row]) < stress) {
-        --row;
-    }
+    while (row > 0 && time[row] > since && std::abs(history[HistoryColumn::axial_stress][row]) < stress) --row;
     return std::abs(history[HistoryColumn::axial_stress][row]) < stress;
 }
 
-std::string StageController::end_reason(const StageFeedback& f) {
+std::string StageController::end_reason(const Rows& rows) {
     const Stage& stage = now();
     for (std::size_t i = 0; i < stage.until.size(); ++i) {
-        const double off = offset(stage.until[i], f);
-        if (off == 0 || (off > 0) != (offsets_[i] > 0)) {
-            return stage.until[i].name;
-        }
+        const double off = offset(stage.until[i], rows);
+        if (off == 0 || (off > 0) != (offsets_[i] > 0)) return stage.until[i].name;
     }
-    const double stress = std::abs(last(f, HistoryColumn::axial_stress));
-    if (last(f, HistoryColumn::tensile_cracks) + last(f, HistoryColumn::shear_cracks) > 0) {
+    const double stress = std::abs(feedback_.axial_compression);
+    if (rows.history[HistoryColumn::tensile_cracks].back() + rows.history[HistoryColumn::shear_cracks].back() > 0) {
         highest_ = std::max(highest_, stress);
     }
-    if (stage.peak_drop && has_fallen_below((1 - *stage.peak_drop) * highest_, f.history)) {
-        return "peak_drop";
-    }
-    if (stage.rest && is_at_rest(f, *stage.rest)) {
-        return ended_by_rest;
-    }
+    if (stage.peak_drop && has_fallen_below((1 - *stage.peak_drop) * highest_, rows.history)) return "peak_drop";
+    if (stage.rest && is_at_rest(*stage.rest)) return ended_by_rest;
     // Half a step of round-off must not cost an interval.
     constexpr double round_off = 1e-9;
-    return f.time - stage_begin_ >= (1 - round_off) * stage.longest_time ? "time" : "";
+    return feedback_.time - stage_begin_ >= (1 - round_off) * stage.longest_time ? "time" : "";
 }
 
-void StageController::refuse_end(const StageFeedback& f, const std::string& reason) const {
+void StageController::refuse_end(const std::string& reason) const {
     throw NumericalError(fmt::format(
         "{}: stage {}: ended by {}, not by {}: the unbalanced ratio is {:.2e}, the axial pressure {:.2f} % off what the platens "
         "hold; use more --damping, a slower rate or a longer time",
-        program_.file, now().name, reason, now().must_end_by, last(f, HistoryColumn::unbalanced_ratio),
-        100 * platens_.pressure_error(f.time)));
+        program_.file, now().name, reason, now().must_end_by, feedback_.unbalanced_ratio,
+        100 * platens_.pressure_error(feedback_.time)));
 }
 
-void StageController::check_stage_end(const StageFeedback& f) {
-    note(f);
-    if (finished()) {
-        return;
-    }
-    const std::string reason = end_reason(f);
-    if (reason.empty()) {
-        return;
-    }
-    if (!now().must_end_by.empty() && reason != now().must_end_by) {
-        refuse_end(f, reason);
-    }
-    records_.push_back({now().name, stage_begin_, f.time, reason});
+void StageController::check_stage_end(const Feedback& feedback, const Rows& rows) {
+    feedback_ = feedback;
+    if (finished()) return;
+    const std::string reason = end_reason(rows);
+    if (reason.empty()) return;
+    if (!now().must_end_by.empty() && reason != now().must_end_by) refuse_end(reason);
+    records_.push_back({now().name, stage_begin_, feedback_.time, reason});
     ++at_;
-    if (!finished()) {
-        start_stage(f);
-    }
+    if (!finished()) start_stage(rows);
 }
 
-void StageController::close(double time, const std::string& reason) {
-    if (!finished()) {
-        records_.push_back({now().name, stage_begin_, time, reason});
-    }
+void StageController::close(const std::string& reason) {
+    if (!finished()) records_.push_back({now().name, stage_begin_, feedback_.time, reason});
 }
 
 // --- intervals -------------------------------------------------------------------------------------------------------------
@@ -328,9 +294,7 @@ IntervalLoading StageController::next(double duration) {
 std::int64_t StageController::interval_steps(double time_step) const {
     const double longest_time = program_.longest_time();
     const bool by_platens = !program_.row_interval && !std::isfinite(longest_time);
-    if (by_platens || platens_.paces_rows()) {
-        return platens_.interval_steps(time_step);
-    }
+    if (by_platens || platens_.paces_rows()) return platens_.interval_steps(time_step);
     const double interval = program_.row_interval.value_or(longest_time / history_rows);
     return std::max<std::int64_t>(program_.row_interval ? 1 : min_steps, std::llround(interval / time_step));
 }
@@ -340,9 +304,7 @@ LoadingLength StageController::longest(double time_step) const {
     LoadingLength length;
     for (const std::string& name : program_.order) {
         const Stage& stage = program_.stage(name);
-        if (stage.platens) {
-            ahead.platens_.set(*stage.platens, 0);
-        }
+        if (stage.platens) ahead.platens_.set(*stage.platens, 0);
         const bool has_end = std::isfinite(stage.longest_time);
         const double time = has_end ? stage.longest_time : ahead.platens_.longest_time();
         const double interval = static_cast<double>(ahead.interval_steps(time_step)) * time_step;
@@ -352,13 +314,13 @@ LoadingLength StageController::longest(double time_step) const {
     return length;
 }
 
-double StageController::progress(double time, double axial_strain) const {
+double StageController::progress() const {
     const double longest_time = program_.longest_time();
     if (std::isfinite(longest_time)) {
         const double begin = records_.empty() ? stage_begin_ : records_.front().begin;
-        return (time - begin) / longest_time;
+        return (feedback_.time - begin) / longest_time;
     }
-    return std::abs(axial_strain) / program_.platens->max_strain;
+    return std::abs(feedback_.axial_strain) / program_.platens->max_strain;
 }
 
 }  // namespace graincrack

@@ -1,25 +1,16 @@
 // Leads a program through its stages: which function each boundary condition and the platens follow now, and when a stage ends.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "share/file/run_file.hpp"
 #include "solver/loading/platen_control.hpp"
 #include "solver/model/boundary.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 #include "solver/setup/regions.hpp"
 
 namespace graincrack {
-
-/// What the loading follows: the last row of the history and of the probes, and the measures of the rate.
-struct StageFeedback {
-    double time = 0;
-    const History& history;
-    const std::function<double(const std::string& probe, std::size_t column)>& probe;
-    RateMeasures rate = {};
-};
 
 /// A stage that has been.
 struct StageRecord {
@@ -34,9 +25,9 @@ struct NamedNumbers {
     std::vector<double> values;
 };
 
-/// Where a program is: what another program takes over, and what the same program goes on with.
+/// Where a program is: what another program takes over, and what the same program resumes with.
 struct StageControllerState {
-    NamedNumbers boundary_conditions;        ///< "control.action"; NaN for a free velocity
+    NamedNumbers boundary_conditions;        ///< "boundary.action"; NaN for a free velocity
     double platen_speed = 0;                 ///< m/s
     double mean_compression = 0;             ///< as the servo sees it, Pa
     NamedNumbers progress;                   ///< everything that changes
@@ -54,18 +45,18 @@ public:
     StageController(const Program& program, const Specimen& specimen, const Rock& rock);
     /// Takes over what another program left, before `begin`: its boundary conditions, those of the same name, start from its
     /// values.
-    void resume(const StageControllerState& state);
+    void take_over(const StageControllerState& state);
     /// Resumes where the same program was. \throws InputError if the state is not of the same program
-    void go_on(const StageControllerState& state);
-    [[nodiscard]] StageControllerState state(double time) const;
+    void resume(const StageControllerState& state);
+    [[nodiscard]] StageControllerState state() const;
 
     /// Starts the first stage.
-    void begin(const StageFeedback& feedback);
+    void begin(const Feedback& feedback, const Rows& rows);
     /// Records a new row: ends the stage if it has reached an end, and starts the next one.
     /// \throws NumericalError if it is not the end that the stage must have
-    void check_stage_end(const StageFeedback& feedback);
+    void check_stage_end(const Feedback& feedback, const Rows& rows);
     /// Ends the stage that is on, if there is one, for a reason of the run.
-    void close(double time, const std::string& reason);
+    void close(const std::string& reason);
     /// Loading of the next `duration` seconds after the last row.
     /// \throws NumericalError if a loading block does not come to rest
     IntervalLoading next(double duration);
@@ -77,9 +68,10 @@ public:
     [[nodiscard]] bool has_required_end() const { return !finished() && !now().must_end_by.empty(); }
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
+    [[nodiscard]] const Feedback& feedback() const { return feedback_; }  ///< of the last row
     [[nodiscard]] const PlatenControl& platens() const { return platens_; }
-    /// Share of the longest way that is done: of the time or, where that has no limit, of the strain of the platens.
-    [[nodiscard]] double progress(double time, double axial_strain) const;
+    /// Share that is done: of the longest time or, where that has no limit, of the largest strain of the platens.
+    [[nodiscard]] double progress() const;
     /// Values of the amplitudes at a time, for a state that has not moved yet.
     [[nodiscard]] std::vector<double> values(double time) const;
 
@@ -93,14 +85,13 @@ private:
     static void visit_state(Self& self, Visit&& visit);
     [[nodiscard]] const Stage& now() const { return program_.stage(program_.order[at_]); }
     [[nodiscard]] int number_of(const Stage& stage) const { return static_cast<int>(&stage - program_.stages.data()); }
-    void note(const StageFeedback& feedback);
-    void start_stage(const StageFeedback& feedback);
+    void start_stage(const Rows& rows);
     /// Whether the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
     /// it.
     [[nodiscard]] bool has_fallen_below(double stress, const History& history) const;
-    [[nodiscard]] std::string end_reason(const StageFeedback& feedback);
-    [[nodiscard]] bool is_at_rest(const StageFeedback& feedback, double tolerance);
-    [[noreturn]] void refuse_end(const StageFeedback& feedback, const std::string& reason) const;
+    [[nodiscard]] std::string end_reason(const Rows& rows);
+    [[nodiscard]] bool is_at_rest(double tolerance);
+    [[noreturn]] void refuse_end(const std::string& reason) const;
     /// Null where the present origin of an amplitude has no function for it.
     [[nodiscard]] const TimeFunction* function_of(std::size_t amplitude) const;
 
@@ -117,7 +108,7 @@ private:
     double highest_ = 0;           ///< axial stress of the stage since contacts have failed, absolute, Pa
     std::vector<double> offsets_;  ///< of its conditions at its begin
     std::vector<StageRecord> records_;
-    PlatenFeedback feedback_;  ///< of the last row
+    Feedback feedback_;  ///< of the last row
 };
 
 }  // namespace graincrack

@@ -15,12 +15,8 @@ constexpr double wavelet_reach = 6;
 
 double interpolated(const std::vector<double>& times, const std::vector<double>& values, double t) {
     const auto after = std::upper_bound(times.begin(), times.end(), t);
-    if (after == times.begin()) {
-        return values.front();
-    }
-    if (after == times.end()) {
-        return values.back();
-    }
+    if (after == times.begin()) return values.front();
+    if (after == times.end()) return values.back();
     const auto i = static_cast<std::size_t>(after - times.begin());
     return values[i - 1] + (values[i] - values[i - 1]) * (t - times[i - 1]) / (times[i] - times[i - 1]);
 }

@@ -34,9 +34,7 @@ void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& ph
 
 ContactGeometry geometry_of(const Assemblage& a, const Specimen& s, std::int32_t contact) {
     ContactGeometry g{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        g.nodes[k] = a.node_of_specimen[s.contact_nodes[contact][k]];
-    }
+    for (std::size_t k = 0; k < 4; ++k) g.nodes[k] = a.node_of_specimen[s.contact_nodes[contact][k]];
     g.edge = a.position[g.nodes[1]] - a.position[g.nodes[0]];
     g.point_area = 0.5 * length(g.edge);
     g.strength = s.contact_strength_factor.empty() ? 1 : s.contact_strength_factor[contact];
@@ -63,9 +61,7 @@ void place_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
         }
     }
     a.specimen_contact.assign(a.contact_chunks.empty() ? 0 : a.contact_chunks.back().contacts.end, -1);
-    for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
-        a.specimen_contact[a.contact_of_specimen[c]] = c;
-    }
+    for (std::int32_t c = 0; c < a.n_contacts(); ++c) a.specimen_contact[a.contact_of_specimen[c]] = c;
 }
 
 void add_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
@@ -99,9 +95,7 @@ void add_contact_slots(Assemblage& a) {
     const auto none = static_cast<std::int32_t>(a.contact_chunks.size()) * slot_stride;
     a.contact_slots.first.assign(a.position.size(), {none, none});  // every node of an outline has an edge on either side
     for_each_contact(a, [&](std::int32_t c, std::int32_t /*contact_class*/) {
-        for (std::int32_t k = 0; k < 4; ++k) {
-            add_slot(a.contacts[c].nodes[k], slot_of(c, k), none, a.contact_slots);
-        }
+        for (std::int32_t k = 0; k < 4; ++k) add_slot(a.contacts[c].nodes[k], slot_of(c, k), none, a.contact_slots);
     });
     sort_further_slots(a, a.contact_slots);
 }
@@ -113,9 +107,7 @@ void add_element_slots(Assemblage& a) {
     const auto none = static_cast<std::int32_t>(a.element_chunks.size()) * element_slot_stride;
     a.element_slots.first.assign(a.position.size(), {none});
     for (std::int32_t e = 0; e < a.n_elements(); ++e) {
-        for (std::int32_t k = 0; k < 3; ++k) {
-            add_slot(a.element_nodes[e][k], element_slot_of(e, k), none, a.element_slots);
-        }
+        for (std::int32_t k = 0; k < 3; ++k) add_slot(a.element_nodes[e][k], element_slot_of(e, k), none, a.element_slots);
     }
     sort_further_slots(a, a.element_slots);
 }

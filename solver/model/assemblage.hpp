@@ -148,18 +148,14 @@ Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCond
 template <class Act>
 void for_each_contact(const Assemblage& a, const Act& act) {
     for (const ContactChunk& chunk : a.contact_chunks) {
-        for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
-            act(c, chunk.contact_class);
-        }
+        for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) act(c, chunk.contact_class);
     }
 }
 /// Σ `of_item(i)` over the items of a range.
 template <class OfItem>
 auto sum_over(Range range, const OfItem& of_item) {
     decltype(of_item(0)) sum{};
-    for (std::int32_t i = range.begin; i < range.end; ++i) {
-        sum += of_item(i);
-    }
+    for (std::int32_t i = range.begin; i < range.end; ++i) sum += of_item(i);
     return sum;
 }
 /// The same over ranges, one a chunk: first within each, then over them in their order. All sums of a run are made so, whoever
@@ -167,18 +163,14 @@ auto sum_over(Range range, const OfItem& of_item) {
 template <class OfItem>
 auto sum_over(const std::vector<Range>& ranges, const OfItem& of_item) {
     decltype(of_item(0)) total{};
-    for (const Range& range : ranges) {
-        total += sum_over(range, of_item);
-    }
+    for (const Range& range : ranges) total += sum_over(range, of_item);
     return total;
 }
 /// Σ `of_node(i)` over all nodes, by chunk.
 template <class OfNode>
 auto sum_over_nodes(const Assemblage& a, const OfNode& of_node) {
     decltype(of_node(0)) total{};
-    for (const NodeChunk& chunk : a.node_chunks) {
-        total += sum_over(chunk.nodes, of_node);
-    }
+    for (const NodeChunk& chunk : a.node_chunks) total += sum_over(chunk.nodes, of_node);
     return total;
 }
 /// Calls `act` with each node of a vertex cluster of a chunk.
@@ -201,9 +193,7 @@ std::vector<Range> ranges_by_chunk(const Assemblage& a, const std::vector<Item>&
     std::int32_t i = 0;
     for (const NodeChunk& chunk : a.node_chunks) {
         Range range{i, i};
-        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < chunk.nodes.end) {
-            ++range.end;
-        }
+        while (range.end < static_cast<std::int32_t>(items.size()) && node_of(items[range.end]) < chunk.nodes.end) ++range.end;
         i = range.end;
         ranges.push_back(range);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solver/model/assemblage.hpp"
@@ -14,25 +15,33 @@
 
 namespace graincrack {
 
-/// A rigid platen, horizontal, infinitely wide, moving along y.
-struct Platen {
-    double side = 1;              ///< +1: the specimen is below it (top), −1: above it (bottom)
-    double position = 0;          ///< y of its face at the start, m
-    double normal_stiffness = 0;  ///< penalty, Pa/m
-    double shear_stiffness = 0;   ///< Pa/m; 0 for a smooth platen
-    double tan_friction = 0;
-    bool bonded = false;  ///< pulls as well as pushes
-};
 inline constexpr std::size_t bottom_platen = 0;
 inline constexpr std::size_t top_platen = 1;
 
+/// Across the axis of a platen: towards +x, or towards +y where the axis is that of x.
+constexpr Vector2 across(const Vector2& axis) { return axis.y > 0 ? Vector2{axis.y, -axis.x} : Vector2{-axis.y, axis.x}; }
+
+/// The flat face of a rigid platen. Rollers and punches are platens of finite width, several of which may move together.
+struct Platen {
+    std::size_t motion = top_platen;  ///< the one of the two motions that it follows: `bottom_platen` or `top_platen`
+    Vector2 axis{0, 1};               ///< unit vector along which it moves; the same for all platens of a boundary
+    double side = 1;                  ///< +1: the specimen lies towards −axis (top), −1: towards +axis (bottom)
+    double position = 0;              ///< of its face along the axis at the start, m
+    /// Extent of the face across the axis, m; what lies outside at the start does not meet it.
+    double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
+    std::vector<std::uint8_t> parts = {};  ///< of the boundary that it may meet; none: all, and what is inside
+    double normal_stiffness = 0;           ///< penalty, Pa/m
+    double shear_stiffness = 0;            ///< Pa/m; 0 for a smooth platen
+    double tan_friction = 0;
+    bool bonded = false;  ///< pulls as well as pushes
+};
 /// A node that may meet a platen, and its friction spring.
 struct PlatenPoint {
     std::int32_t node = 0;
     std::int32_t platen = 0;
     double tributary = 0;      ///< length of platen it stands for, m
     double gap = 0;            ///< penetration at the start (≤ 0: apart), m
-    double anchor = 0;         ///< x displacement from which the friction spring is stretched, m
+    double anchor = 0;         ///< displacement across the axis from which the friction spring is stretched, m
     double shear = 0;          ///< of the friction spring at the last update, N
     bool on_boundary = false;  ///< its node ends a boundary edge, or meets the platen at the start
 };
@@ -47,30 +56,30 @@ struct PlatenResponse {
 };
 /// How far a point is inside a platen, m; below 0: apart.
 /// \param u displacement of the node, m
-/// \param platen_displacement of the platen, m
+/// \param platen_displacement of the platen along its axis, m
 inline double platen_penetration(const Platen& platen, const PlatenPoint& point, const Vector2& u, double platen_displacement) {
-    return point.gap + platen.side * (u.y - platen_displacement);
+    return point.gap + platen.side * (dot(platen.axis, u) - platen_displacement);
 }
 inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& point, const Vector2& u,
                                       double platen_displacement) {
     const double penetration = platen_penetration(platen, point, u, platen_displacement);
-    if (penetration <= 0 && !platen.bonded) {
-        return {{}, u.x, 0, 0, 0};
-    }
+    const Vector2 tangent = across(platen.axis);
+    const double along = dot(tangent, u);
+    if (penetration <= 0 && !platen.bonded) return {{}, along, 0, 0, 0};
     const double kn = platen.normal_stiffness * point.tributary;
     const double ks = platen.shear_stiffness * point.tributary;
     const double pressure = kn * penetration;
-    PlatenResponse r{{0, -platen.side * pressure}, u.x, 0, 0, 0.5 * kn * penetration * penetration};
+    PlatenResponse r{-platen.side * pressure * platen.axis, along, 0, 0, 0.5 * kn * penetration * penetration};
     if (ks > 0 && pressure > 0) {
-        const double trial = ks * (u.x - point.anchor);
+        const double trial = ks * (along - point.anchor);
         const double limit = pressure * platen.tan_friction;
         r.shear = std::clamp(trial, -limit, limit);
-        r.force.x = -r.shear;
+        r.force += -r.shear * tangent;
         r.stored += 0.5 * r.shear * r.shear / ks;
         if (r.shear == trial) {
             r.anchor = point.anchor;
         } else {
-            r.anchor = u.x - r.shear / ks;
+            r.anchor = along - r.shear / ks;
             r.friction = 0.5 * (point.shear + r.shear) * (r.anchor - point.anchor);
         }
     }
@@ -79,7 +88,7 @@ inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& p
 
 /// Boundary data of a run, sorted by node; ranges by chunk of nodes.
 struct Boundary {
-    std::array<Platen, 2> platens;
+    std::vector<Platen> platens;
     std::vector<PlatenPoint> platen_points;
     std::vector<Range> platen_points_of_chunk;
     PrescribedConditions prescribed;
@@ -89,7 +98,8 @@ std::size_t memory_of(const Boundary& boundary);
 
 /// Motion of the platens and values of the amplitudes over one step.
 struct StepLoading {
-    std::array<double, 2> platen_displacement{};  ///< now, m
+    Vector2 platen_axis{0, 1};                    ///< of the boundary's platens
+    std::array<double, 2> platen_displacement{};  ///< of the two motions along it, now, m
     std::array<double, 2> increment_before{};     ///< of the step that led here, m
     std::array<double, 2> increment_after{};      ///< of the step that leads on, m
     std::vector<double> amplitudes;               ///< velocities of the step that leads on, loads now
@@ -99,13 +109,12 @@ std::size_t memory_of(const StepLoading& loading);
 
 /// Loading over an interval of steps: the speeds change linearly from its first step to its last.
 struct IntervalLoading {
-    std::array<double, 2> velocity_begin{};  ///< of the platens along y, m/s
+    std::array<double, 2> velocity_begin{};  ///< of the platens along their axis, m/s
     std::array<double, 2> velocity_end{};
     const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the prescribed conditions, if there are any
 };
 
 /// Platens with the nodes that may meet them (within `reach` of the face); nothing else is prescribed.
-Boundary make_boundary(const Assemblage& assemblage, const Specimen& specimen, const std::array<Platen, 2>& platens,
-                       double reach);
+Boundary make_boundary(const Assemblage& assemblage, const Specimen& specimen, const std::vector<Platen>& platens, double reach);
 
 }  // namespace graincrack

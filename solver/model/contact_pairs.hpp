@@ -95,9 +95,7 @@ struct ContactPairList {
     template <class Visit>
     void for_active_of(std::int32_t chunk, const Visit& visit) const {
         const std::int32_t begin = first_watched(chunk);
-        for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
-            visit(i);
-        }
+        for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) visit(i);
     }
     /// The same of all chunks.
     template <class Visit>

@@ -20,9 +20,7 @@ template <class Item>
 std::size_t memory_of(const std::vector<Item>& items) {
     std::size_t bytes = items.size() * sizeof(Item);
     if constexpr (!std::is_trivially_copyable_v<Item>) {
-        for (const Item& item : items) {
-            bytes += memory_of(item);
-        }
+        for (const Item& item : items) bytes += memory_of(item);
     }
     return bytes;
 }

@@ -23,9 +23,7 @@ std::vector<std::int32_t> nodes_by_grain(const Specimen& s) {
 std::vector<std::vector<std::int32_t>> find_clusters(const Specimen& s) {
     const std::vector<std::int32_t> by_grain = nodes_by_grain(s);
     std::vector<std::int32_t> place(by_grain.size());
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(by_grain.size()); ++i) {
-        place[by_grain[i]] = i;
-    }
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(by_grain.size()); ++i) place[by_grain[i]] = i;
     UnionFind sets(by_grain.size());
     for (const auto& nodes : s.contact_nodes) {
         for (std::size_t p = 0; p < 2; ++p) {

@@ -15,9 +15,7 @@ void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
     prescribed.edges_of_chunk = ranges_by_chunk(a, prescribed.edges, [](const LoadedEdge& e) { return e.nodes[0]; });
     prescribed.ends.clear();
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(prescribed.edges.size()); ++i) {
-        for (const std::int32_t node : prescribed.edges[i].nodes) {
-            prescribed.ends.push_back({node, i});
-        }
+        for (const std::int32_t node : prescribed.edges[i].nodes) prescribed.ends.push_back({node, i});
     }
     std::stable_sort(prescribed.ends.begin(), prescribed.ends.end(),
                      [](const LoadedEnd& l, const LoadedEnd& r) { return l.node < r.node; });
@@ -30,8 +28,8 @@ std::size_t memory_of(const PrescribedConditions& prescribed) {
 }
 
 std::size_t memory_of(const PrescribedState& state) {
-    const auto& [nodes, load, pressing] = state;
-    return memory_of_all(nodes, load, pressing);
+    const auto& [nodes, load, lateral] = state;
+    return memory_of_all(nodes, load, lateral);
 }
 
 }  // namespace graincrack

@@ -33,7 +33,8 @@ struct LoadedEdge {
         no_amplitude, no_amplitude};       ///< amplitudes of a dead traction along x and y, per reference length, Pa
     std::int32_t pressure = no_amplitude;  ///< amplitude of a pressure that follows the edge, Pa
     std::int32_t condition = no_amplitude;
-    double length = 0;  ///< reference, m
+    double length = 0;        ///< reference, m
+    bool is_lateral = false;  ///< of the parts left and right of the boundary, whose pressure is the confining pressure
 };
 
 /// An end of a loaded edge.
@@ -67,8 +68,8 @@ struct PrescribedState {
         Vector2 old_velocity;  ///< m/s
     };
     std::vector<Node> nodes;
-    std::vector<Vector2> load;     ///< of an edge, on each of its ends, N
-    std::vector<double> pressing;  ///< the part of it along x that is pressure, N
+    std::vector<Vector2> load;    ///< of an edge, on each of its ends, N
+    std::vector<double> lateral;  ///< the part of it along x that is pressure, inwards positive, N
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const PrescribedState& state);

@@ -33,15 +33,14 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.fracture_energy.resize(2 * a.contacts.size());
     s.contact_pairs = make_contact_pair_list(a);
     s.platen_points = boundary.platen_points;
+    s.loading.platen_axis = boundary.platens.front().axis;
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
-    s.prescribed.pressing.resize(boundary.prescribed.edges.size());
+    s.prescribed.lateral.resize(boundary.prescribed.edges.size());
     s.node_sums.resize(a.node_chunks.size());
     s.contact_sums.resize(a.contact_chunks.size());
     s.events.resize(a.contact_chunks.size());
-    for (std::vector<ContactEvent>& of_chunk : s.events) {
-        of_chunk.reserve(max_events_per_chunk);
-    }
+    for (std::vector<ContactEvent>& of_chunk : s.events) of_chunk.reserve(max_events_per_chunk);
     return s;
 }
 

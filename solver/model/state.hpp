@@ -70,9 +70,7 @@ public:
     /// To be written to, by the thread that works on the chunk.
     ContactHistory& of(std::size_t point) {
         auto& chunk = chunks_[point / points_per_chunk];
-        if (chunk.empty()) {
-            chunk.resize(points_per_chunk);
-        }
+        if (chunk.empty()) chunk.resize(points_per_chunk);
         return chunk[point % points_per_chunk];
     }
     /// Bytes of those that exist.
@@ -151,5 +149,12 @@ GRAINCRACK_INLINE void store_point(const ContactHistory& history, bool is_residu
 
 /// The state at rest; pre-existing cracks start broken.
 State make_state(const Assemblage& assemblage, const Boundary& boundary, const Specimen& specimen);
+
+/// Strain and stress of an element at the present displacements.
+inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
+    const auto [n0, n1, n2] = a.element_nodes[e];
+    return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
+                          s.displacement[n2] - s.displacement[n0]);
+}
 
 }  // namespace graincrack

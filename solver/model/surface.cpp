@@ -36,9 +36,7 @@ GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& no
     const std::size_t n = s.n_nodes();
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     o.grain_of_node.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        o.grain_of_node[node_of_specimen[i]] = grain[i];
-    }
+    for (std::size_t i = 0; i < n; ++i) o.grain_of_node[node_of_specimen[i]] = grain[i];
     o.tributary.assign(n, 0.0);
     o.edge_begin.assign(n + 1, 0);
     const auto add = [&](std::int32_t from, std::int32_t to, std::int32_t contact) {
@@ -57,18 +55,14 @@ GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& no
         add(nodes[0], nodes[1], contact_of_specimen[c]);
         add(nodes[3], nodes[2], contact_of_specimen[c]);
     }
-    for (const auto& edge : s.boundary_edges) {
-        add(edge[0], edge[1], none);
-    }
+    for (const auto& edge : s.boundary_edges) add(edge[0], edge[1], none);
     o.mean_length /= static_cast<double>(std::max<std::size_t>(o.edges.size(), 1));
     link(o.edges, n);
     std::partial_sum(o.edge_begin.begin(), o.edge_begin.end(), o.edge_begin.begin());
     o.edges_of_node.resize(2 * o.edges.size());
     std::vector<std::int32_t> at(o.edge_begin.begin(), o.edge_begin.end() - 1);
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(o.edges.size()); ++e) {
-        for (const std::int32_t node : o.edges[e].nodes) {
-            o.edges_of_node[at[node]++] = e;
-        }
+        for (const std::int32_t node : o.edges[e].nodes) o.edges_of_node[at[node]++] = e;
     }
     return o;
 }

@@ -10,9 +10,7 @@ namespace graincrack {
 MassScaling make_mass_scaling(const Assemblage& a, double factor) {
     MassScaling m;
     m.factor = factor;
-    if (!m.is_on()) {
-        return m;
-    }
+    if (!m.is_on()) return m;
     for (const NodeChunk& chunk : a.node_chunks) {
         if (chunk.nodes.size() > nodes_per_chunk) {
             throw InputError(fmt::format("{} nodes meet at one vertex; mass scaling can take {}: use --mass-scaling none",

@@ -81,7 +81,8 @@ class PlatenVelocities {
 public:
     /// As node velocities: half a step before now.
     PlatenVelocities(const StepLoading& loading, double time_step)
-        : velocity_{Vector2{}, {0, loading.increment_before[0] / time_step}, {0, loading.increment_before[1] / time_step}} {}
+        : velocity_{Vector2{}, loading.increment_before[0] / time_step * loading.platen_axis,
+                    loading.increment_before[1] / time_step * loading.platen_axis} {}
     [[nodiscard]] const Vector2& operator[](std::uint8_t constraining_platen) const { return velocity_[constraining_platen]; }
 
 private:

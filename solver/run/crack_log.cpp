@@ -26,7 +26,7 @@ Crack make_crack(const ContactEvent& event, double length, double time) {
 }
 
 /// An event of a point after its failure, or in the same step.
-void note_later_event(const ContactEvent& event, double time, Crack& crack) {
+void record_later_event(const ContactEvent& event, double time, Crack& crack) {
     const CrackMoment now{time, event.motion.opening, event.motion.sliding};
     switch (event.kind) {
         case ContactEventKind::failure: break;
@@ -41,12 +41,10 @@ void note_later_event(const ContactEvent& event, double time, Crack& crack) {
 
 void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
     std::vector<ContactEvent> events;
-    for (std::vector<ContactEvent>& block : state.events) {
-        for (ContactEvent& event : block) {
-            event.contact = a.specimen_contact[event.contact];
-        }
-        events.insert(events.end(), block.begin(), block.end());
-        block.clear();
+    for (std::vector<ContactEvent>& chunk : state.events) {
+        for (ContactEvent& event : chunk) event.contact = a.specimen_contact[event.contact];
+        events.insert(events.end(), chunk.begin(), chunk.end());
+        chunk.clear();
     }
     std::sort(events.begin(), events.end(), [](const ContactEvent& l, const ContactEvent& r) {
         return std::tie(l.step, l.contact, l.point, l.kind) < std::tie(r.step, r.contact, r.point, r.kind);
@@ -55,9 +53,7 @@ void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
         const std::size_t point = 2 * static_cast<std::size_t>(event.contact) + event.point;
         const double time = time_of(state, event.step, time_step);
         if (event.kind != ContactEventKind::failure) {
-            if (crack_of_point_[point] >= 0) {
-                note_later_event(event, time, cracks_[crack_of_point_[point]]);
-            }
+            if (crack_of_point_[point] >= 0) record_later_event(event, time, cracks_[crack_of_point_[point]]);
             continue;
         }
         crack_of_point_[point] = static_cast<std::int32_t>(cracks_.size());

@@ -2,17 +2,15 @@
 
 #include <cmath>
 
-#include "solver/run/measure.hpp"
+#include "solver/run/frame.hpp"
 
 namespace graincrack {
 
 FrameOutput::FrameOutput(int wanted, double first_interval, RunWriter& writer)
     : wanted_(wanted), interval_(first_interval), writer_(writer) {}
 
-void FrameOutput::go_on(const FrameProgress& progress, const RunReader& checkpoint) {
-    if (wanted_ == 0) {
-        return;
-    }
+void FrameOutput::resume(const FrameProgress& progress, const RunReader& checkpoint) {
+    if (wanted_ == 0) return;
     next_ = progress.next;
     interval_ = progress.interval;
     regular_ = progress.regular;
@@ -28,9 +26,7 @@ void FrameOutput::go_on(const FrameProgress& progress, const RunReader& checkpoi
 
 FrameProgress FrameOutput::save(const Assemblage& a, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const {
     checkpoint.add_frames(writer_);
-    if (peak_) {
-        checkpoint.add_frame(*peak_, FrameRole::peak_so_far);
-    }
+    if (peak_) checkpoint.add_frame(*peak_, FrameRole::peak_so_far);
     checkpoint.add_frame(make_frame(a, laws, state), FrameRole::present);
     return {next_, interval_, regular_, checkpoint.frame_roles()};
 }
@@ -44,9 +40,7 @@ void FrameOutput::thin_if_too_many() {
 }
 
 bool FrameOutput::regular(double strain, const Assemblage& a, const ContactLaws& laws, const State& state) {
-    if (wanted_ == 0 || strain < next_) {
-        return false;
-    }
+    if (wanted_ == 0 || strain < next_) return false;
     writer_.add_frame(make_frame(a, laws, state), FrameRole::regular);
     ++regular_;
     thin_if_too_many();
@@ -55,9 +49,7 @@ bool FrameOutput::regular(double strain, const Assemblage& a, const ContactLaws&
 }
 
 bool FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaws& laws, const State& state) {
-    if (wanted_ == 0) {
-        return false;
-    }
+    if (wanted_ == 0) return false;
     if (is_highest) {
         peak_ = make_frame(a, laws, state);
         return false;
@@ -71,9 +63,7 @@ bool FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, co
 }
 
 void FrameOutput::last(const Assemblage& a, const ContactLaws& laws, const State& state) {
-    if (peak_ && peak_->step < state.step) {
-        writer_.add_frame(*peak_, FrameRole::kept);
-    }
+    if (peak_ && peak_->step < state.step) writer_.add_frame(*peak_, FrameRole::kept);
     writer_.add_frame(make_frame(a, laws, state), FrameRole::kept);
 }
 

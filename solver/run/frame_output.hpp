@@ -3,21 +3,13 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "share/file/run_file.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/state.hpp"
+#include "solver/restart/saved_state.hpp"
 
 namespace graincrack {
-
-/// Where the choice of frames is, for a run that resumes from a checkpoint.
-struct FrameProgress {
-    double next = 0;               ///< progress at which the next regular frame is due
-    double interval = 0;           ///< from one regular frame to the next
-    int regular = 0;               ///< how many there are
-    std::vector<FrameRole> roles;  ///< of the frames of the checkpoint
-};
 
 /// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
 class FrameOutput {
@@ -26,8 +18,8 @@ public:
     /// \param first_interval of strain, doubled whenever there are too many
     FrameOutput(int wanted, double first_interval, RunWriter& writer);
     /// Resumes where the run of a checkpoint was, with the frames it has.
-    void go_on(const FrameProgress& progress, const RunReader& checkpoint);
-    /// Writes the frames so far, the state of now last, into a checkpoint. \return what `go_on` needs
+    void resume(const FrameProgress& progress, const RunReader& checkpoint);
+    /// Writes the frames so far, the state of now last, into a checkpoint. \return what `resume` needs
     FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const;
     /// Adds a frame when the strain has come to the next interval. \return whether it has
     bool regular(double strain, const Assemblage& assemblage, const ContactLaws& laws, const State& state);

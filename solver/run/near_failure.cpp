@@ -79,9 +79,7 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
             const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
             const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
             if (std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit) {
-                for (const std::int32_t end : a.surface.edges[list.pairs[i].edge].nodes) {
-                    chains.join(list.pairs[i].node, end);
-                }
+                for (const std::int32_t end : a.surface.edges[list.pairs[i].edge].nodes) chains.join(list.pairs[i].node, end);
             }
         }
     }

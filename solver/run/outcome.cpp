@@ -8,9 +8,7 @@
 namespace graincrack {
 
 double sign_of_strength(const RunHeader& header, const History& history) {
-    if (header.test != name_of(TestKind::program)) {
-        return header.test == name_of(TestKind::tension) ? 1 : -1;
-    }
+    if (header.test != name_of(TestKind::program)) return header.test == name_of(TestKind::tension) ? 1 : -1;
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
     return *highest > -*lowest ? 1 : -1;
@@ -32,9 +30,7 @@ double platen_force_difference(const RunHeader& header, const History& history, 
         const double top = history[HistoryColumn::force_top][i];
         const double bottom = history[HistoryColumn::force_bottom][i];
         const double mean = 0.5 * sign * (top + bottom);
-        if (mean / width > 0.5 * peak_stress) {
-            worst = std::max(worst, std::abs(top - bottom) / mean);
-        }
+        if (mean / width > 0.5 * peak_stress) worst = std::max(worst, std::abs(top - bottom) / mean);
     }
     return worst;
 }

@@ -1,16 +1,15 @@
 #include "solver/run/plan.hpp"
 
 #include <array>
-#include <cmath>
 #include <tuple>
 
 #include "solver/detection/pair_list.hpp"
-#include "solver/loading/standard_tests.hpp"
 #include "solver/model/memory.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/restart/saved_state.hpp"
+#include "solver/run/frame.hpp"
 #include "solver/run/frame_output.hpp"
-#include "solver/run/measure.hpp"
 #include "solver/run/program_driver.hpp"
-#include "solver/run/saved_state.hpp"
 #include "solver/setup/setup.hpp"
 #include "solver/step/step.hpp"
 
@@ -54,9 +53,7 @@ State state_with_all_histories(const Specimen& specimen, const Setup& setup) {
     State state = make_state(setup.assemblage, setup.boundary, specimen);
     start(setup.assemblage, setup.parameters, state);
     update_pair_list(setup.assemblage, setup.parameters, state);
-    for (std::size_t point = 0; point < state.failed.size(); ++point) {
-        state.points.of(point);
-    }
+    for (std::size_t point = 0; point < state.failed.size(); ++point) state.points.of(point);
     return state;
 }
 
@@ -88,7 +85,7 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.mass_scaling_factor = setup.mass_scaling_factor;
     plan.stable_time_step = setup.stable_time_step;
     plan.time_step = setup.parameters.time_step;
-    const LoadingLength length = driver.longest(plan.time_step);
+    const LoadingLength length = driver.stages().longest(plan.time_step);
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     if (request.loading.rate == RateKind::automatic) {
         plan.usual_steps = static_cast<std::int64_t>(usual_share(request.loading.test) * static_cast<double>(plan.max_steps));
@@ -100,7 +97,7 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.file.frame = size_of_frame(make_frame(setup.assemblage, setup.parameters.laws, state));
     plan.file.crack = size_of_crack();
     plan.file.saved_state = request.save_state ? size_of_saved_state(state) : 0;
-    plan.file_size = plan.file.total(plan.rows, FrameOutput::max_frames(std::abs(request.frames)), points);
+    plan.file_size = plan.file.total(plan.rows, FrameOutput::max_frames(static_cast<std::size_t>(request.frames)), points);
     constexpr std::size_t frames_in_memory = 2;  // that of the peak so far, and the one that is written
     plan.memory = size_of_arrays(specimen) + memory_of(setup.assemblage) + memory_of(setup.boundary) +
                   memory_of(setup.parameters) + memory_of(state) + plan.rows * plan.file.row + points * sizeof(Crack) +

@@ -39,9 +39,7 @@ auto sum_over_listed(const std::vector<Chunk>& chunks, const RangeOf& range_of, 
     std::size_t at = 0;
     for (const Chunk& chunk : chunks) {
         decltype(of_item(0)) sum{};
-        for (; at < indices.size() && indices[at] < range_of(chunk).end; ++at) {
-            sum += of_item(indices[at]);
-        }
+        for (; at < indices.size() && indices[at] < range_of(chunk).end; ++at) sum += of_item(indices[at]);
         total += sum;
     }
     return total;
@@ -69,30 +67,20 @@ struct StressSum {
     std::array<double, 4> stress{};
     double area = 0;
     StressSum& operator+=(const StressSum& other) {
-        for (std::size_t k = 0; k < stress.size(); ++k) {
-            stress[k] += other.stress[k];
-        }
+        for (std::size_t k = 0; k < stress.size(); ++k) stress[k] += other.stress[k];
         area += other.area;
         return *this;
     }
 };
 std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
     const StressSum sum = sum_over_listed(a.element_chunks, std::identity{}, elements, [&](std::int32_t e) {
-        const auto [n0, n1, n2] = a.element_nodes[e];
-        const TriangleGeometry g = a.element_geometry[e];
-        const PlaneElasticity c = a.elasticity[e];
-        StressSum of_element{triangle_stress(c, triangle_state(g, c, s.displacement[n1] - s.displacement[n0],
-                                                               s.displacement[n2] - s.displacement[n0])),
-                             g.area};
-        for (double& component : of_element.stress) {
-            component *= g.area;
-        }
+        StressSum of_element{triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s)),
+                             a.element_geometry[e].area};
+        for (double& component : of_element.stress) component *= of_element.area;
         return of_element;
     });
     std::vector<double> mean(sum.stress.begin(), sum.stress.end());
-    for (double& component : mean) {
-        component /= sum.area;
-    }
+    for (double& component : mean) component /= sum.area;
     return mean;
 }
 
@@ -113,9 +101,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
         if (request.is_circle) {
             std::vector<std::int32_t> elements;
             for (std::int32_t e = 0; e < a.n_elements(); ++e) {
-                if (length(centre_of(a, e) - request.centre) <= request.radius) {
-                    elements.push_back(e);
-                }
+                if (length(centre_of(a, e) - request.centre) <= request.radius) elements.push_back(e);
             }
             if (elements.empty()) {
                 throw InputError(where + ": no element has its centre in this circle; a larger one, or one inside, fits");
@@ -134,9 +120,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
                 }
             }
             constexpr double round_off = -1e-9;
-            if (inside < round_off) {
-                throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
-            }
+            if (inside < round_off) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
             request_at_.emplace_back(false, points_.size());
             points_.push_back({a.element_nodes[best], weights_at(a, best, request.centre)});
         }
@@ -145,9 +129,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
 }
 
 void Probes::push(std::size_t probe, const std::vector<double>& row) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-        histories_[probe].values[c].push_back(row[c]);
-    }
+    for (std::size_t c = 0; c < row.size(); ++c) histories_[probe].values[c].push_back(row[c]);
 }
 
 void Probes::record(const Assemblage& a, const Boundary& boundary, const State& s) {

@@ -8,7 +8,7 @@
 #include "share/file/probe_file.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
 

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 
 namespace graincrack {
 namespace {
@@ -22,7 +21,7 @@ std::vector<T> column_of(const std::vector<StageRecord>& records, T StageRecord:
     return column;
 }
 
-/// What a program began with that went on from another run.
+/// What a program began with that started from another run.
 void write_start(H5Output& file, const StageControllerState& start) {
     const std::string group = schema::program_group;
     file.attribute(group, "start_amplitudes", start.boundary_conditions.names);
@@ -34,9 +33,7 @@ void write_start(H5Output& file, const StageControllerState& start) {
 std::optional<StageControllerState> read_start(const H5Input& file) {
     const std::string group = schema::program_group;
     const double speed = file.attribute_or<double>(group, "start_platen_speed", NAN);
-    if (std::isnan(speed)) {
-        return std::nullopt;
-    }
+    if (std::isnan(speed)) return std::nullopt;
     StageControllerState start;
     start.boundary_conditions = {file.attribute<std::vector<std::string>>(group, "start_amplitudes"),
                                  file.attribute<std::vector<double>>(group, "start_amplitude_values")};
@@ -54,22 +51,20 @@ ProgramDriver::ProgramDriver(const Program& program, TestKind test, const Assemb
                              const Rock& rock)
     : program_(program), test_(test), stages_(program, specimen, rock), probes_(program, assemblage, specimen) {}
 
-void ProgramDriver::note(const RunView& view) {
-    probes_.record(view.assemblage, view.boundary, view.state);
-    const std::function<double(const std::string&, std::size_t)> probe = [this](const std::string& name, std::size_t column) {
-        return probes_.last(name, column);
-    };
-    const StageFeedback feedback{view.state.time, view.history, probe, view.rate};
-    begun_ ? stages_.check_stage_end(feedback) : stages_.begin(feedback);
+void ProgramDriver::record(const Assemblage& assemblage, const Boundary& boundary, const State& state, const History& history,
+                           const Feedback& feedback) {
+    probes_.record(assemblage, boundary, state);
+    const Rows rows{history, [this](const std::string& name, std::size_t column) { return probes_.last(name, column); }};
+    begun_ ? stages_.check_stage_end(feedback, rows) : stages_.begin(feedback, rows);
     begun_ = true;
 }
 
-void ProgramDriver::resume(const StageControllerState& state) {
-    stages_.resume(state);
+void ProgramDriver::take_over(const StageControllerState& state) {
+    stages_.take_over(state);
     started_from_ = state;
 }
 
-void ProgramDriver::go_on(const StageControllerState& state, const RunReader& checkpoint) {
+void ProgramDriver::resume(const StageControllerState& state, const RunReader& checkpoint) {
     const H5Input& file = checkpoint.file();
     if (!is_standard() && file.attribute_or<std::string>(schema::program_group, "text", "") != program_.text) {
         throw InputError(checkpoint.name() + ": is the checkpoint of another program than " + program_.file +
@@ -80,23 +75,24 @@ void ProgramDriver::go_on(const StageControllerState& state, const RunReader& ch
         probes_.restore(file, checkpoint.history().size());
     }
     try {
-        stages_.go_on(state);
+        stages_.resume(state);
     } catch (const InputError& error) {
         throw InputError(checkpoint.name() + ": " + error.what());
     }
     begun_ = true;
 }
 
-std::string ProgramDriver::stop_reason(double axial_strain) const {
+std::string ProgramDriver::stop_reason() const {
     if (stages_.finished()) {
         return is_standard() && stages_.records().back().ended_by == "peak_drop" ? "peak drop" : "end of the program";
     }
     const bool is_limited = program_.platens && !stages_.has_required_end();
-    return is_limited && std::abs(axial_strain) >= program_.platens->max_strain ? "strain limit" : "";
+    return is_limited && std::abs(stages_.feedback().axial_strain) >= program_.platens->max_strain ? "strain limit" : "";
 }
 
-void ProgramDriver::complete(RunHeader& header, double time) {
+void ProgramDriver::complete(RunHeader& header) {
     const std::vector<StageRecord>& records = stages_.records();
+    const double time = stages_.feedback().time;
     if (!is_standard()) {
         header.platen_speed = stages_.platens().speed();
     } else if (header.rate == name_of(RateKind::automatic)) {
@@ -111,35 +107,27 @@ void ProgramDriver::complete(RunHeader& header, double time) {
                 program_.platens->max_strain));
         }
     }
-    stages_.close(time, header.stop_reason);
+    stages_.close(header.stop_reason);
 }
 
 void ProgramDriver::append(H5Output& file, std::size_t first) const {
-    if (!is_standard()) {
-        append_probes(file, probes_.histories(), first);
-    }
+    if (!is_standard()) append_probes(file, probes_.histories(), first);
 }
 
 std::size_t ProgramDriver::size_of_row() const {
     std::size_t columns = 0;
-    for (const ProbeHistory& probe : probes_.histories()) {
-        columns += probe.columns.size();
-    }
+    for (const ProbeHistory& probe : probes_.histories()) columns += probe.columns.size();
     return is_standard() ? 0 : columns * sizeof(double);
 }
 
 void ProgramDriver::write(H5Output& file) const {
-    if (is_standard()) {
-        return;
-    }
+    if (is_standard()) return;
     const std::string group = schema::program_group;
     const std::vector<StageRecord>& records = stages_.records();
     file.create_group(group);
     file.attribute(group, "name", program_.name);
     file.attribute(group, "text", program_.text);
-    if (started_from_) {
-        write_start(file, *started_from_);
-    }
+    if (started_from_) write_start(file, *started_from_);
     file.attribute(group, "stages", column_of(records, &StageRecord::name));
     file.attribute(group, "ended_by", column_of(records, &StageRecord::ended_by));
     const auto times = [&](const char* name, double StageRecord::*member, std::string_view description) {

@@ -12,16 +12,6 @@ namespace graincrack {
 
 class H5Output;
 
-/// What a program sees of a run after each row of the history.
-struct RunView {
-    const Assemblage& assemblage;
-    const Boundary& boundary;
-    const State& state;
-    const History& history;
-    RateMeasures rate;
-    double axial_strain = 0;
-};
-
 class ProgramDriver {
 public:
     /// \param test that the program is, or `TestKind::program`
@@ -29,26 +19,20 @@ public:
     ProgramDriver(const Program& program, TestKind test, const Assemblage& assemblage, const Specimen& specimen,
                   const Rock& rock);
 
-    /// Steps of the next interval; its end is a row of the history.
-    [[nodiscard]] std::int64_t interval_steps(double time_step) const { return stages_.interval_steps(time_step); }
-    /// The longest that the program may take.
-    [[nodiscard]] LoadingLength longest(double time_step) const { return stages_.longest(time_step); }
+    [[nodiscard]] const StageController& stages() const { return stages_; }
     /// Loading of the next `duration` seconds.
     IntervalLoading next(double duration) { return stages_.next(duration); }
-    /// Records a new row. The first is that of the start.
-    void note(const RunView& view);
-    /// Why the run ends here, "" if it goes on.
-    [[nodiscard]] std::string stop_reason(double axial_strain) const;
-    [[nodiscard]] double platen_speed() const { return stages_.platens().speed(); }  ///< approach of each, m/s
-    /// Share of the longest way that is done.
-    [[nodiscard]] double progress(const RunView& view) const { return stages_.progress(view.state.time, view.axial_strain); }
+    /// Records a new row, after `measure`. The first is that of the start.
+    void record(const Assemblage& assemblage, const Boundary& boundary, const State& state, const History& history,
+                const Feedback& feedback);
+    /// Why the run ends here, "" if it continues.
+    [[nodiscard]] std::string stop_reason() const;
     /// Fills in what it knows of a run that ended for `header.stop_reason`.
-    void complete(RunHeader& header, double time);
-    /// Where it is: continued from the place of another program, before the first row, and from a checkpoint of this very one.
-    /// \throws InputError for a checkpoint of another program
-    [[nodiscard]] StageControllerState saved(double time) const { return stages_.state(time); }
-    void resume(const StageControllerState& state);
-    void go_on(const StageControllerState& state, const RunReader& checkpoint);
+    void complete(RunHeader& header);
+    /// Continues where another program ended, before the first row.
+    void take_over(const StageControllerState& state);
+    /// Resumes from a checkpoint of this very program. \throws InputError for one of another program
+    void resume(const StageControllerState& state, const RunReader& checkpoint);
     /// What the run file gets of its rows from `first` on, besides the history; of a standard test nothing.
     void append(H5Output& file, std::size_t first) const;
     /// Bytes of a row of that.

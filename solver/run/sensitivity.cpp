@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "share/base/error.hpp"
-#include "solver/loading/standard_tests.hpp"
 #include "solver/run/refinement.hpp"
+#include "solver/setup/setup.hpp"
 
 namespace graincrack {
 namespace {
@@ -45,9 +45,7 @@ SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& head
                        nan,
                        history[HistoryColumn::tensile_cracks][peak],
                        history[HistoryColumn::shear_cracks][peak]};
-    if (header.stop_reason == "peak drop") {
-        row.post_peak_slope = (stress.back() - stress[peak]) / (strain.back() - strain[peak]);
-    }
+    if (header.stop_reason == "peak drop") row.post_peak_slope = (stress.back() - stress[peak]) / (strain.back() - strain[peak]);
     return row;
 }
 

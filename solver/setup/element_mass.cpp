@@ -48,9 +48,7 @@ double level(const Assemblage& a, const std::vector<double>& squared, double sha
     };
     double high = *std::max_element(squared.begin(), squared.end());
     double low = high / (1 + share);  // which adds no more than that
-    while (added(low) < share) {
-        low *= 0.5;
-    }
+    while (added(low) < share) low *= 0.5;
     constexpr int halvings = 30;
     for (int i = 0; i < halvings; ++i) {
         const double middle = 0.5 * (low + high);
@@ -62,9 +60,7 @@ double level(const Assemblage& a, const std::vector<double>& squared, double sha
 }  // namespace
 
 double scale_mass_of_stiffest_elements(Assemblage& a, double share) {
-    if (a.element_nodes.empty() || share <= 0) {
-        return 0;
-    }
+    if (a.element_nodes.empty() || share <= 0) return 0;
     const std::vector<double> squared = squared_frequencies(a);
     const double common = level(a, squared, share);
     double before = 0;

@@ -50,6 +50,8 @@ void load_edges(const RegionContent& content, const std::array<std::int32_t, n_a
         edge.pressure = amplitudes[static_cast<std::size_t>(Action::pressure)];
         edge.condition = condition;
         edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
+        const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
+        edge.is_lateral = part == BoundaryPart::left || part == BoundaryPart::right;
         prescribed.edges.push_back(edge);
     }
 }
@@ -88,9 +90,7 @@ AmplitudeNumbers number_amplitudes(const Program& program) {
     std::int32_t next = 0;
     for (const BoundaryCondition& condition : program.boundary_conditions) {
         numbers.emplace_back();
-        for (std::size_t i = 0; i < n_actions; ++i) {
-            numbers.back()[i] = condition.is_set[i] ? next++ : no_amplitude;
-        }
+        for (std::size_t i = 0; i < n_actions; ++i) numbers.back()[i] = condition.is_set[i] ? next++ : no_amplitude;
     }
     return numbers;
 }
@@ -101,24 +101,16 @@ RegionContent content_of_region(const Region& region, const Assemblage& a, const
     const std::vector<std::uint8_t> parts = numbers_of(region.parts, s, where);
     RegionContent content;
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
-        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) {
-            continue;
-        }
+        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) continue;
         const std::int32_t first = a.node_of_specimen[s.boundary_edges[e][0]];
         const std::int32_t second = a.node_of_specimen[s.boundary_edges[e][1]];
-        if (wide.has(a.position[first]) && wide.has(a.position[second])) {
-            content.edges.push_back(e);
-        }
+        if (wide.has(a.position[first]) && wide.has(a.position[second])) content.edges.push_back(e);
         for (const std::int32_t i : {first, second}) {
-            if (!parts.empty() && wide.has(a.position[i])) {
-                content.nodes.push_back(i);
-            }
+            if (!parts.empty() && wide.has(a.position[i])) content.nodes.push_back(i);
         }
     }
     for (std::int32_t i = 0; i < a.n_nodes() && parts.empty(); ++i) {
-        if (wide.has(a.position[i]) && a.mass[i] > 0) {
-            content.nodes.push_back(i);
-        }
+        if (wide.has(a.position[i]) && a.mass[i] > 0) content.nodes.push_back(i);
     }
     std::sort(content.nodes.begin(), content.nodes.end());
     content.nodes.erase(std::unique(content.nodes.begin(), content.nodes.end()), content.nodes.end());
@@ -131,23 +123,78 @@ RegionContent content_of_region(const Region& region, const Assemblage& a, const
     return content;
 }
 
+namespace {
+
+/// Where the face of a platen lies along its axis: where it first meets the boundary, m.
+double position_of(const Platen& platen, const Assemblage& a, const Specimen& s, const std::string& where) {
+    double outermost = -std::numeric_limits<double>::infinity();
+    const double slack = 1e-9 * s.height;
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        const bool is_part =
+            platen.parts.empty() || std::find(platen.parts.begin(), platen.parts.end(), s.boundary_part[e]) != platen.parts.end();
+        for (const std::int32_t node : s.boundary_edges[e]) {
+            const Vector2& position = a.position[a.node_of_specimen[node]];
+            const double along = dot(across(platen.axis), position);
+            if (!is_part || along < platen.left - slack || along > platen.right + slack) continue;
+            outermost = std::max(outermost, platen.side * dot(platen.axis, position));
+        }
+    }
+    if (std::isinf(outermost)) {
+        throw InputError(fmt::format(
+            "{}: meets no node of the boundary from {} mm to {} mm across its direction; another place, or a width of more than "
+            "a grain edge ({:.3g} mm) does",
+            where, 1e3 * platen.left, 1e3 * platen.right, 1e3 * s.statistics.mean_edge));
+    }
+    return platen.side * outermost;
+}
+
+/// The faces of the bottom or the top platen of a program.
+void append_faces(std::vector<Platen>& platens, Platen platen, const PlatenFaces& faces, const Assemblage& a, const Specimen& s,
+                  const std::string& where) {
+    if (faces.empty() && platen.axis.x == 0) {
+        platen.position = platen.side * s.height / 2;
+        platens.push_back(platen);
+        return;
+    }
+    platen.parts = numbers_of(faces.parts, s, where);
+    for (const double middle : faces.at) {
+        platen.left = middle - faces.width / 2;
+        platen.right = middle + faces.width / 2;
+        platen.position = position_of(platen, a, s, where);
+        platens.push_back(platen);
+    }
+    if (faces.at.empty()) {
+        platen.position = position_of(platen, a, s, where);
+        platens.push_back(platen);
+    }
+}
+
+}  // namespace
+
 Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Program& program, const ContactParameters& contact,
                                double platen_friction) {
-    std::array<Platen, 2> platens;
-    for (std::size_t p = 0; p < 2; ++p) {
-        platens[p].side = p == top_platen ? 1 : -1;
-        platens[p].position = platens[p].side * (program.platens ? s.height / 2 : std::numeric_limits<double>::infinity());
-    }
+    Platen bottom;
+    bottom.motion = bottom_platen;
+    bottom.side = -1;
+    Platen top;
+    std::vector<Platen> platens;
     double reach = 0;
     if (program.platens) {
         // Nodes can reach a platen by its own approach and by the rotation of a separated grain.
         reach = 2 * s.statistics.mean_edge + program.platens->max_strain * s.height;
-        for (Platen& platen : platens) {
-            platen.normal_stiffness = contact.normal_stiffness;
-            platen.shear_stiffness = program.platens->bonded ? 0 : contact.shear_stiffness;
-            platen.tan_friction = std::tan(platen_friction);
-            platen.bonded = program.platens->bonded;
+        for (Platen* const platen : {&bottom, &top}) {
+            platen->axis = program.platens->axis();
+            platen->normal_stiffness = contact.normal_stiffness;
+            platen->shear_stiffness = program.platens->bonded ? 0 : contact.shear_stiffness;
+            platen->tan_friction = std::tan(platen_friction);
+            platen->bonded = program.platens->bonded;
         }
+        append_faces(platens, bottom, program.platens->bottom, a, s, program.file + ": platens.bottom");
+        append_faces(platens, top, program.platens->top, a, s, program.file + ": platens.top");
+    } else {
+        bottom.position = -std::numeric_limits<double>::infinity();
+        top.position = std::numeric_limits<double>::infinity();
+        platens = {bottom, top};
     }
     Boundary boundary = make_boundary(a, s, platens, reach);
     boundary.prescribed = make_prescribed_conditions(a, s, program);

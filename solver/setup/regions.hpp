@@ -8,7 +8,7 @@
 #include "share/rock/material.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
 
 namespace graincrack {
 
@@ -28,7 +28,7 @@ RegionContent content_of_region(const Region& region, const Assemblage& assembla
                                 const std::string& where);
 
 /// Platens and prescribed conditions of a program. Platens have the contacts' stiffness per area; bonded ones are smooth, so that
-/// they do not hinder the lateral strain. Where two boundary_conditions drive the same component of a node the later one does.
+/// they do not hinder the lateral strain. Where two boundary conditions drive the same component of a node the later one does.
 /// \param platen_friction rad \throws InputError
 Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& specimen, const Program& program,
                                const ContactParameters& contact, double platen_friction);

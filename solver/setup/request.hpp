@@ -7,65 +7,15 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "share/rock/material.hpp"
 #include "solver/arithmetic/simd.hpp"
 #include "solver/law/contact_law.hpp"
 #include "solver/law/damping.hpp"
-#include "solver/setup/program.hpp"
+#include "solver/program/program.hpp"
+#include "solver/program/standard_tests.hpp"
 
 namespace graincrack {
-
-enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
-constexpr std::string_view name_of(TestKind test) {
-    switch (test) {
-        case TestKind::uniaxial: return "uniaxial";
-        case TestKind::triaxial: return "triaxial";
-        case TestKind::brazilian: return "brazilian";
-        case TestKind::tension: return "tension";
-        case TestKind::program: return "program";
-    }
-    return "?";
-}
-
-/// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
-enum class RateKind : std::uint8_t { fixed, automatic, blocks };
-constexpr std::string_view name_of(RateKind rate) {
-    switch (rate) {
-        case RateKind::fixed: return "fixed";
-        case RateKind::automatic: return "auto";
-        case RateKind::blocks: return "blocks";
-    }
-    return "?";
-}
-
-/// What a standard test asks of its loading.
-struct LoadingRequest {
-    TestKind test = TestKind::uniaxial;
-    RateKind rate = RateKind::fixed;
-    double platen_speed = 5e-3;                      ///< of each platen, m/s; not of `automatic`
-    std::optional<double> rate_tolerance;            ///< of `automatic`, see `AutomaticRate`; missing: that of the test
-    double rest_tolerance = default_rest_tolerance;  ///< of `blocks`: unbalanced ratio that counts as rest between them
-    double rate_share = 1;                           ///< of all speeds of `automatic`, see `RateControl`
-    std::int64_t block_steps = 5000;
-    double confining_pressure = 0;  ///< Pa
-    double platen_friction = 0;     ///< rad
-    double max_strain = 0.015;
-    [[nodiscard]] double automatic_tolerance() const {
-        const bool is_tensile = test == TestKind::tension || test == TestKind::brazilian;
-        return rate_tolerance.value_or(is_tensile ? tensile_rate_tolerance : default_rate_tolerance);
-    }
-    /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
-    [[nodiscard]] double control_tolerance() const {
-        switch (rate) {
-            case RateKind::fixed: return 0;
-            case RateKind::automatic: return automatic_tolerance();
-            case RateKind::blocks: return rest_tolerance;
-        }
-        return 0;
-    }
-};
 
 /// What the machine's clock that is never set shows, s.
 inline double steady_seconds() {
@@ -90,7 +40,7 @@ struct SimulationRequest {
     std::optional<double> mass_scaling_factor;  ///< β; `sufficient_mass_scaling` unless given
     double time_step_fraction = 0.7;
     bool save_state = false;                    ///< at the end, for another run to start from
-    std::string restart;                        ///< run file of whose saved state a program goes on, checkpoint of a test, or ""
+    std::string restart;                        ///< run file from whose saved state a program starts, checkpoint of a test, or ""
     std::optional<double> checkpoint_interval;  ///< of wall time from one checkpoint to the next, s (`checkpoint_of`)
     std::function<double()> wall_clock = steady_seconds;  ///< that `checkpoint_interval` counts, s
     bool discard_checkpoint = false;                      ///< of a run of the same output that has not ended
@@ -105,9 +55,7 @@ struct SimulationRequest {
     /// Why the run is not quasi-static, so that mass scaling would falsify it: it has no damping, or its program makes waves
     /// (`Program::why_dynamic`); "" for what is quasi-static, as all standard tests with damping are.
     [[nodiscard]] std::string why_dynamic() const {
-        if (damping == 0) {
-            return "it has no damping";
-        }
+        if (damping == 0) return "it has no damping";
         return program ? program->why_dynamic() : "";
     }
 };

@@ -13,9 +13,7 @@ namespace {
 
 /// A material without phases makes all grains and contacts alike.
 Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
-    if (r.material.fabric.phases.empty()) {
-        return uniform_fabric(r.material.rock, r.contact, specimen.phase_names.size());
-    }
+    if (r.material.fabric.phases.empty()) return uniform_fabric(r.material.rock, r.contact, specimen.phase_names.size());
     Fabric fabric = graincrack::fabric_of(r.material, r.plane, r.fracture_energy, specimen.phase_names);
     const std::vector<std::string> names = contact_class_names(specimen.phase_names);
     for (std::size_t k = 0; k < fabric.contacts.size(); ++k) {
@@ -32,6 +30,11 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
 }
 
 }  // namespace
+
+Program program_of(const SimulationRequest& request, const Specimen& specimen) {
+    return request.program ? *request.program
+                           : standard_test(request.loading, request.peak_drop, specimen, request.material.rock);
+}
 
 Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Program& program) {
     Setup s;

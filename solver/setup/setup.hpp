@@ -8,6 +8,9 @@
 
 namespace graincrack {
 
+/// What a run runs: the program that is asked for, or that of the standard test.
+Program program_of(const SimulationRequest& request, const Specimen& specimen);
+
 struct Setup {
     Fabric fabric;
     Assemblage assemblage;

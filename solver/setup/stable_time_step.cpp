@@ -74,17 +74,11 @@ void add_free_faces(const Assemblage& a, const Boundary& boundary, const Contact
                     std::vector<Vector2>& y) {
     const std::vector<ContactStiffness> stiffest = stiffest_by_phase(laws);
     std::vector<bool> has_platen(a.position.size(), false);
-    for (const PlatenPoint& point : boundary.platen_points) {
-        has_platen[point.node] = has_platen[point.node] || point.on_boundary;
-    }
+    for (const PlatenPoint& point : boundary.platen_points) has_platen[point.node] = has_platen[point.node] || point.on_boundary;
     const auto& grains = a.surface.grain_of_node;
-    if (std::all_of(grains.begin(), grains.end(), [&grains](std::int32_t grain) { return grain == grains.front(); })) {
-        return;
-    }
+    if (std::all_of(grains.begin(), grains.end(), [&grains](std::int32_t grain) { return grain == grains.front(); })) return;
     for (const SurfaceEdge& edge : a.surface.edges) {
-        if (edge.contact >= 0) {
-            continue;
-        }
+        if (edge.contact >= 0) continue;
         const Vector2 along = a.position[edge.nodes[1]] - a.position[edge.nodes[0]];
         const double half = 0.5 * length(along);
         const Vector2 t = (0.5 / half) * along;
@@ -102,8 +96,9 @@ void add_platens(const Boundary& boundary, const std::vector<Vector2>& x, std::v
     for (const PlatenPoint& point : boundary.platen_points) {
         if (point.on_boundary) {
             const Platen& platen = boundary.platens[point.platen];
-            y[point.node].x += platen.shear_stiffness * point.tributary * x[point.node].x;
-            y[point.node].y += platen.normal_stiffness * point.tributary * x[point.node].y;
+            const Vector2 tangent = across(platen.axis);
+            y[point.node] += platen.shear_stiffness * point.tributary * dot(tangent, x[point.node]) * tangent;
+            y[point.node] += platen.normal_stiffness * point.tributary * dot(platen.axis, x[point.node]) * platen.axis;
         }
     }
 }
@@ -153,23 +148,15 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
     std::vector<double> diagonal;
     std::vector<double> beside;
     double beta = std::sqrt(dot(a, current, current));
-    for (Vector2& x : current) {
-        x = (1 / beta) * x;
-    }
+    for (Vector2& x : current) x = (1 / beta) * x;
     beta = 0;
     for (int k = 1; k <= max_iterations; ++k) {
-        for (std::size_t i = 0; i < n; ++i) {
-            scaled[i] = root[i] * current[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) scaled[i] = root[i] * current[i];
         std::fill(next.begin(), next.end(), Vector2{});
         stiffness(scaled, next);
-        for (std::size_t i = 0; i < n; ++i) {
-            next[i] = root[i] * next[i] - beta * previous[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) next[i] = root[i] * next[i] - beta * previous[i];
         diagonal.push_back(dot(a, next, current));
-        for (std::size_t i = 0; i < n; ++i) {
-            next[i] -= diagonal.back() * current[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) next[i] -= diagonal.back() * current[i];
         beta = std::sqrt(dot(a, next, next));
         const bool exhausted = beta <= 1e-12 * diagonal.front() || k == static_cast<int>(2 * n);
         if (k % check_every == 0 || exhausted) {
@@ -178,15 +165,11 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
                                           Eigen::Map<Eigen::VectorXd>(beside.data(), k - 1));
             const double eigenvalue = solver.eigenvalues()(k - 1);
             const double residual = beta * std::abs(solver.eigenvectors()(k - 1, k - 1));
-            if (residual < wanted_residual * eigenvalue || exhausted) {
-                return (1 + unseen) * eigenvalue + residual;
-            }
+            if (residual < wanted_residual * eigenvalue || exhausted) return (1 + unseen) * eigenvalue + residual;
         }
         beside.push_back(beta);
         std::swap(previous, current);
-        for (std::size_t i = 0; i < n; ++i) {
-            current[i] = (1 / beta) * next[i];
-        }
+        for (std::size_t i = 0; i < n; ++i) current[i] = (1 / beta) * next[i];
     }
     throw NumericalError("the stable time step was not found: the stiffness of the specimen is not finite; check the material");
 }
@@ -204,12 +187,13 @@ double stiffest_contact(const Assemblage& a, const Boundary& boundary, const Con
 
 }  // namespace
 
-// With mass scaling any motion is v = v̄ + w, the mean of each group and the rest, and vᵀM'v = v̄ᵀMv̄ + (1 + β) wᵀMw. For any ε > 0
+// With mass scaling any motion is v = v̄ + w, the mean of each cluster and the rest, and vᵀM'v = v̄ᵀMv̄ + (1 + β) wᵀMw. For any ε >
+// 0
 //
 //   vᵀK v ≤ (1 + ε) v̄ᵀK_g v̄ + (1 + 1/ε) wᵀK_g w + wᵀK_c w ≤ (1 + ε) ω_g² v̄ᵀMv̄ + [(1 + 1/ε) ω_g² + ω_c²] wᵀMw
 //
 // with the stiffness K_g of grains and K_c of contacts and platens, so ω² ≤ max((1 + ε) ω_g², [(1 + 1/ε) ω_g² + ω_c²]/(1 + β)),
-// least where the two are equal. It holds for any groups, and contacts that are gone only take from K_c.
+// least where the two are equal. It holds for any clusters, and contacts that are gone only take from K_c.
 
 double stable_time_step(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, double mass_scaling_factor) {
     if (mass_scaling_factor == 0) {

@@ -63,9 +63,7 @@ template <class T>
 void prefetch(const T* data, std::size_t count) {
     constexpr std::size_t line = 64;  // bytes
     const auto* const bytes = reinterpret_cast<const char*>(data);
-    for (std::size_t i = 0; i < count * sizeof(T); i += line) {
-        __builtin_prefetch(bytes + i);
-    }
+    for (std::size_t i = 0; i < count * sizeof(T); i += line) __builtin_prefetch(bytes + i);
 }
 
 /// Asks for what the next chunk will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
@@ -83,18 +81,14 @@ void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t chunk) {
             prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
         }
         for (std::int32_t c = next.begin; c < next.end; ++c) {
-            for (const std::int32_t node : a.contacts[c].nodes) {
-                __builtin_prefetch(&s.displacement[node]);
-            }
+            for (const std::int32_t node : a.contacts[c].nodes) __builtin_prefetch(&s.displacement[node]);
         }
     }
 }
 
 bool any(const std::uint8_t* flags, std::int32_t count) {
     std::uint8_t found = 0;
-    for (std::int32_t k = 0; k < count; ++k) {
-        found = static_cast<std::uint8_t>(found | flags[k]);
-    }
+    for (std::int32_t k = 0; k < count; ++k) found = static_cast<std::uint8_t>(found | flags[k]);
     return found != 0;
 }
 
@@ -124,16 +118,10 @@ void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     const bool any_failed = any(failed, count);
     b.any_residual = any(residual, count) || any(released, range.size());
     b.any_softening = false;
-    if (any_failed) {
-        find_softening(s, range, b);
-    }
-    if (!any_failed) {
-        std::fill_n(b.intact, count, 1.0);
-    }
+    if (any_failed) find_softening(s, range, b);
+    if (!any_failed) std::fill_n(b.intact, count, 1.0);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        for (std::int32_t k = 0; any_failed && k < count; ++k) {
-            b.intact[k] = 1.0 - static_cast<double>(failed[k]);
-        }
+        for (std::int32_t k = 0; any_failed && k < count; ++k) b.intact[k] = 1.0 - static_cast<double>(failed[k]);
         for (std::int32_t i = 0; b.any_residual && 2 * i < count; ++i) {
             const auto is_released = static_cast<double>(released[i]);
             b.released[2 * i] = is_released;
@@ -276,9 +264,7 @@ GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
 /// \return number of points that need the full law
 GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const Lanes& b) {
     std::int32_t undone = 0;
-    for (std::int32_t k = 0; k < 2 * count; ++k) {
-        undone += b.done[k] == 0 ? 1 : 0;
-    }
+    for (std::int32_t k = 0; k < 2 * count; ++k) undone += b.done[k] == 0 ? 1 : 0;
     return undone;
 }
 
@@ -292,9 +278,7 @@ GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, L
         b.fracture[2 * i] = b.energy_area[i] * b.fracture[2 * i];
         b.fracture[2 * i + 1] = b.energy_area[i] * b.fracture[2 * i + 1];
     }
-    for (std::int32_t k = 0; k < 2 * count; ++k) {
-        fracture_energy[k] += b.fracture[k];
-    }
+    for (std::int32_t k = 0; k < 2 * count; ++k) fracture_energy[k] += b.fracture[k];
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         const bool tensile = is_tensile(k);
         b.shear_fracture[k] = tensile ? 0.0 : b.fracture[k];
@@ -347,8 +331,8 @@ ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventK
 }
 
 /// Notes which of `cohesion_marks` a failed point falls below.
-void note_marks(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion, const Vector2& tangent,
-                std::int64_t step, State& s) {
+void record_marks(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion,
+                  const Vector2& tangent, std::int64_t step, State& s) {
     double& next = s.next_mark[at.point()];
     for (std::size_t passed = count_marks_above(next); remaining < next; next = cohesion_mark(++passed)) {
         const auto kind = static_cast<ContactEventKind>(static_cast<std::size_t>(ContactEventKind::damaged_10) + passed);
@@ -359,8 +343,8 @@ void note_marks(const Assemblage& a, const PointIndex& at, double remaining, con
 /// Notes events of a point before its new history is stored: that it fails, loses cohesion, separates. The traction of a failure
 /// is that of the step before, the last one short of the peak.
 template <class Law>
-void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactResponse& r,
-                 const Vector2& tangent, std::int64_t step, State& s) {
+void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactResponse& r,
+                   const Vector2& tangent, std::int64_t step, State& s) {
     const ContactHistory& now = r.history;
     const ContactHistory& old = s.points[at.point()];
     if (now.failed() && s.failed[at.point()] == 0) {
@@ -375,7 +359,7 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
     const bool loses_cohesion =
         r.dissipation.fracture > 0 || now.failed_open != old.failed_open || now.failed_closed != old.failed_closed;
     if (loses_cohesion && s.next_mark[at.point()] > 0) {
-        note_marks(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
+        record_marks(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
     }
     if (now.separated && !old.separated) {
         s.events[at.chunk].push_back(make_event(a, at, ContactEventKind::separation, now.motion, tangent, step, s));
@@ -383,12 +367,12 @@ void note_events(const Assemblage& a, const ContactLaw& law, const PointIndex& a
 }
 
 /// The same of the softening points of a chunk on the vector path, where none fails or separates.
-void note_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
+void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.passes[k] != 0) {
-            note_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
-                       {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+            record_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
+                         {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         }
     }
 }
@@ -398,14 +382,12 @@ template <class Law>
 void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
-        if (b.done[k] != 0) {
-            continue;
-        }
+        if (b.done[k] != 0) continue;
         const PointIndex at{chunk, range.begin + k / 2, k % 2};
         ContactResponse r{{}, point_history(s, at.point()), {}};
         contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
         book_dissipation(at, b.energy_area[k / 2], r, s);
-        note_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+        record_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         store_point(r.history, Law::is_residual(law, r.history), at.point(), s);
         b.normal_traction[k] = r.traction.normal;
         b.shear_traction[k] = r.traction.shear;
@@ -437,12 +419,8 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
                 book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.tensile[k] != 0; });
                 sums.friction += sum_friction(count, b);
             });
-            if constexpr (Law::remembers_largest) {
-                store_largest(range, b, s);
-            }
-            if (b.passing > 0) {
-                note_softening(a, chunk, step, s, b);
-            }
+            if constexpr (Law::remembers_largest) store_largest(range, b, s);
+            if (b.passing > 0) record_softening(a, chunk, step, s, b);
         }
     }
     std::int32_t undone = 0;

@@ -17,9 +17,7 @@ auto sum_over_cluster(const Assemblage& a, const NodeChunk& chunk, std::int32_t 
 /// The velocity that the added mass moves with: the mean of the nodes, or that of the platen that constrains them.
 Vector2 velocity_of_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens,
                             const NodeChunk& chunk, std::int32_t cluster, const State& s) {
-    if (const std::uint8_t platen = s.clusters.constraining_platen[cluster]; platen != 0) {
-        return platens[platen];
-    }
+    if (const std::uint8_t platen = s.clusters.constraining_platen[cluster]; platen != 0) return platens[platen];
     const Vector2 momentum = sum_over_cluster(a, chunk, cluster, [&](std::int32_t i) { return a.mass[i] * s.velocity[i]; });
     return (1 / scaling.cluster_mass[cluster]) * momentum;
 }
@@ -58,9 +56,7 @@ void set_constraint(const Assemblage& a, const MassScaling& scaling, const NodeC
 void find_constrained(const Range& clusters, std::vector<ConstrainedCluster>& constrained, const ClusterState& g) {
     constrained.clear();
     for (std::int32_t cluster = clusters.begin; cluster < clusters.end; ++cluster) {
-        if (g.constraining_platen[cluster] != 0) {
-            constrained.push_back({cluster, g.constraining_platen[cluster]});
-        }
+        if (g.constraining_platen[cluster] != 0) constrained.push_back({cluster, g.constraining_platen[cluster]});
     }
 }
 
@@ -75,9 +71,7 @@ void change_constraint(const Assemblage& a, const MassScaling& scaling, const Pl
     for_each_node_of(a, chunk, cluster, [&](std::int32_t i) { g.near_platen[i] = s.near_platen[i]; });
     set_constraint(a, scaling, chunk, cluster, g);
     const std::uint8_t now = g.constraining_platen[cluster];
-    if (now == 0 || now == old) {
-        return;
-    }
+    if (now == 0 || now == old) return;
     for_each_node_of(a, chunk, cluster, [&](std::int32_t i) {
         Vector2& v = s.velocity[i];
         const Vector2 momentum = (1 + scaling.factor) * v - scaling.factor * before;
@@ -100,18 +94,14 @@ ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling)
 }
 
 void complete_cluster_state(const Assemblage& a, const MassScaling& scaling, State& s) {
-    if (!scaling.is_on()) {
-        return;
-    }
+    if (!scaling.is_on()) return;
     ClusterState& g = s.clusters;
     s.contact_pairs.cluster_load.resize(a.n_clusters());
     g.near_platen.resize(a.n_nodes());
     g.constraining_platen.resize(a.n_clusters());
     g.inverse_mass.resize(a.n_clusters());
     std::vector<bool> may_be_near(a.n_nodes(), false);
-    for (const PlatenPoint& point : s.platen_points) {
-        may_be_near[point.node] = true;
-    }
+    for (const PlatenPoint& point : s.platen_points) may_be_near[point.node] = true;
     g.platen_nodes.assign(a.node_chunks.size(), {});
     g.constrained.assign(a.node_chunks.size(), {});
     for (std::size_t index = 0; index < a.node_chunks.size(); ++index) {
@@ -121,9 +111,7 @@ void complete_cluster_state(const Assemblage& a, const MassScaling& scaling, Sta
         }
         find_constrained(chunk.clusters, g.constrained[index], g);
         for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
-            if (may_be_near[i]) {
-                g.platen_nodes[index].push_back(i);
-            }
+            if (may_be_near[i]) g.platen_nodes[index].push_back(i);
         }
     }
 }
@@ -131,9 +119,7 @@ void complete_cluster_state(const Assemblage& a, const MassScaling& scaling, Sta
 void update_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index,
                      State& s) {
     const std::vector<std::int32_t>& platen_nodes = s.clusters.platen_nodes[index];
-    if (std::none_of(platen_nodes.begin(), platen_nodes.end(), [&](std::int32_t i) { return changes(i, s); })) {
-        return;
-    }
+    if (std::none_of(platen_nodes.begin(), platen_nodes.end(), [&](std::int32_t i) { return changes(i, s); })) return;
     const NodeChunk& chunk = a.node_chunks[index];
     const PlatenVelocities platens(loading, parameters.time_step);
     for (std::int32_t cluster = chunk.clusters.begin; cluster < chunk.clusters.end; ++cluster) {

@@ -72,9 +72,7 @@ GRAINCRACK_INLINE void add_motions(std::int32_t size, const double* force, const
 /// Mean acceleration, its change and mean velocity of clusters.
 GRAINCRACK_INLINE void find_means(const Rows& rows, const Nodes& of_chunk, std::int32_t count, Means& means) {
     const Nodes nodes = of_chunk;  // a copy that no store can change
-    for (std::int32_t k = 0; k < count; ++k) {
-        means.acceleration[k] = means.change[k] = means.velocity[k] = 0;
-    }
+    for (std::int32_t k = 0; k < count; ++k) means.acceleration[k] = means.change[k] = means.velocity[k] = 0;
     for (std::int32_t row = 0; row < rows.count; ++row) {
         const auto [begin, size] = rows[row];
         add_motions(size, nodes.force + begin, nodes.last_force + begin, nodes.mass + begin, nodes.velocity + begin,
@@ -104,9 +102,7 @@ GRAINCRACK_INLINE void find_damping_forces(const Rows& rows, const Nodes& of_chu
                                            Means& means, Lanes& b) {
     const Nodes nodes = of_chunk;
     const Damping damping = shares;
-    for (std::int32_t k = 0; k < count; ++k) {
-        means.relative[k] = 0;
-    }
+    for (std::int32_t k = 0; k < count; ++k) means.relative[k] = 0;
     for (std::int32_t row = 0; row < rows.count; ++row) {
         const auto [begin, size] = rows[row];
         damp_relative_motion(size, damping, nodes.force + begin, nodes.last_force + begin, nodes.mass + begin,
@@ -183,10 +179,10 @@ GRAINCRACK_INLINE void move(const double* force, const Lanes& b, double time_ste
     }
 }
 
-/// Acceleration of the platen that constrains a cluster, m/s².
-Vector2 platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t constraining_platen) {
+/// Acceleration of the platen that constrains a cluster, along its axis, m/s².
+double platen_acceleration(const StepLoading& loading, double time_step, std::uint8_t constraining_platen) {
     const std::size_t platen = constraining_platen - 1U;
-    return {0, (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step)};
+    return (loading.increment_after[platen] - loading.increment_before[platen]) / (time_step * time_step);
 }
 
 /// Work of a platen on the added mass of a cluster that it constrains, J.
@@ -194,11 +190,12 @@ double platen_work(const Assemblage& a, const StepParameters& parameters, const 
                    const ConstrainedCluster& constrained, const State& s, const Lanes& b) {
     const double dt = parameters.time_step;
     const std::size_t platen = constrained.constraining_platen - 1U;
-    const double acceleration = platen_acceleration(loading, dt, constrained.constraining_platen).y;
+    const double acceleration = platen_acceleration(loading, dt, constrained.constraining_platen);
     double force = 0;
     for_each_node_of(a, chunk, constrained.cluster, [&](std::int32_t i) {
-        const double new_velocity = b.new_velocity[2 * (i - chunk.nodes.begin) + 1];
-        force -= parameters.mass_scaling.factor * a.mass[i] * ((new_velocity - s.velocity[i].y) / dt - acceleration);
+        const double* const new_velocity = &b.new_velocity[2 * (i - chunk.nodes.begin)];
+        const Vector2 change = Vector2{new_velocity[0], new_velocity[1]} - s.velocity[i];
+        force -= parameters.mass_scaling.factor * a.mass[i] * (dot(change, loading.platen_axis) / dt - acceleration);
     });
     return 0.5 * force * (loading.increment_before[platen] + loading.increment_after[platen]);
 }
@@ -226,11 +223,10 @@ void integrate_clusters(const Assemblage& a, const StepParameters& parameters, c
     Means means;
     Lanes b;
     damp(a, parameters, loading, index, s, means, b);
-    for (std::int32_t k = 0; k < 2 * chunk.clusters.size(); ++k) {
-        means.acceleration[k] += means.damping[k];
-    }
+    for (std::int32_t k = 0; k < 2 * chunk.clusters.size(); ++k) means.acceleration[k] += means.damping[k];
     for (const auto& [cluster, platen] : s.clusters.constrained[index]) {
-        set_mean(means.acceleration, cluster - chunk.clusters.begin, platen_acceleration(loading, dt, platen));
+        set_mean(means.acceleration, cluster - chunk.clusters.begin,
+                 platen_acceleration(loading, dt, platen) * loading.platen_axis);
     }
     const Rows rows = rows_of(a, chunk);
     const Nodes nodes = nodes_from(parameters.mass_scaling, chunk.nodes.begin, s);

@@ -60,12 +60,12 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         PlatenPoint& point = s.platen_points[i];
         const Platen& platen = boundary.platens[point.platen];
         const Vector2& u = s.displacement[point.node];
-        const double platen_displacement = loading.platen_displacement[point.platen];
+        const double platen_displacement = loading.platen_displacement[platen.motion];
         const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
         if (platen.bonded || penetration > -platen_reach * point.tributary) {
-            s.near_platen[point.node] = static_cast<std::uint8_t>(1 + point.platen);
+            s.near_platen[point.node] = static_cast<std::uint8_t>(1 + platen.motion);
         }
         visit(point, r);
     }
@@ -80,9 +80,7 @@ void sum_forces(const Assemblage& a, const Boundary& boundary, const StepLoading
     gather_elements_and_contacts(a, chunk, s);
     add_active_contacts(chunk, s);
     add_platens(boundary, loading, chunk, s, visit);
-    if (!boundary.prescribed.empty()) {
-        add_prescribed(a, boundary.prescribed, loading, chunk, s);
-    }
+    if (!boundary.prescribed.empty()) add_prescribed(a, boundary.prescribed, loading, chunk, s);
 }
 
 /// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
@@ -126,14 +124,14 @@ void advance_nodal_forces(const Assemblage& a, const Boundary& boundary, const S
         point.anchor = r.anchor;
         point.shear = r.shear;
         sums.platen_friction += r.friction;
-        sums.platen_work += 0.5 * r.force.y * (loading.increment_before[point.platen] + loading.increment_after[point.platen]);
+        const Platen& platen = boundary.platens[point.platen];
+        const double increments = loading.increment_before[platen.motion] + loading.increment_after[platen.motion];
+        sums.platen_work += 0.5 * dot(r.force, platen.axis) * increments;
     });
 }
 
 void book_half_load_work(const Assemblage& a, const Boundary& boundary, std::int32_t chunk, double time_step, State& s) {
-    if (!boundary.prescribed.empty()) {
-        s.node_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
-    }
+    if (!boundary.prescribed.empty()) s.node_sums[chunk].load_work += load_half_work(a, boundary.prescribed, chunk, time_step, s);
 }
 
 void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, std::int32_t chunk,
@@ -141,7 +139,7 @@ void integrate_nodes(const Assemblage& a, const Boundary& boundary, const StepPa
     const Range nodes = a.node_chunks[chunk].nodes;
     NodeSums& sums = s.node_sums[chunk];
     const double dt = parameters.time_step;
-    note_prescribed(boundary.prescribed, chunk, s);
+    record_prescribed(boundary.prescribed, chunk, s);
     const std::int32_t n = nodes.size();
     double absorbed = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {

@@ -17,7 +17,7 @@ void find_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadi
     const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
                        half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
     s.prescribed.load[index] = load;
-    s.prescribed.pressing[index] = -half_pressure * along.y;
+    s.prescribed.lateral[index] = half_pressure * std::abs(along.y);
 }
 
 /// Moves the force on a prescribed component into its reaction.
@@ -30,9 +30,7 @@ void take_reaction(double velocity, double& force, double& reaction) {
 /// Moves a component of a node if it is prescribed. \return work of its reaction, J
 double move_component(double prescribed, double old_velocity, double reaction, double inertia, double time_step,
                       double old_displacement, double& velocity, double& displacement) {
-    if (std::isnan(prescribed)) {
-        return 0;
-    }
+    if (std::isnan(prescribed)) return 0;
     velocity = prescribed;
     displacement = old_displacement + time_step * prescribed;
     const double force = reaction + inertia * (prescribed - old_velocity);
@@ -43,13 +41,9 @@ double move_component(double prescribed, double old_velocity, double reaction, d
 
 void find_edge_loads(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
                      State& s) {
-    if (prescribed.edges.empty()) {
-        return;
-    }
+    if (prescribed.edges.empty()) return;
     const Range edges = prescribed.edges_of_chunk[chunk];
-    for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-        find_edge_load(a, prescribed.edges[i], loading, i, s);
-    }
+    for (std::int32_t i = edges.begin; i < edges.end; ++i) find_edge_load(a, prescribed.edges[i], loading, i, s);
 }
 
 void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
@@ -82,9 +76,7 @@ double load_half_work(const Assemblage& a, const PrescribedConditions& prescribe
     }
     Vector2 momentum;
     const Range nodes = a.node_chunks[chunk].nodes;
-    for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) {
-        momentum += a.rock_mass[i] * s.velocity[i];
-    }
+    for (std::int32_t i = nodes.begin; prescribed.has_gravity() && i < nodes.end; ++i) momentum += a.rock_mass[i] * s.velocity[i];
     return 0.5 * time_step * (work + dot(prescribed.gravity, momentum));
 }
 
@@ -94,10 +86,8 @@ double reaction_half_work(const PrescribedConditions& prescribed, double time_st
            });
 }
 
-void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
-    if (prescribed.nodes.empty()) {
-        return;
-    }
+void record_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& s) {
+    if (prescribed.nodes.empty()) return;
     const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {
         s.prescribed.nodes[i].displacement = s.displacement[prescribed.nodes[i].node];
@@ -107,9 +97,7 @@ void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk,
 
 double move_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                        State& s) {
-    if (prescribed.nodes.empty()) {
-        return 0;
-    }
+    if (prescribed.nodes.empty()) return 0;
     double work = 0;
     const Range nodes_of_chunk = prescribed.nodes_of_chunk[chunk];
     for (std::int32_t i = nodes_of_chunk.begin; i < nodes_of_chunk.end; ++i) {

@@ -25,7 +25,7 @@ double load_half_work(const Assemblage& assemblage, const PrescribedConditions& 
 double reaction_half_work(const PrescribedConditions& prescribed, double time_step, const State& state);
 
 /// Before the nodes of a chunk are integrated: notes displacements and velocities of prescribed nodes.
-void note_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& state);
+void record_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& state);
 /// After it: moves prescribed components as prescribed. \return work of their reactions, J
 double move_prescribed(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                        State& state);

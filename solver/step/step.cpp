@@ -21,17 +21,13 @@ namespace {
 
 template <class Act>
 void for_each_chunk(Range chunks, const Act& act) {
-    for (std::int32_t chunk = chunks.begin; chunk < chunks.end; ++chunk) {
-        act(chunk);
-    }
+    for (std::int32_t chunk = chunks.begin; chunk < chunks.end; ++chunk) act(chunk);
 }
 
 /// Whether the last detection found other active contacts than there were before.
 bool have_changed(const ContactPairList& list) {
     for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {
-        if (list.active.changed[chunk] != 0) {
-            return true;
-        }
+        if (list.active.changed[chunk] != 0) return true;
     }
     return false;
 }
@@ -75,9 +71,7 @@ public:
             (detects_contacts ? detect_contacts : move_active_contacts)(a_, parameters_, chunk, s_);
         });
         team_.wait();
-        if (detects_contacts) {
-            complete_detection();
-        }
+        if (detects_contacts) complete_detection();
     }
     /// After the last step: writes the active contacts into the pair list.
     void store_contacts() {
@@ -132,9 +126,7 @@ void advance_between_updates(const Assemblage& a, const Boundary& boundary, cons
             steps.advance(step, detects_contacts);
         }
         steps.store_contacts();
-        if (thread == 0) {
-            clock_after = steps.clock();
-        }
+        if (thread == 0) clock_after = steps.clock();
     });
     clock = clock_after;
     s.step += n_steps;
@@ -148,9 +140,7 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
     LoadingClock clock(loading, n_steps, parameters.time_step, s);
     const std::int64_t end = s.step + n_steps;
     while (s.step < end) {
-        if (s.step >= s.contact_pairs.next_update) {
-            update_pair_list(a, parameters, s);
-        }
+        if (s.step >= s.contact_pairs.next_update) update_pair_list(a, parameters, s);
         advance_between_updates(a, boundary, parameters, std::min(end, s.contact_pairs.next_update) - s.step, team, clock, s);
     }
     s.loading = clock.now();

@@ -16,9 +16,7 @@ ThreadTeam::ThreadTeam(int n_threads) : barrier_(n_threads) {
 ThreadTeam::~ThreadTeam() {
     work_ = nullptr;
     barrier_.wait();
-    for (std::thread& thread : others_) {
-        thread.join();
-    }
+    for (std::thread& thread : others_) thread.join();
 }
 
 void ThreadTeam::run(const std::function<void(int)>& work) {

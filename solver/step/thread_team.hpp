@@ -19,9 +19,7 @@ class SpinBarrier {
 public:
     explicit SpinBarrier(int n_threads) : n_threads_(n_threads) {}
     void wait() {
-        if (n_threads_ == 1) {
-            return;
-        }
+        if (n_threads_ == 1) return;
         const std::uint32_t generation = generation_.load(std::memory_order_acquire);
         if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == n_threads_) {
             arrived_.store(0, std::memory_order_relaxed);
@@ -33,9 +31,7 @@ public:
         const bool patient = patient_.load(std::memory_order_relaxed) || generation % waits_between_trials == 0;
         for (int spins = patient ? patient_spins : impatient_spins; spins > 0; --spins) {
             if (generation_.load(std::memory_order_acquire) != generation) {
-                if (patient) {
-                    patient_.store(true, std::memory_order_relaxed);
-                }
+                if (patient) patient_.store(true, std::memory_order_relaxed);
                 return;
             }
 #if defined(__x86_64__)
@@ -43,9 +39,7 @@ public:
 #endif
         }
         patient_.store(false, std::memory_order_relaxed);
-        while (generation_.load(std::memory_order_acquire) == generation) {
-            generation_.wait(generation, std::memory_order_acquire);
-        }
+        while (generation_.load(std::memory_order_acquire) == generation) generation_.wait(generation, std::memory_order_acquire);
     }
 
 private:

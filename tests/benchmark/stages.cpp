@@ -20,9 +20,7 @@ LoadingRequest compression() {
 
 template <class Act>
 void for_each_chunk(std::size_t n, Act&& act) {
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(n); ++chunk) {
-        act(chunk);
-    }
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(n); ++chunk) act(chunk);
 }
 
 void contacts(LoadedSpecimen& l) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/loading/standard_tests.hpp"
 #include "solver/model/vertex_clusters.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/run/measure.hpp"
 #include "solver/setup/stable_time_step.hpp"
 #include "solver/step/step.hpp"

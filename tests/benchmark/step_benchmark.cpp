@@ -31,9 +31,7 @@ void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scal
     LoadedSpecimen loaded(granite(columns), law, scaled, target);
     ThreadTeam team(threads);
     constexpr std::int64_t steps = 20;
-    for (auto _ : timer) {
-        loaded.advance_by(steps, team);
-    }
+    for (auto _ : timer) loaded.advance_by(steps, team);
     count(timer, loaded, static_cast<double>(steps));
 }
 
@@ -71,17 +69,13 @@ void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool
 void run_stage(::benchmark::State& timer, std::size_t index, bool scaled, VectorTarget target) {
     LoadedSpecimen loaded(granite(few), LawVariant::consistent, scaled, target);
     const Stage stage = stages_of(loaded)[index];
-    for (auto _ : timer) {
-        stage.run(loaded);
-    }
+    for (auto _ : timer) stage.run(loaded);
     count(timer, loaded, 1);
 }
 
 void measure_all(::benchmark::State& timer) {
     LoadedSpecimen loaded(granite(few), LawVariant::consistent, false, widest_vector_target());
-    for (auto _ : timer) {
-        ::benchmark::DoNotOptimize(measure(loaded.assemblage, loaded.boundary, loaded.parameters, loaded.state));
-    }
+    for (auto _ : timer) ::benchmark::DoNotOptimize(measure(loaded.assemblage, loaded.boundary, loaded.parameters, loaded.state));
     count(timer, loaded, 1);
 }
 
@@ -91,9 +85,7 @@ void add(const std::string& name, auto&& run) {
 
 void add_all() {
     for (const VectorTarget target : {VectorTarget::plain, VectorTarget::avx2, VectorTarget::avx512}) {
-        if (!is_available(target)) {
-            continue;
-        }
+        if (!is_available(target)) continue;
         const std::string unit(name_of(target));
         for (const bool scaled : {false, true}) {
             const std::string masses = scaled ? "scaled/" : "";
@@ -124,9 +116,7 @@ void add_all() {
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-        return 2;
-    }
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     graincrack::benchmark::add_all();
     benchmark::RunSpecifiedBenchmarks();
     return 0;

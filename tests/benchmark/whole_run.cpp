@@ -20,9 +20,7 @@ double shortest_time(int tries, int repeats, Act&& act) {
     double best = 1e9;
     for (int i = 0; i < tries; ++i) {
         const auto begin = std::chrono::steady_clock::now();
-        for (int k = 0; k < repeats; ++k) {
-            act();
-        }
+        for (int k = 0; k < repeats; ++k) act();
         best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / repeats);
     }
     return best;
@@ -37,9 +35,7 @@ double operation_rate(VectorTarget target) {
     const double time = shortest_time(5, 1, [&] {
         run_on(target, [&]() GRAINCRACK_KERNEL {
             for (int k = 0; k < rounds; ++k) {
-                for (std::int32_t i = 0; i < n; ++i) {
-                    x[i] = x[i] * 0.999 + 0.001;
-                }
+                for (std::int32_t i = 0; i < n; ++i) x[i] = x[i] * 0.999 + 0.001;
             }
         });
     });
@@ -56,9 +52,7 @@ double byte_rate(VectorTarget target, double bytes) {
     const int repeats = static_cast<int>(std::max<std::size_t>(1, 20'000'000 / n));
     const double time = shortest_time(5, repeats, [&] {
         run_on(target, [&]() GRAINCRACK_KERNEL {
-            for (std::size_t i = 0; i < n; ++i) {
-                to[i] = 0.5 * to[i] + from[i];
-            }
+            for (std::size_t i = 0; i < n; ++i) to[i] = 0.5 * to[i] + from[i];
         });
     });
     return 24.0 * static_cast<double>(n) / time;
@@ -67,9 +61,7 @@ double byte_rate(VectorTarget target, double bytes) {
 void print_table(LoadedSpecimen& loaded) {
     const VectorTarget target = loaded.assemblage.vector_target;
     double bytes_of_grain = 0;
-    for (const Stage& stage : stages_of(loaded)) {
-        bytes_of_grain += stage.bytes;
-    }
+    for (const Stage& stage : stages_of(loaded)) bytes_of_grain += stage.bytes;
     const double operations = operation_rate(target);
     const double bytes = byte_rate(target, bytes_of_grain * loaded.grains());
     const double to_ns = 1e9 / loaded.grains();

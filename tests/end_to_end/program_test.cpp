@@ -67,9 +67,7 @@ TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
         expect_same_arrays(program, as_test, "/cracks");
         ASSERT_EQ(program.children("/frames"), as_test.children("/frames"));
         EXPECT_GT(program.children("/frames").size(), 2U);
-        for (const std::string& frame : program.children("/frames")) {
-            expect_same_arrays(program, as_test, "/frames/" + frame);
-        }
+        for (const std::string& frame : program.children("/frames")) expect_same_arrays(program, as_test, "/frames/" + frame);
     };
     compare("uniaxial", "rectangle.h5", " --rate-tolerance 0.01", " --mass-scaling none --frames 4 ");
     compare("triaxial", "rectangle.h5", " --confining-pressure 3MPa --rate-tolerance 0.02 --max-strain 0.008", " --frames 4 ");

@@ -57,13 +57,22 @@ TEST(Tables, SummariesForPeople) {
     shell.must(
         "printf 'file\\ttest\\tstress\\na.h5\\tdisc\\t8\\nb.h5\\tdisc\\t10\\nc.h5\\tdisc\\t9\\n' >strength.tsv\n"
         "printf 'file\\tvariant\\na.h5\\tslow\\nb.h5\\tslow\\nc.h5\\tfast\\n' >variants.tsv");
-    EXPECT_EQ(shell.must("graincrack-post summarize strength.tsv --look-up variants.tsv --by variant --format markdown "
-                         "--column 'σt, MPa=[{mean(stress):.1f} ± {half_interval(stress):.1f};{mean(stress):.1f}]'"),
+    shell.must(
+        "printf '%s\\n' \"SELECT variant, mean_and_half(stress, '.1f') AS [σt, MPa] FROM strength JOIN variants USING (file)\" "
+        "'GROUP BY variant ORDER BY variant DESC' >means.sql");
+    EXPECT_EQ(shell.must("graincrack-post summarize strength=- variants.tsv --sql means.sql --format markdown <strength.tsv"),
               "| variant | σt, MPa |\n|---|---|\n| slow | 9.0 ± 12.7 |\n| fast | 9.0 |\n");
-    EXPECT_EQ(
-        shell.must(
-            "graincrack-post summarize first=strength.tsv again=strength.tsv --label series --by series --column 'n=n(file)'"),
-        "series\tn\nfirst\t3\nagain\t3\n");
+    EXPECT_EQ(shell.must("graincrack-post summarize strength.tsv --sql 'SELECT test, file, stress FROM strength' --pivot"),
+              "test\ta.h5\tb.h5\tc.h5\ndisc\t8\t10\t9\n");
+    const auto exit_code = [&](const std::string& sql) {
+        const Outcome outcome = shell.run("graincrack-post summarize strength.tsv --sql '" + sql + "'");
+        EXPECT_EQ(outcome.out, "") << sql;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        return outcome.exit_code;
+    };
+    EXPECT_EQ(exit_code("SELECT strain\nFROM strength"), 2);
+    EXPECT_EQ(exit_code("PRAGMA table_list"), 2);
+    EXPECT_EQ(exit_code("SELECT mean(file) FROM strength"), 3);
 }
 
 }  // namespace

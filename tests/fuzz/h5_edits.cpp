@@ -26,9 +26,7 @@ herr_t add_attribute(hid_t, const char* name, const H5A_info_t*, void* data) {
 
 herr_t add_object(hid_t file, const char* name, const H5O_info_t* info, void* data) {
     auto* places = static_cast<std::vector<Place>*>(data);
-    if (info->type == H5O_TYPE_DATASET) {
-        places->push_back({name, ""});
-    }
+    if (info->type == H5O_TYPE_DATASET) places->push_back({name, ""});
     std::pair<std::vector<Place>*, std::string> of_object{places, name};
     const hid_t object = H5Oopen(file, name, H5P_DEFAULT);
     H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_attribute, &of_object);
@@ -61,9 +59,7 @@ double value_of(const std::uint8_t* bytes) {
                                              -largest,
                                              255,
                                              std::numeric_limits<double>::quiet_NaN()};
-    if (bytes[0] < 192) {
-        return special[bytes[0] % special.size()];
-    }
+    if (bytes[0] < 192) return special[bytes[0] % special.size()];
     double value = 0;
     std::memcpy(&value, bytes, sizeof value);
     return value;
@@ -71,9 +67,7 @@ double value_of(const std::uint8_t* bytes) {
 
 /// Extents of a place changed: of the first one more, one less, none, many; or another rank.
 std::vector<hsize_t> other_extents(std::vector<hsize_t> extents, std::uint8_t how) {
-    if (extents.empty()) {
-        extents.push_back(1);
-    }
+    if (extents.empty()) extents.push_back(1);
     switch (how % 6) {
         case 0: ++extents[0]; break;
         case 1: extents[0] -= std::min<hsize_t>(extents[0], 1); break;
@@ -119,9 +113,7 @@ hid_t type_of(std::uint8_t how, hid_t own) {
 template <class Write>
 void write_numbers(hid_t type, const std::vector<double>& values, const Write& write) {
     const H5T_class_t kind = H5Tget_class(type);
-    if (!values.empty() && (kind == H5T_INTEGER || kind == H5T_FLOAT)) {
-        write(values.data());
-    }
+    if (!values.empty() && (kind == H5T_INTEGER || kind == H5T_FLOAT)) write(values.data());
 }
 
 void edit_dataset(hid_t file, const std::string& name, const std::uint8_t* edit) {
@@ -130,9 +122,7 @@ void edit_dataset(hid_t file, const std::string& name, const std::uint8_t* edit)
     const std::uint8_t kind = edit[2] % 5;
     std::vector<double> values(count_of(shape.extents));
     const bool is_number = H5Tget_class(shape.type) == H5T_INTEGER || H5Tget_class(shape.type) == H5T_FLOAT;
-    if (is_number && !values.empty()) {
-        H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    }
+    if (is_number && !values.empty()) H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     if (kind == 0 && !values.empty()) {  // one value
         values[(edit[3] * 257U + edit[11]) % values.size()] = value_of(edit + 4);
     } else if (kind == 1) {  // all values

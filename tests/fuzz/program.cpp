@@ -1,5 +1,5 @@
 // Loading programs.
-#include "solver/loading/program_file.hpp"
+#include "solver/program/program_file.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -16,15 +16,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                                                     contact_parameter(&ContactParameters::fracture_energy).quantity,
                                                     quantity::damping,
                                                     contact_parameter(&ContactParameters::normal_stiffness).quantity};
-    if (size == 0) {
-        return 0;
-    }
+    if (size == 0) return 0;
     const Quantity& quantity = quantities[bytes[0] % quantities.size()];
     return fuzz::one_input([&] {
         const double value = parse_quantity(fuzz::text_of(bytes + 1, size - 1), quantity, "--option");
         // What was read is admissible, and reads back from what would be printed.
-        if (!quantity.admits(value) || parse_quantity(format_number(value), quantity, "--option") != value) {
-            std::abort();
-        }
+        if (!quantity.admits(value) || parse_quantity(format_number(value), quantity, "--option") != value) std::abort();
     });
 }

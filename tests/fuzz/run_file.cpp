@@ -6,9 +6,10 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/provenance.hpp"
 #include "share/file/run_file.hpp"
-#include "solver/loading/standard_tests.hpp"
-#include "solver/run/saved_state.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/restart/saved_state.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/setup/setup.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/h5_edits.hpp"
 #include "tests/support/augig_granite.hpp"
@@ -45,9 +46,7 @@ void read_run(const std::string& file) {
     fuzz::one_input([&] { static_cast<void>(run.cracks()); });
     fuzz::one_input([&] { static_cast<void>(run.frame_times()); });
     fuzz::one_input([&] {
-        for (std::size_t frame = 0; frame < run.n_frames(); ++frame) {
-            static_cast<void>(run.frame(frame));
-        }
+        for (std::size_t frame = 0; frame < run.n_frames(); ++frame) static_cast<void>(run.frame(frame));
     });
 }
 

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "mesher/specimen_maker.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/setup/stable_time_step.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
@@ -96,9 +96,7 @@ TEST(AddedMass, OfEqualGrainsIsSpread) {
     const std::vector<double> before = a.mass;
     const double added = scale_mass_of_stiffest_elements(a, 0.1);
     EXPECT_NEAR(added, 0.1, 1e-6);
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        EXPECT_NEAR(a.mass[i], 1.1 * before[i], 1e-6 * before[i]);
-    }
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(a.mass[i], 1.1 * before[i], 1e-6 * before[i]);
 }
 
 }  // namespace

@@ -133,9 +133,7 @@ TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
     SmallRun run(specimen, augig_law(), PlaneCondition::stress, 0.5, rock_without_poisson_effect());
     const double v = 0.1;
     const auto is_first = [&](std::size_t node) { return run.assemblage.surface.grain_of_node[node] == 0; };
-    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        run.state.velocity[i] = {is_first(i) ? v : 0, 0};
-    }
+    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) run.state.velocity[i] = {is_first(i) ? v : 0, 0};
     run.begin();
     const double expected_stress = density * bar_speed * v / 2;
     const double expected_time = 2 * length / bar_speed;

@@ -76,9 +76,7 @@ void expect_marks_at(const ContactLaw& law, const ContactMotion& direction, cons
 }
 
 TEST(BrokenPoint, PureOpeningPassesTheMarksWhereTheClosedFormSays) {
-    for (const ContactLaw& law : all_laws(weak())) {
-        expect_marks_at(law, {1, 0}, opening_where);
-    }
+    for (const ContactLaw& law : all_laws(weak())) expect_marks_at(law, {1, 0}, opening_where);
 }
 
 TEST(BrokenPoint, PureSlidingPassesTheMarksWhereTheClosedFormSays) {
@@ -115,9 +113,7 @@ TEST(BrokenPoint, ResidualCohesionIsThatOfABrokenPoint) {
 }
 
 TEST(BrokenPoint, PreExistingCracksAreBroken) {
-    for (const ContactLaw& law : all_laws(weak())) {
-        EXPECT_EQ(remaining_cohesion(law, broken_contact()), 0);
-    }
+    for (const ContactLaw& law : all_laws(weak())) EXPECT_EQ(remaining_cohesion(law, broken_contact()), 0);
 }
 
 /// A grid that platens compress until it has failed, step by step. After each step the law is asked what remains of the
@@ -156,9 +152,7 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
                 passed += event.kind == ContactEventKind::broken ? 1U : 0U;
             }
         }
-        for (std::vector<ContactEvent>& chunk : run.state.events) {
-            chunk.clear();
-        }
+        for (std::vector<ContactEvent>& chunk : run.state.events) chunk.clear();
     }
     EXPECT_GT(passed, 20U);
     EXPECT_EQ(passed, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), cohesion_marks.size())));
@@ -166,9 +160,7 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
 
 // Points take the full law in some steps and the vector path in others.
 TEST(BrokenPoint, EventsAreNotedInTheirStepOnEveryPath) {
-    for (const LawDescription& law : all_contact_laws()) {
-        expect_events_in_their_steps(law.variant, widest_vector_target());
-    }
+    for (const LawDescription& law : all_contact_laws()) expect_events_in_their_steps(law.variant, widest_vector_target());
     expect_events_in_their_steps(LawVariant::cohesive_frictional, VectorTarget::plain);
 }
 

@@ -109,9 +109,7 @@ TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
         const double before = walk.fracture();
         const double open = walk.to({tiny, sliding}).shear;
         const double open_load = sliding * c.shear_stiffness / (e * c.open_shear_strength);
-        if (open_load < 1) {
-            expect_close(open, c.shear_stiffness * sliding * std::exp(-open_load), 1e-9, closed);
-        }
+        if (open_load < 1) expect_close(open, c.shear_stiffness * sliding * std::exp(-open_load), 1e-9, closed);
         EXPECT_LE(open, closed);
         EXPECT_GT(walk.fracture(), before);
         const double again = walk.to({-tiny, sliding}).shear;

@@ -43,17 +43,13 @@ Path random_path(const ContactParameters& c, unsigned seed) {
 /// The same, open or closed all the time.
 Path one_sided_path(const ContactParameters& c, unsigned seed, double side) {
     Path path = random_path(c, seed);
-    for (ContactMotion& m : path) {
-        m.opening = side * (std::abs(m.opening) + 1e-3 * c.critical_opening);
-    }
+    for (ContactMotion& m : path) m.opening = side * (std::abs(m.opening) + 1e-3 * c.critical_opening);
     return path;
 }
 
 ContactWalk led_along(const ContactLaw& law, const Path& path, int steps, double mirror = 1, const ContactHistory& start = {}) {
     ContactWalk walk(law, start);
-    for (const ContactMotion& corner : path) {
-        walk.go({corner.opening, mirror * corner.sliding}, steps);
-    }
+    for (const ContactMotion& corner : path) walk.go({corner.opening, mirror * corner.sliding}, steps);
     return walk;
 }
 /// Sum over paths of |work − stored − booked|, for steps that halve from one to the next.
@@ -222,9 +218,7 @@ TEST(ContactLawPaths, NoNonConservativeWorkWhereThereIsAPotential) {
         double others = 0;
         for (unsigned seed = 0; seed < n_paths; ++seed) {
             Path opening = random_path(c, seed);
-            for (ContactMotion& m : opening) {
-                m = {std::abs(m.opening), 0};
-            }
+            for (ContactMotion& m : opening) m = {std::abs(m.opening), 0};
             const Path closed = one_sided_path(c, seed, -1);
             ContactHistory start;
             start.motion.opening = -1e-30;  // closed from the first step on
@@ -302,9 +296,7 @@ TEST(ContactLawPaths, NoTangentIsStifferThanTheTimeStepKnows) {
             for (const ContactMotion& corner : random_path(c, seed)) {
                 const ContactHistory& h = walk.history();
                 const ContactTraction t = walk.go(corner, 50);
-                if (std::abs(corner.opening) < d) {
-                    continue;
-                }
+                if (std::abs(corner.opening) < d) continue;
                 for (const double side : {-d, d}) {
                     const ContactTraction pulled = update_contact(law, {corner.opening + side, corner.sliding}, h).traction;
                     const ContactTraction slid = update_contact(law, {corner.opening, corner.sliding + side}, h).traction;

@@ -89,9 +89,7 @@ TEST(Element, RigidRotationGivesNoStress) {
 TEST(Element, StressTurnsWithTheElement) {
     const PlaneElasticity c = make_plane_elasticity(E, nu, PlaneCondition::stress);
     Displacements u;
-    for (std::size_t k = 0; k < 3; ++k) {
-        u[k] = {1e-4 * corners[k].x, 0};
-    }
+    for (std::size_t k = 0; k < 3; ++k) u[k] = {1e-4 * corners[k].x, 0};
     const std::array<double, 4> before = triangle_stress(c, state_of(c, u));
     EXPECT_GT(before[0], 1 * MPa);
     Displacements turned;  // R (x + u) − x with R a quarter turn

@@ -43,9 +43,7 @@ struct LoadedSpecimen {
     /// max |external − sum| / scale
     [[nodiscard]] double residual() const {
         double worst = 0;
-        for (const Energies& e : rows) {
-            worst = std::max(worst, std::abs(e.balance_error()));
-        }
+        for (const Energies& e : rows) worst = std::max(worst, std::abs(e.balance_error()));
         return worst / scale;
     }
 };
@@ -73,9 +71,7 @@ LoadedSpecimen loaded(const ContactLaw& law, TestKind test, double fraction = 0.
         specimen.scale = std::max(specimen.scale, m.energies.stored());
         specimen.last = test == TestKind::tension ? m.force_top : -m.force_top;
         specimen.peak = std::max(specimen.peak, specimen.last);
-        if (specimen.last < 0.6 * specimen.peak && run.failed_points() > 0) {
-            break;
-        }
+        if (specimen.last < 0.6 * specimen.peak && run.failed_points() > 0) break;
     }
     specimen.failed = run.failed_points();
     return specimen;
@@ -140,9 +136,7 @@ TEST(EnergyBalance, AnErrorOfOnePerCentInATermShows) {
     // The terms that carry a compression test must be among them.
     for (const double Energies::*member : {&Energies::external, &Energies::strain, &Energies::contact}) {
         double largest = 0;
-        for (const Energies& e : specimen.rows) {
-            largest = std::max(largest, std::abs(e.*member));
-        }
+        for (const Energies& e : specimen.rows) largest = std::max(largest, std::abs(e.*member));
         EXPECT_GT(0.01 * largest / specimen.scale, residual);
     }
 }

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "solver/loading/standard_tests.hpp"
 #include "solver/run/sensitivity.hpp"
+#include "solver/setup/setup.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/jointed_test.hpp"
 #include "tests/support/verify.hpp"

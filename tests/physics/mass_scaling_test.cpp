@@ -68,15 +68,11 @@ std::vector<std::int32_t> lowest_linked(const Assemblage& a) {
 Eigen::MatrixXd scaled_mass(const Assemblage& a, const Boundary& boundary, double beta) {
     const auto n = static_cast<Eigen::Index>(a.position.size());
     std::vector<bool> on_platen(a.position.size(), false);
-    for (const PlatenPoint& point : boundary.platen_points) {
-        on_platen[static_cast<std::size_t>(point.node)] = point.on_boundary;
-    }
+    for (const PlatenPoint& point : boundary.platen_points) on_platen[static_cast<std::size_t>(point.node)] = point.on_boundary;
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     std::map<std::int32_t, std::vector<Eigen::Index>> clusters;
     const std::vector<std::int32_t> lowest = lowest_linked(a);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        clusters[lowest[static_cast<std::size_t>(i)]].push_back(i);
-    }
+    for (Eigen::Index i = 0; i < n; ++i) clusters[lowest[static_cast<std::size_t>(i)]].push_back(i);
     for (const auto& [first, nodes] : clusters) {
         double total = 0;
         bool supported = false;
@@ -121,9 +117,7 @@ double exact_step(const Assemblage& a, const Boundary& boundary, const ContactLa
 Assemblage broken(Assemblage a, std::size_t every, std::size_t first) {
     std::vector<ContactGeometry> left;
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        if (c % every != first % every) {
-            left.push_back(a.contacts[c]);
-        }
+        if (c % every != first % every) left.push_back(a.contacts[c]);
     }
     a.contacts = left;
     a.contact_chunks = {{{0, static_cast<std::int32_t>(left.size())}, 0}};
@@ -233,9 +227,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
         SmallRun run = two_grains(100);
         run.parameters.time_step *= 0.2;  // a contact that closes within a step makes or takes energy, in proportion to the step
         run.begin();
-        for (const std::size_t point : {0, 1}) {
-            store_point(broken_contact(), false, point, run.state);
-        }
+        for (const std::size_t point : {0, 1}) store_point(broken_contact(), false, point, run.state);
         for (std::int32_t i = 4; i < 8; ++i) {
             run.state.displacement[static_cast<std::size_t>(i)] = {0, fall.gap};
             run.state.velocity[static_cast<std::size_t>(i)] = {0, -fall.speed};
@@ -318,12 +310,8 @@ TEST(MassScaling, PlatensThatSpeedUpCarryTheMassAsItIs) {
 TEST(MassScaling, BalanceAtRestIsTheSame) {
     Compression test(augig_law(LawVariant::continuous), 0);
     SmallRun& run = test.run;
-    while (test.strain() < 5e-4) {
-        test.advance_to(0.1);
-    }
-    for (int i = 0; i < 3000; ++i) {
-        test.advance_to(0);
-    }
+    while (test.strain() < 5e-4) test.advance_to(0.1);
+    for (int i = 0; i < 3000; ++i) test.advance_to(0);
     EXPECT_EQ(run.failed_points(), 0U);
     const Measurement rest = test.now;
     EXPECT_LT(rest.unbalanced_ratio, 1e-9);
@@ -382,9 +370,7 @@ TEST(MassScaling, OneTwoAndThreeThreadsGiveTheSameDigestPastThePeak) {
     EXPECT_GT(summary.tensile_cracks + summary.shear_cracks, 20U);
     EXPECT_EQ(summary.header.mass_scaling, "selective");
     EXPECT_GT(summary.header.mass_scaling_factor, 10);
-    for (const int threads : {2, 3}) {
-        EXPECT_EQ(digest_with(threads, summary), first) << threads << " threads";
-    }
+    for (const int threads : {2, 3}) EXPECT_EQ(digest_with(threads, summary), first) << threads << " threads";
 }
 
 }  // namespace

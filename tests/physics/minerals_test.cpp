@@ -163,8 +163,9 @@ TEST(Minerals, AColumnBreaksWhereItsWeakClassIs) {
                    "its tensile strength, waves");
             std::array<int, 3> failed{};
             for_each_contact(run.assemblage, [&](std::int32_t c, std::int32_t contact_class) {
-                for (const std::size_t point : points_of(c))
+                for (const std::size_t point : points_of(c)) {
                     failed[static_cast<std::size_t>(contact_class)] += run.state.failed[point];
+                }
             });
             for (const std::int32_t k : {0, 1, 2}) {
                 EXPECT_EQ(failed[static_cast<std::size_t>(k)] >= 4, k == weak)

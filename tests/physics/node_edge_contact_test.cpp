@@ -90,15 +90,11 @@ TEST(NodeEdgeContact, PassesFromEdgeToEdgeWithoutAJump) {
     std::vector<test::Triangle> triangles;
     const double a = 4e-3;
     const int n = 4;
-    for (int i = 0; i <= n; ++i) {
-        points.push_back({i * a, 0});
-    }
+    for (int i = 0; i <= n; ++i) points.push_back({i * a, 0});
     for (int i = 0; i < n; ++i) {
         points.push_back({(i + 0.5) * a, -a});
         triangles.push_back({n + 1 + i, i + 1, i});
-        if (i > 0) {
-            triangles.push_back({n + i, n + 1 + i, i});
-        }
+        if (i > 0) triangles.push_back({n + i, n + 1 + i, i});
     }
     const auto corner = static_cast<int>(points.size());
     const double x0 = 0.3 * a;
@@ -209,9 +205,7 @@ TEST(NodeEdgeContact, ACornerThatSlipsInBesideABondIsCaught) {
         const double edge = led.run.assemblage.surface.mean_length;
         led.lead({0, 0});
         double depth = -1e-5;
-        while (depth < 0.02 * edge && led.lead({0, -1e-4 * edge}).y <= 0) {
-            depth += 1e-4 * edge;
-        }
+        while (depth < 0.02 * edge && led.lead({0, -1e-4 * edge}).y <= 0) depth += 1e-4 * edge;
         // By design a node may be 0.6 % deep before a contact begins; it is to stay above 1 %.
         EXPECT_LT(depth, 0.008 * edge);
     }

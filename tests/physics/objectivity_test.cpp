@@ -32,16 +32,12 @@ std::vector<Vector2> turned(const SmallRun& run, const std::vector<Vector2>& u, 
 }
 double largest(const std::vector<Vector2>& vectors) {
     double most = 0;
-    for (const Vector2& v : vectors) {
-        most = std::max(most, length(v));
-    }
+    for (const Vector2& v : vectors) most = std::max(most, length(v));
     return most;
 }
 double largest_difference(const std::vector<Vector2>& a, const std::vector<Vector2>& b) {
     double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        most = std::max(most, length(a[i] - b[i]));
-    }
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, length(a[i] - b[i]));
     return most;
 }
 
@@ -64,9 +60,7 @@ TEST(Objectivity, ForcesTurnWithTheSpecimen) {
             verify("elements: specimen turned through 360 deg, largest force over that of strains that crack",
                    largest(forces_at(run, run.state, turned(run, still, angle))), 0, 1e-9, "no force from rotation", scale);
             std::vector<Vector2> back = forces_at(run, run.state, turned(run, strained, angle));
-            for (Vector2& f : back) {
-                f = turned(f, -angle);
-            }
+            for (Vector2& f : back) f = turned(f, -angle);
             verify("elements: strained specimen turned through 360 deg, difference of forces turned back",
                    largest_difference(back, forces), 0, 1e-9, "forces turn with it", scale);
         }
@@ -124,12 +118,8 @@ double tensile_strength(int seed, double angle) {
     while (run.state.step < 80000) {
         run.steps_under(pressure, pressure.present() + interval * rate, interval);
         double widest = 0;
-        for (const double opening : run.state.opening) {
-            widest = std::max(widest, opening);
-        }
-        if (widest > 5 * run.parameters.laws[0].dut) {
-            return -pressure.present();
-        }
+        for (const double opening : run.state.opening) widest = std::max(widest, opening);
+        if (widest > 5 * run.parameters.laws[0].dut) return -pressure.present();
     }
     return 0;
 }

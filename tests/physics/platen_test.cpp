@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/run/frame.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -22,14 +23,13 @@ using test::with_pressure;
 Specimen block() {
     return test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}}, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
 }
-std::array<Platen, 2> platens_at(double gap, double stiffness) {
-    std::array<Platen, 2> platens;
+std::vector<Platen> platens_at(double gap, double stiffness) {
+    std::vector<Platen> platens(2);
+    platens[bottom_platen].motion = bottom_platen;
     platens[bottom_platen].side = -1;
     platens[bottom_platen].position = -0.01 - gap;
     platens[top_platen].position = 1;  // out of reach
-    for (Platen& p : platens) {
-        p.normal_stiffness = stiffness;
-    }
+    for (Platen& p : platens) p.normal_stiffness = stiffness;
     return platens;
 }
 
@@ -70,7 +70,7 @@ TEST(Platen, FrictionGivesWayAtItsLimit) {
     for (const double share : {0.8, 1.2}) {  // of the friction of both platens
         SmallRun run(block(), augig_law());
         const double mu = std::tan(5 * test::degree);
-        std::array<Platen, 2> platens = platens_at(0, 6.87e14);
+        std::vector<Platen> platens = platens_at(0, 6.87e14);
         platens[top_platen].position = 0.01;
         for (Platen& p : platens) {
             p.shear_stiffness = 6.98e13;
@@ -138,7 +138,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     run.steps_under(membrane, pressure, 3000);
     const Measurement m = run.measured();
     // Free to lengthen along y: by ν(1 + ν) p/E of its height, 5e-5.
-    verify("dynamics: force of the membrane (N)", m.membrane_force, pressure * run.specimen.height, 2e-4,
+    verify("dynamics: force of the membrane (N)", m.confining_force, pressure * run.specimen.height, 2e-4,
            "pressure times height");
     double area = 0;
     double xx = 0;

@@ -183,9 +183,7 @@ double acceleration_down(double slope, double friction) {
     loading.amplitudes = &amplitudes;
     const auto speed_after = [&](double duration) {
         const double end = block.run.state.time + duration;
-        while (block.run.state.time < end) {
-            block.run.steps(10, loading);
-        }
+        while (block.run.state.time < end) block.run.steps(10, loading);
         return velocity_of_upper_half(block.run).x;
     };
     const double before = speed_after(0.3e-3);

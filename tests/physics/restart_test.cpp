@@ -11,7 +11,7 @@
 #include "mesher/specimen_maker.hpp"
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
-#include "solver/run/checkpoint.hpp"
+#include "solver/restart/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/phases.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -97,9 +97,7 @@ TEST(Checkpoints, FollowOneAnotherAnIntervalAfterTheLastWasWritten) {
     };
     simulate(specimen(), r, run, Verbosity::quiet, {});
     ASSERT_GT(checkpoints.size(), 3U);
-    for (std::size_t i = 1; i < checkpoints.size(); ++i) {
-        EXPECT_EQ(checkpoints[i] - checkpoints[i - 1], 101U);
-    }
+    for (std::size_t i = 1; i < checkpoints.size(); ++i) EXPECT_EQ(checkpoints[i] - checkpoints[i - 1], 101U);
 }
 
 class Restart : public testing::TestWithParam<Case> {};

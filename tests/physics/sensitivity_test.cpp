@@ -9,10 +9,10 @@
 
 #include "mesher/specimen_maker.hpp"
 #include "share/file/specimen_validation.hpp"
-#include "solver/loading/program_file.hpp"
-#include "solver/loading/standard_tests.hpp"
 #include "solver/model/assemblage.hpp"
+#include "solver/program/program_file.hpp"
 #include "solver/run/refinement.hpp"
+#include "solver/setup/setup.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"

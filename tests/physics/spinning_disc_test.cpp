@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesher/specimen_maker.hpp"
+#include "solver/run/frame.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
 

@@ -42,9 +42,7 @@ double stiffness_of_contacts(const SmallRun& run) {
     const auto n = static_cast<Eigen::Index>(scaling.cluster_mass.size());
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);  // over √(M M)
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-        if (!list.contacts[i].active) {
-            continue;
-        }
+        if (!list.contacts[i].active) continue;
         const double s = pair_geometry(run.assemblage, run.state, list.pairs[i]).place;
         const auto [first, second] = run.assemblage.surface.edges[static_cast<std::size_t>(list.pairs[i].edge)].nodes;
         Eigen::VectorXd motion = Eigen::VectorXd::Zero(n);
@@ -54,9 +52,7 @@ double stiffness_of_contacts(const SmallRun& run) {
         add(list.pairs[i].node, 1);
         add(first, -(1 - s));
         add(second, -s);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            motion(k) /= std::sqrt(scaling.cluster_mass[static_cast<std::size_t>(k)]);
-        }
+        for (Eigen::Index k = 0; k < n; ++k) motion(k) /= std::sqrt(scaling.cluster_mass[static_cast<std::size_t>(k)]);
         stiffness += run.parameters.laws[0].kt * list.contacts[i].area * motion * motion.transpose();
     }
     const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()(n - 1);
@@ -108,9 +104,7 @@ TEST(StableArea, NothingIsReducedWithoutMassScaling) {
     const std::vector<NodeEdgeContact> contacts = run.state.contact_pairs.contacts;
     run.parameters.time_step *= 100;
     limit_contact_areas(run.assemblage, run.parameters, run.state);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        EXPECT_EQ(run.state.contact_pairs.contacts[i].area, contacts[i].area);
-    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_EQ(run.state.contact_pairs.contacts[i].area, contacts[i].area);
 }
 
 }  // namespace

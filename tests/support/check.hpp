@@ -35,9 +35,7 @@ void expect_one_line(Act&& act, const std::vector<std::string>& parts, const cha
             fail("not one line without a full stop: " + message);
         }
         for (const std::string& part : parts) {
-            if (message.find(part) == std::string::npos) {
-                fail("no \"" + part + "\" in: " + message);
-            }
+            if (message.find(part) == std::string::npos) fail("no \"" + part + "\" in: " + message);
         }
         return;
     } catch (const std::exception& error) {

@@ -17,9 +17,7 @@ inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     std::vector<ContactLaw> laws;
     for (const LawDescription& law : all_contact_laws()) {
         laws.push_back(make_contact_law(contact, law.variant, Coupling::full));
-        if (law.coupling) {
-            laws.push_back(make_contact_law(contact, law.variant, Coupling::none));
-        }
+        if (law.coupling) laws.push_back(make_contact_law(contact, law.variant, Coupling::none));
     }
     return laws;
 }

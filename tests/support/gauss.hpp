@@ -16,9 +16,7 @@ double integral(Function&& f, double a, double b, int panels) {
     double sum = 0;
     const double half = 0.5 * (b - a) / panels;
     for (int p = 0; p < panels; ++p) {
-        for (std::size_t k = 0; k < 5; ++k) {
-            sum += weight[k] * half * f(a + half * (2 * p + 1 + at[k]));
-        }
+        for (std::size_t k = 0; k < 5; ++k) sum += weight[k] * half * f(a + half * (2 * p + 1 + at[k]));
     }
     return sum;
 }

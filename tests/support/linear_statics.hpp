@@ -34,9 +34,7 @@ inline std::vector<std::vector<std::int32_t>> neighbours(const Assemblage& a) {
         for (const std::int32_t i : nodes) {
             auto& list = result[static_cast<std::size_t>(i)];
             for (const std::int32_t j : nodes) {
-                if (std::find(list.begin(), list.end(), j) == list.end()) {
-                    list.push_back(j);
-                }
+                if (std::find(list.begin(), list.end(), j) == list.end()) list.push_back(j);
             }
         }
     };
@@ -60,9 +58,7 @@ inline std::vector<std::vector<std::int32_t>> independent_groups(const std::vect
             taken.emplace_back(neighbours.size(), false);
         }
         groups[fit].push_back(i);
-        for (const std::int32_t j : mine) {
-            taken[fit][static_cast<std::size_t>(j)] = true;
-        }
+        for (const std::int32_t j : mine) taken[fit][static_cast<std::size_t>(j)] = true;
     }
     return groups;
 }
@@ -78,9 +74,7 @@ inline Eigen::SparseMatrix<double> tangent_stiffness(const SmallRun& run, double
         for (const int axis : {0, 1}) {
             const auto moved = [&](double by) {
                 std::vector<Vector2> u = run.state.displacement;
-                for (const std::int32_t j : group) {
-                    u[static_cast<std::size_t>(j)] += axis == 0 ? Vector2{by, 0} : Vector2{0, by};
-                }
+                for (const std::int32_t j : group) u[static_cast<std::size_t>(j)] += axis == 0 ? Vector2{by, 0} : Vector2{0, by};
                 return forces_at(run, run.state, u);
             };
             const std::vector<Vector2> after = moved(step);

@@ -100,9 +100,7 @@ private:
     /// Tractions at both points, and the couple that balances the moment of the tractions about the rotating mean edge.
     void add_contacts() {
         for (std::size_t c = 0; c < a_.contacts.size(); ++c) {
-            if (a_.specimen_contact[c] < 0) {
-                continue;
-            }
+            if (a_.specimen_contact[c] < 0) continue;
             const auto [a1, a2, b1, b2] = a_.contacts[c].nodes;
             const double area = 0.5 * (reference(a2) - reference(a1)).norm();
             const Vector middle = 0.5 * (reference(a2) + displacement_[a2] - reference(a1) - displacement_[a1] + reference(b2) +

@@ -16,9 +16,7 @@ inline double deepest_overlap(const Assemblage& a, const std::vector<Vector2>& d
     for (const auto& element : a.element_nodes) {
         const Vector2 corner[3] = {place(element[0]), place(element[1]), place(element[2])};
         for (std::int32_t n = 0; n < a.n_nodes(); ++n) {
-            if (a.surface.grain_of_node[n] == a.surface.grain_of_node[element[0]]) {
-                continue;
-            }
+            if (a.surface.grain_of_node[n] == a.surface.grain_of_node[element[0]]) continue;
             double depth = std::numeric_limits<double>::max();
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vector2 along = corner[(k + 1) % 3] - corner[k];

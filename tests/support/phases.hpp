@@ -22,9 +22,7 @@ struct PhasedSpecimen {
 /// The same grains in three phases, in no pattern, all of Augig granite.
 inline PhasedSpecimen equal_phases(Specimen s) {
     s.phase_names = {"quartz", "feldspar", "mica"};
-    for (std::size_t g = 0; g < s.n_grains(); ++g) {
-        s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
-    }
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
     Fabric fabric = uniform_fabric(augig_granite().rock, augig_contact(), s.phase_names.size());
     return {std::move(s), std::move(fabric)};
 }

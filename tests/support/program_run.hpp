@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "solver/loading/program_file.hpp"
 #include "solver/loading/stage_control.hpp"
+#include "solver/program/program_file.hpp"
 #include "solver/run/probes.hpp"
 #include "tests/support/small_run.hpp"
 
@@ -30,24 +29,20 @@ public:
     void go(std::int64_t steps, int threads = 1) {
         run.begin();
         record();
-        const auto last = [this](const std::string& probe, std::size_t column) { return probes.last(probe, column); };
-        const std::function<double(const std::string&, std::size_t)> reader = last;
-        const auto feedback = [&] { return StageFeedback{run.state.time, history, reader}; };
-        stage_controller.begin(feedback());
+        const Rows rows{history, [this](const std::string& probe, std::size_t column) { return probes.last(probe, column); }};
+        stage_controller.begin(feedback(), rows);
         run.state.loading.amplitudes = stage_controller.values(0);
         while (!stage_controller.finished()) {
             const double duration = static_cast<double>(steps) * run.parameters.time_step;
             run.steps(steps, stage_controller.next(duration), threads);
             record();
-            stage_controller.check_stage_end(feedback());
+            stage_controller.check_stage_end(feedback(), rows);
         }
     }
     [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {
         for (const ProbeHistory& h : probes.histories()) {
             for (std::size_t c = 0; c < h.columns.size(); ++c) {
-                if (h.name == probe && h.columns[c].name == name) {
-                    return h.values[c];
-                }
+                if (h.name == probe && h.columns[c].name == name) return h.values[c];
             }
         }
         throw std::out_of_range(probe + "." + name);
@@ -72,19 +67,24 @@ public:
     std::vector<Energies> energies;
 
 private:
+    [[nodiscard]] Feedback feedback() const {
+        Feedback feedback;
+        feedback.time = run.state.time;
+        feedback.axial_compression = -history[HistoryColumn::axial_stress].back();
+        feedback.unbalanced_ratio = history[HistoryColumn::unbalanced_ratio].back();
+        return feedback;
+    }
     void record() {
         const Measurement m = run.measured();
         energies.push_back(m.energies);
-        for (auto& column : history.columns) {
-            column.push_back(0);
-        }
+        for (auto& column : history.columns) column.push_back(0);
         const auto set = [this](HistoryColumn c, double value) { history[c].back() = value; };
         set(HistoryColumn::time, run.state.time);
         set(HistoryColumn::axial_stress, 0.5 * (m.force_top - m.force_bottom) / run.specimen.width);
         const auto& platens = run.state.loading.platen_displacement;
         set(HistoryColumn::axial_strain, (platens[top_platen] - platens[bottom_platen]) / run.specimen.height);
         set(HistoryColumn::unbalanced_ratio, m.unbalanced_ratio);
-        set(HistoryColumn::confining_pressure, m.membrane_force / run.specimen.height);
+        set(HistoryColumn::confining_pressure, m.confining_force / run.specimen.height);
         set(HistoryColumn::tensile_cracks, 0.5 * static_cast<double>(run.failed_points()));
         probes.record(run.assemblage, run.boundary, run.state);
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/loading/platen_control.hpp"
-#include "solver/loading/standard_tests.hpp"
+#include "solver/program/standard_tests.hpp"
 #include "solver/run/measure.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
@@ -19,7 +19,8 @@ namespace graincrack::test {
 
 /// No platen within reach, no pressure.
 inline Boundary no_boundary(const Assemblage& a, const Specimen& s) {
-    std::array<Platen, 2> platens;
+    std::vector<Platen> platens(2);
+    platens[bottom_platen].motion = bottom_platen;
     platens[bottom_platen].side = -1;
     platens[bottom_platen].position = -1e6;
     platens[top_platen].position = 1e6;
@@ -41,6 +42,8 @@ inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>
             LoadedEdge edge;
             edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
             edge.pressure = 0;
+            const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
+            edge.is_lateral = part == BoundaryPart::left || part == BoundaryPart::right;
             edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
             boundary.prescribed.edges.push_back(edge);
         }
@@ -57,7 +60,9 @@ public:
         platens_.set(*standard_test(request, 0.3, specimen, augig_granite().rock).stages.back().platens, 0);
     }
     IntervalLoading next(double time, double duration) {
-        const PlatenSpeeds speeds = platens_.next({time, 0, 0, {}}, duration);
+        Feedback feedback;
+        feedback.time = time;
+        const PlatenSpeeds speeds = platens_.next(feedback, duration);
         return {{speeds.begin, -speeds.begin}, {speeds.end, -speeds.end}, nullptr};
     }
 
@@ -122,9 +127,7 @@ struct SmallRun {
     /// Sets velocities as a function of the reference position.
     template <class Field>
     void set_velocity(Field&& field) {
-        for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-            state.velocity[i] = field(assemblage.position[i]);
-        }
+        for (std::size_t i = 0; i < state.velocity.size(); ++i) state.velocity[i] = field(assemblage.position[i]);
     }
     void begin() { start(assemblage, parameters, state); }
     void steps(std::int64_t n, const IntervalLoading& loading = {}, int threads = 1) {
@@ -142,24 +145,18 @@ struct SmallRun {
     [[nodiscard]] Measurement measured() { return measure(assemblage, boundary, parameters, state); }
     [[nodiscard]] std::size_t failed_points() const {
         std::size_t n = 0;
-        for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) {
-            n += point_history(state, i).failed() ? 1U : 0U;
-        }
+        for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) n += point_history(state, i).failed() ? 1U : 0U;
         return n;
     }
     [[nodiscard]] double mass() const {
         double sum = 0;
-        for (const double m : assemblage.mass) {
-            sum += m;
-        }
+        for (const double m : assemblage.mass) sum += m;
         return sum;
     }
     /// Mean of a nodal field, by mass.
     [[nodiscard]] Vector2 mean(const std::vector<Vector2>& field) const {
         Vector2 sum;
-        for (std::size_t i = 0; i < field.size(); ++i) {
-            sum += assemblage.mass[i] * field[i];
-        }
+        for (std::size_t i = 0; i < field.size(); ++i) sum += assemblage.mass[i] * field[i];
         return (1 / mass()) * sum;
     }
 };
@@ -168,9 +165,7 @@ struct SmallRun {
 inline std::vector<VectorTarget> available_vector_targets() {
     std::vector<VectorTarget> targets;
     for (const VectorTarget target : {VectorTarget::plain, VectorTarget::avx2, VectorTarget::avx512}) {
-        if (is_available(target)) {
-            targets.push_back(target);
-        }
+        if (is_available(target)) targets.push_back(target);
     }
     return targets;
 }

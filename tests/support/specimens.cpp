@@ -54,15 +54,9 @@ BoundaryPart part_of(const Specimen& s, const Point& p, const Point& q) {
     const auto both = [&](std::size_t axis, double value) {
         return std::abs(p[axis] - value) < small && std::abs(q[axis] - value) < small;
     };
-    if (both(1, -s.height / 2)) {
-        return BoundaryPart::bottom;
-    }
-    if (both(0, s.width / 2)) {
-        return BoundaryPart::right;
-    }
-    if (both(1, s.height / 2)) {
-        return BoundaryPart::top;
-    }
+    if (both(1, -s.height / 2)) return BoundaryPart::bottom;
+    if (both(0, s.width / 2)) return BoundaryPart::right;
+    if (both(1, s.height / 2)) return BoundaryPart::top;
     return both(0, -s.width / 2) ? BoundaryPart::left : BoundaryPart::rim;
 }
 
@@ -108,9 +102,7 @@ Specimen specimen_of_grains(const std::vector<Point>& points, const std::vector<
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [at, is_new] =
                 node.try_emplace({grain[t], triangles[t][k]}, static_cast<std::int32_t>(s.node_position.size()));
-            if (is_new) {
-                s.node_position.push_back(points[triangles[t][k]]);
-            }
+            if (is_new) s.node_position.push_back(points[triangles[t][k]]);
             nodes[k] = at->second;
         }
         s.element_nodes.push_back(nodes);
@@ -145,9 +137,7 @@ Specimen jittered_grid(int nx, int ny, double width, double height, double jitte
 
 Specimen equilateral_lattice(int nx, int ny, double edge) {
     std::vector<Point> points = grid_points(nx, ny, nx * edge, ny * edge * std::sqrt(0.75), 0);
-    for (Point& p : points) {
-        p[0] += p[1] / std::sqrt(3.0);
-    }
+    for (Point& p : points) p[0] += p[1] / std::sqrt(3.0);
     std::vector<Triangle> triangles;
     const auto at = [nx](int i, int j) { return j * (nx + 1) + i; };
     for (int j = 0; j < ny; ++j) {
@@ -163,9 +153,7 @@ Specimen crossed_blocks(int nx, int ny, double width, double height, const std::
     std::vector<Point> points = grid_points(nx, ny, width, height, 0);
     std::map<int, std::vector<std::pair<int, int>>> cells;
     for (int j = 0; j < ny; ++j) {
-        for (int i = 0; i < nx; ++i) {
-            cells[grain_of(i, j)].emplace_back(i, j);
-        }
+        for (int i = 0; i < nx; ++i) cells[grain_of(i, j)].emplace_back(i, j);
     }
     std::vector<Triangle> triangles;
     std::vector<int> grain;
@@ -189,9 +177,7 @@ namespace {
 /// Two triangles of a quadrilateral a b c d, cut along its shorter diagonal.
 std::array<Triangle, 2> cut_quadrilateral(const std::vector<Point>& points, int a, int b, int c, int d) {
     const auto distance = [&](int i, int j) { return std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1]); };
-    if (distance(a, c) < distance(b, d)) {
-        return {Triangle{a, b, c}, Triangle{a, c, d}};
-    }
+    if (distance(a, c) < distance(b, d)) return {Triangle{a, b, c}, Triangle{a, c, d}};
     return {Triangle{a, b, d}, Triangle{b, c, d}};
 }
 
@@ -204,9 +190,7 @@ Specimen jointed_rectangle(int nx, int ny, double width, double height, double a
     for (int j = 0; j <= 2 * ny; ++j) {
         for (int i = 0; i <= nx; ++i) {
             Point& p = points[j * (nx + 1) + i];
-            if (j == ny) {
-                p = {width * (static_cast<double>(i) / nx - 0.5), 0};
-            }
+            if (j == ny) p = {width * (static_cast<double>(i) / nx - 0.5), 0};
             p[1] += (1 - 2 * std::abs(p[1]) / height) * slope * p[0];  // rows bend from the joint to the platens
         }
     }
@@ -268,9 +252,7 @@ std::uint8_t name_boundary(Specimen& s, const std::string& name, const Region& r
     const auto part = static_cast<std::uint8_t>(s.part_names.size());
     s.part_names.push_back(name);
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
-        if (both_within(s, s.boundary_edges[e][0], s.boundary_edges[e][1], region)) {
-            s.boundary_part[e] = part;
-        }
+        if (both_within(s, s.boundary_edges[e][0], s.boundary_edges[e][1], region)) s.boundary_part[e] = part;
     }
     return part;
 }

@@ -48,8 +48,9 @@ inline Specimen grid_specimen(int columns, int rows, double width, double height
     std::map<std::pair<std::pair<int, int>, std::pair<int, int>>, std::array<std::int32_t, 2>> open_edges;
     const auto add_grain = [&](std::array<std::pair<int, int>, 3> corners) {
         const auto first = static_cast<std::int32_t>(s.n_nodes());
-        for (const auto& [i, j] : corners)
+        for (const auto& [i, j] : corners) {
             s.node_position.push_back({width * (i / double(columns) - 0.5), height * (j / double(rows) - 0.5)});
+        }
         s.element_nodes.push_back({first, first + 1, first + 2});
         s.element_grain.push_back(static_cast<std::int32_t>(s.n_grains()));
         s.grain_phase.push_back(0);

@@ -37,23 +37,15 @@ public:
             return;
         }
         const int comparisons = same->comparisons + 1;
-        if (!(row.badness <= same->badness)) {
-            *same = row;
-        }
+        if (!(row.badness <= same->badness)) *same = row;
         same->comparisons = comparisons;
     }
     void OnTestEnd(const testing::TestInfo& info) override {
-        if (rows_.empty()) {
-            return;
-        }
-        for (const Row& row : rows_) {
-            fmt::print("  verified\t{}\n", row.text());
-        }
+        if (rows_.empty()) return;
+        for (const Row& row : rows_) fmt::print("  verified\t{}\n", row.text());
         if (const char* folder = std::getenv("GRAINCRACK_VERIFICATION"); folder != nullptr && *folder != '\0') {
             std::ofstream file(fmt::format("{}/{}.{}.tsv", folder, info.test_suite_name(), info.name()));
-            for (const Row& row : rows_) {
-                file << row.text() << '\n';
-            }
+            for (const Row& row : rows_) file << row.text() << '\n';
         }
         rows_.clear();
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesher/specimen_maker.hpp"
+#include "solver/run/frame.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"

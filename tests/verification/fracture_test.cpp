@@ -61,9 +61,7 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
                    (e.external - e.strain - e.kinetic - e.damping - e.platen - e.contact) / area, law.gf, 0.01, "Gf");
             verify_between("specimens: straight interface, strength over tc", largest / area / law.tc, 0.98, 1.02,
                            "tc; oscillations at this rate are 1 %");
-            for (std::size_t point = 0; point < run.state.failed.size(); ++point) {
-                EXPECT_TRUE(run.state.points[point].separated);
-            }
+            for (std::size_t point = 0; point < run.state.failed.size(); ++point) EXPECT_TRUE(run.state.points[point].separated);
         }
     }
 }
@@ -109,9 +107,7 @@ struct Cantilever {
     }
     [[nodiscard]] std::size_t separated() const {
         std::size_t count = 0;
-        for (std::size_t point = 0; point < run.state.failed.size(); ++point) {
-            count += run.state.points[point].separated ? 1 : 0;
-        }
+        for (std::size_t point = 0; point < run.state.failed.size(); ++point) count += run.state.points[point].separated ? 1 : 0;
         return count;
     }
     /// Length of the interface that has failed and not separated, m.

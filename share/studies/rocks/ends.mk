@@ -17,10 +17,6 @@ runs := $(foreach p,$(PRESSURES),$(foreach s,$(SEEDS),$(call run,triaxial$(p),,$
 all: $(HERE)/ends.tsv
 $(HERE)/strength.tsv: $(runs) $(runs_list)
 	$(call table,$(call of_runs,strength))
-# Of the deviator: what is left behind the first peak.
-over_peak = (residual_MPa - confining_pressure_MPa) / (first_peak_MPa - confining_pressure_MPa)
-$(HERE)/ends.tsv: $(HERE)/strength.tsv
-	$(call table,$(POST) summarize $< --by confining_pressure_MPa --sort $(call column,specimens,n(seed)) \
-	    $(call column,first_peak_MPa,mean(first_peak_MPa)) $(call column,half_interval_MPa,half_interval(first_peak_MPa)) \
-	    $(call column,with_a_peak,n(first_peak_MPa)) $(call column,end_over_peak,mean($(over_peak))) $(call column,half_interval,half_interval($(over_peak))))
+$(HERE)/ends.tsv: ends.sql $(HERE)/strength.tsv
+	$(call table,$(query))
 	@cat $@

@@ -52,9 +52,7 @@ TEST(PointRelaxation, LeavesTheOutlineAlone) {
     RandomNumbers random(2);
     const Seeds fixed = fixed_seeds(region, 60, 8e-3, 0.07, random);
     EXPECT_TRUE(std::equal(fixed.points.begin(), fixed.points.end(), mesh.points.begin()));
-    for (std::size_t i = fixed.n_fixed; i < mesh.points.size(); ++i) {
-        EXPECT_GT(depth_inside(region, mesh.points[i]), 2e-3);
-    }
+    for (std::size_t i = fixed.n_fixed; i < mesh.points.size(); ++i) EXPECT_GT(depth_inside(region, mesh.points[i]), 2e-3);
 }
 
 TEST(PointRelaxation, CornersBelongToTwoGrains) {

@@ -34,8 +34,9 @@ TEST(Calibration, IntervalsHoldThePlantedValues) {
         SyntheticRock rock = SyntheticRock::usual();
         rock.stream = trial + 1;
         std::map<std::string, double> planted;
-        for (const auto& [key, value] : rock.reference)
+        for (const auto& [key, value] : rock.reference) {
             planted[key] = (key.ends_with("angle") ? 0.15 : 0.35) * (2 * normal.uniform() - 1);
+        }
         const Problem problem = rock.problem(planted, &normal);
         Laboratory laboratory(rock);
         const Decision decision = decide(problem, laboratory.find());
@@ -100,8 +101,9 @@ TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {
 TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
     SyntheticRock rock = SyntheticRock::usual();
     for (const char* name : {"triaxial4MPa first_peak_MPa", "triaxial8MPa first_peak_MPa", "triaxial20MPa first_peak_MPa",
-                             "uniaxial first_peak_MPa"})
+                             "uniaxial first_peak_MPa"}) {
         rock.responses[name].exponents = {{cohesion, 0.8}};
+    }
     Problem problem = rock.problem(nothing_planted(rock));
     for (Target& t : problem.targets) {
         if (t.name() == "first_peak_20MPa") {
@@ -178,8 +180,9 @@ TEST(Calibration, ABoxMovesToAnOptimumOutsideOfIt) {
     const Decision decision = decide(rock.problem(planted), laboratory.find());
     EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
     bool moved = false;
-    for (const Step& step : decision.steps)
+    for (const Step& step : decision.steps) {
         moved = moved || (step.stage == "move" && step.what.find(cohesion) != std::string::npos);
+    }
     EXPECT_TRUE(moved);
 }
 

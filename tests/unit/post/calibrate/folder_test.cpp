@@ -66,8 +66,9 @@ protected:
             WantedRun run;
             run.test.name = solves[i].substr(0, solves[i].find(' '));
             run.seed = std::stoll(values_of(meshes[i], "--seed").at(0));
-            for (const std::string& pressure : values_of(solves[i], "--confining-pressure"))
+            for (const std::string& pressure : values_of(solves[i], "--confining-pressure")) {
                 run.test.confining_pressure = parse_quantity(pressure, quantity::confining_pressure, "pressure");
+            }
             for (const std::string& setting : values_of(materials[i], "--set")) {
                 const std::string key = setting.substr(0, setting.find('='));
                 run.point.emplace_back(key, parse_quantity(setting.substr(key.size() + 1), material_quantity(key), key));
@@ -75,8 +76,9 @@ protected:
             const Measures measures = synthetic.measure(run);
             const auto row = [&](const std::vector<std::string>& columns) {
                 std::string line = "augig-granite.1234/" + files[i];
-                for (const std::string& column : columns)
+                for (const std::string& column : columns) {
                     line += measures.contains(column) ? fmt::format("\t{:.7g}", measures.at(column)) : "\t";
+                }
                 return line + "\n";
             };
             strength_ += row(strength_columns);

@@ -13,6 +13,7 @@
 
 #include "post/claims/evaluate.hpp"
 #include "post/statistics/rank.hpp"
+#include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -142,10 +143,21 @@ TEST_F(ClaimsOfATable, SettingsAndNeeds) {
                                 {"claims.tsv", "row 1", "{Y}", "--set"});
 }
 
+TEST_F(ClaimsOfATable, ColumnsAreExpressions) {
+    write("results.tsv", "x\tz\tgroup\thalf\n5\t3\ta, b\t1\n6\t\tc\t1\n");
+    const std::string header = "\twhere\ttolerance\tinterval";
+    EXPECT_EQ(verdict("value\tresults\tx - z\t2\t[group] = 'a, b'\t0.1\t", header), "holds");
+    EXPECT_EQ(verdict("value\tresults\tx - z\t2\t[group] = 'a, b'\t0.1\thalf", header), "open");  // 2 ± 1
+    EXPECT_EQ(verdict("order\tresults\t1.0 * count(z) / count(*)\t>=0.5\t\t\t", header), "holds");
+    EXPECT_EQ(verdict("order\tresults\t1.0 * count(z) / count(*)\t>0.5\t\t\t", header), "differs");
+    expect_one_line<InputError>([&] { verdict("value\tresults\t[group]\t2\t\t0.1\t", header); },
+                                {"claim 1 (a): \"a, b\"; a number is needed"});
+}
+
 TEST_F(ClaimsOfATable, WhatIsNotMeasuredIsOpenOrLeftOut) {
     write("results.tsv", "x\tname\n5\ta\n");
-    EXPECT_EQ(verdict("value\tresults\tx\t5\tname=b\t", "\twhere\tneeds"), "open");
-    EXPECT_EQ(verdict("value\tresults\tx\t5\tname=b\trows", "\twhere\tneeds"), "");
+    EXPECT_EQ(verdict("value\tresults\tx\t5\tname = 'b'\t", "\twhere\tneeds"), "open");
+    EXPECT_EQ(verdict("value\tresults\tx\t5\tname = 'b'\trows", "\twhere\tneeds"), "");
     // A study with fewer levels has no such column.
     EXPECT_EQ(verdict("order\tresults\ty\t>=0.8\tname\tresults:x\trows", "\tby\tagainst\tneeds"), "");
 }
@@ -163,14 +175,14 @@ TEST_F(ClaimsOfATable, BadClaimsAreOneLine) {
         expect_one_line<InputError>([&] { verdict(fields); }, parts);
     };
     refused("guess\tresults\tx\t5", {"row 1", "kind \"guess\"", "equality"});
-    refused("value\tother\tx\t5", {"no table other", "results"});
-    refused("value\tresults\ty\t5", {"no column y"});
+    refused("value\tother\tx\t5", {"claim 1 (a): no such table: other", "results has x"});
+    refused("value\tresults\ty\t5", {"claim 1 (a): no such column: y", "results has x"});
     refused("value\tresults\tx\tfive", {"a number as paper or value"});
     refused("order\tresults\tx\tfive", {">=0.5"});
     refused("sign\tresults\tx\tup", {"+ or -"});
     expect_one_line<InputError>([&] { verdict("value\tresults\tx\t5\tquick", "\tspeed"); }, {"unknown column speed"});
     expect_one_line<InputError>([&] { verdict("value\tresults\tx\t5\tfive", "\ttolerance"); }, {"tolerance \"five\""});
-    expect_one_line<InputError>([&] { verdict("value\tresults\tx\t5\tx~5", "\twhere"); }, {"condition \"x~5\""});
+    expect_one_line<InputError>([&] { verdict("value\tresults\tx\t5\tx~5", "\twhere"); }, {"claim 1 (a)", "syntax error"});
 }
 
 /// The claims of a study on tables of tests/data/claims have the verdicts that the former awk programs gave to these tables.
@@ -184,7 +196,7 @@ TEST(ClaimsOfStudies, VerdictsAreAsBefore) {
         for (const auto& file : fs::directory_iterator(folder)) {
             if (file.path().stem() != "expected") files.push_back(file.path().string());
         }
-        const Tables tables(files);
+        const summary::Database tables(files, "");
         const std::string claims = std::string(GRAINCRACK_SOURCE) + "/share/studies/" + study + "/claims.tsv";
         std::map<std::string, std::string> found;
         for (const Claim& claim : read_claims(claims, {{"BTS", "8.8"}, {"TC_LEVEL", "2.744"}})) {

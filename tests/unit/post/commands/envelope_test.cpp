@@ -193,7 +193,8 @@ TEST_F(EnvelopeTable, RowOfThreeRuns) {
 
 TEST_F(EnvelopeTable, ForPeopleHasItsIntervalsAndUnits) {
     std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, std::nullopt, {StrainLimitRuns::refuse}, notes_);
+    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::aligned, {StrainLimitRuns::refuse},
+                         notes_);
     const std::string table = out.str();
     EXPECT_NE(table.find("3 of 3 compression runs, plane strain; strength: largest\n"), std::string::npos) << table;
     const std::size_t cohesion = table.find("cohesion C");
@@ -207,7 +208,7 @@ TEST_F(EnvelopeTable, ForPeopleHasItsIntervalsAndUnits) {
 
 TEST_F(EnvelopeTable, ForPeopleSaysThatTooFewTestsGiveNoInterval) {
     std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6)}, std::nullopt, {}, notes_);
+    write_envelope_table(out, {run("0", 0), run("4", 4e6)}, TableFormat::aligned, {}, notes_);
     EXPECT_NE(out.str().find("not determined by 2 tests"), std::string::npos) << out.str();
 }
 

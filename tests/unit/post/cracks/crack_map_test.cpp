@@ -276,8 +276,9 @@ TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
 TEST_F(CrackMap, ATimeStandsOnceInTheSeries) {
     RunWriter writer(H5Output(folder_.file("twice.h5"), "run"), recipe_.specimen, test::synthetic_header(recipe_));
     writer.append_history(test::synthetic_history(recipe_));
-    for (const double time : {0.0, 1.25, 1.25})
+    for (const double time : {0.0, 1.25, 1.25}) {
         writer.add_frame(test::synthetic_frame(recipe_.specimen, time, 0, 0), FrameRole::kept);
+    }
     writer.finish(test::synthetic_header(recipe_), {}, Provenance{});
     export_cracks(RunReader(folder_.file("twice.h5")), folder_.file("twice"), {}, Verbosity::quiet);
     const std::string pvd = test::read_text(folder_.file("twice/grains.pvd"));

@@ -35,7 +35,7 @@ TEST(Moduli, ForPeopleHasUnitsAndThePlaneCondition) {
     const test::TemporaryFolder folder;
     test::write_run(folder.file("run.h5"), {});
     std::ostringstream out;
-    write_moduli_table(out, {folder.file("run.h5")}, std::nullopt);
+    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::aligned);
     EXPECT_NE(out.str().find("\nplane strain: E and ν are material values"), std::string::npos) << out.str();
     EXPECT_NE(out.str().find("GPa"), std::string::npos);
     EXPECT_NE(out.str().find(" 24.62 "), std::string::npos) << out.str();  // 26 (1 − (0.3/1.3)²)

@@ -175,7 +175,7 @@ TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
     recipe.peak = 200e6;
     add("third.h5", recipe);
     std::ostringstream out;
-    write_strength_table(out, files, std::nullopt, notes_);
+    write_strength_table(out, files, TableFormat::aligned, notes_);
     std::istringstream lines(out.str());
     std::vector<std::vector<std::string>> words;
     for (std::string line; std::getline(lines, line);) {

@@ -112,7 +112,7 @@ TEST_F(Classes, TableHasARowAClassAndForPeopleTheirSum) {
     for (std::size_t row = 0; row < 5; ++row) share += std::stod(test::field(scripts.str(), "length_share", row));
     EXPECT_NEAR(share, 1, 1e-6);
     std::ostringstream terminal;
-    write_class_counts(terminal, runs, std::nullopt);
+    write_class_counts(terminal, runs, TableFormat::aligned);
     EXPECT_NE(terminal.str().find("points past their peak"), std::string::npos) << terminal.str();
     EXPECT_NE(terminal.str().find("\nall  "), std::string::npos) << terminal.str();
 }

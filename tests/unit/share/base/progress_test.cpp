@@ -20,9 +20,7 @@ TEST(Progress, ShortWorkPrintsNothingWithoutATerminal) {
         testing::internal::CaptureStderr();
         {
             Progress progress("uniaxial", verbosity);
-            for (int i = 0; i <= 100; ++i) {
-                progress.update(0.01 * i, "stress 1 MPa");
-            }
+            for (int i = 0; i <= 100; ++i) progress.update(0.01 * i, "stress 1 MPa");
             progress.finish();
             progress.update(1, "after the end");
         }

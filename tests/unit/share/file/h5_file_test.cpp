@@ -328,9 +328,7 @@ TEST(H5File, ForeignFilesAndThoseOfAnotherSchemaAreRefused) {
 TEST(H5File, DamageInsideADatasetIsFoundByCheck) {
     const TemporaryFolder folder;
     std::vector<double> values(100000);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = std::sin(static_cast<double>(i));
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<double>(i));
     H5Output out(folder.file("a.h5"), "specimen");
     write_column(out, "/x", values);
     out.commit();
@@ -360,9 +358,7 @@ TEST(H5File, AnAttributeThatCannotBeDecodedIsNamedByItsObject) {
     const TemporaryFolder folder;
     H5Output out(folder.file("a.h5"), "run");
     out.create_group("/run");
-    for (int i = 0; i < 30; ++i) {
-        out.attribute("/run", "good" + std::to_string(i), 1.5);
-    }
+    for (int i = 0; i < 30; ++i) out.attribute("/run", "good" + std::to_string(i), 1.5);
     out.attribute("/run", "spoiled", 1.5);
     out.commit();
     std::string bytes = bytes_of(folder.file("a.h5"));

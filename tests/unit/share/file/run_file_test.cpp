@@ -70,9 +70,7 @@ RunHeader header() {
 History history(std::size_t rows) {
     History h;
     for (std::size_t c = 0; c < h.columns.size(); ++c) {
-        for (std::size_t i = 0; i < rows; ++i) {
-            h.columns[c].push_back(static_cast<double>(c) + 100.0 * static_cast<double>(i));
-        }
+        for (std::size_t i = 0; i < rows; ++i) h.columns[c].push_back(static_cast<double>(c) + 100.0 * static_cast<double>(i));
     }
     return h;
 }
@@ -175,9 +173,7 @@ TEST(RunFile, HeaderRoundTrip) {
                                       r.confinement_mean,
                                       r.confinement_deviation,
                                       r.damping_share};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        EXPECT_EQ(numbers[i], 1.5 + static_cast<double>(i)) << "member " << i;
-    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], 1.5 + static_cast<double>(i)) << "member " << i;
     for (const ContactParameter& row : all_contact_parameters()) {
         const std::string name(row.quantity.name);
         EXPECT_EQ(r.contact.*row.value, header().contact.*row.value) << name;
@@ -219,9 +215,7 @@ TEST(RunFile, AHeaderWithoutAnAttributeIsRefused) {
 TEST(RunFile, HistoryInPieces) {
     const TemporaryFolder folder;
     write_run(folder.file("r.h5"), [](RunWriter& w) {
-        for (const std::size_t rows : {0U, 1U, 1U, 4U, 700U}) {
-            w.append_history(history(rows));
-        }
+        for (const std::size_t rows : {0U, 1U, 1U, 4U, 700U}) w.append_history(history(rows));
     });
     const History read = RunReader(folder.file("r.h5")).history();
     const History expected = history(700);
@@ -263,9 +257,7 @@ TEST(RunFile, FramesAreThinnedAndTheKeptOnesStay) {
     const TemporaryFolder folder;
     write_run(folder.file("r.h5"), [](RunWriter& w) {
         w.append_history(history(1));
-        for (int i = 0; i < 8; ++i) {
-            w.add_frame(frame_at(i), i == 3 ? FrameRole::kept : FrameRole::regular);
-        }
+        for (int i = 0; i < 8; ++i) w.add_frame(frame_at(i), i == 3 ? FrameRole::kept : FrameRole::regular);
         EXPECT_EQ(w.n_frames(), 8U);
         w.thin_frames();  // removes every second of 0 1 2 4 5 6 7
         EXPECT_EQ(w.n_frames(), 5U);
@@ -370,9 +362,7 @@ TEST(RunFile, DigestDoesNotDependOnTimeTakenOrOnThePieces) {
     const TemporaryFolder folder;
     const auto write = [&](const std::string& name, std::initializer_list<std::size_t> pieces, double wall_time) {
         RunWriter writer(H5Output(folder.file(name), "run"), specimen(), header());
-        for (const std::size_t rows : pieces) {
-            writer.append_history(history(rows));
-        }
+        for (const std::size_t rows : pieces) writer.append_history(history(rows));
         writer.finish(header(), cracks(), {"", {}, "", "", "", {}, wall_time, 1, ""});
         return RunReader(folder.file(name)).file().digest();
     };

@@ -114,8 +114,9 @@ protected:
     std::string complaint_about_file(const std::string& text, const std::string& subcommand = "uniaxial") {
         const std::string file = write(text);
         std::string message = complaint({subcommand, "a.h5", "-o", "b.h5", "--config", file});
-        for (auto at = message.find(file); at != std::string::npos; at = message.find(file))
+        for (auto at = message.find(file); at != std::string::npos; at = message.find(file)) {
             message.replace(at, file.size(), "FILE");
+        }
         return message;
     }
 

@@ -195,9 +195,7 @@ TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
     EXPECT_EQ(notes[2], "warning: " + file +
                             ": line 10: contact.tensile_strength: 24.15 Pa is more than 1000 times below any "
                             "rock's; is its unit right?");
-    for (const char* name : {"augig-granite", "lac-du-bonnet-granite"}) {
-        EXPECT_TRUE(read_material(name).notes.empty()) << name;
-    }
+    for (const char* name : {"augig-granite", "lac-du-bonnet-granite"}) EXPECT_TRUE(read_material(name).notes.empty()) << name;
 }
 
 TEST_F(MaterialFile, LooksNamesUp) {

@@ -25,9 +25,7 @@ std::array<double, room> values_of(std::int32_t count) {
 /// Every eighth value in a lane, then pairs of lanes.
 double sum_by_hand(const std::array<double, room>& values, std::int32_t count) {
     std::array<double, 8> lane{};
-    for (std::int32_t k = 0; k < count; ++k) {
-        lane[static_cast<std::size_t>(k % 8)] += values[static_cast<std::size_t>(k)];
-    }
+    for (std::int32_t k = 0; k < count; ++k) lane[static_cast<std::size_t>(k % 8)] += values[static_cast<std::size_t>(k)];
     return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
 }
 

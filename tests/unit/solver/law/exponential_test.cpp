@@ -26,9 +26,7 @@ TEST(Exponential, Ends) {
 }
 
 TEST(Exponential, FallsSteadily) {
-    for (double x = 0; x < 20; x += 1e-3) {
-        ASSERT_LT(exp_of_minus(x + 1e-3), exp_of_minus(x));
-    }
+    for (double x = 0; x < 20; x += 1e-3) ASSERT_LT(exp_of_minus(x + 1e-3), exp_of_minus(x));
 }
 
 }  // namespace

@@ -19,6 +19,11 @@ constexpr RateScales scales{0.16, 5e-5, 3e-4, 10};
 constexpr double wave_speed = 0.16 / 5e-5;
 constexpr double duration = 0.25 * scales.transit_time;
 
+Feedback measures(double kinetic_energy, double stored_energy, double near_failure, double unbalanced_ratio = 0,
+                  double force_difference = 0, double damping_load = 0) {
+    return {0, 0, 0, unbalanced_ratio, kinetic_energy, stored_energy, force_difference, damping_load, near_failure};
+}
+
 /// An elastic bar of unit mass and modulus between the platens, without ringing: K = m v²/6, U = ½ E ε² V with c² = E V/m.
 class Bar {
 public:
@@ -29,7 +34,7 @@ public:
         for (int i = 0; i < intervals; ++i) {
             const double stored = 0.5 * mass * wave_speed * wave_speed * strain_ * strain_;
             speed_ = control_.next(
-                {strain_, mass * speed_ * speed_ / 6, stored, unbalanced_ratio, difference, damping_load, near_failure_},
+                measures(mass * speed_ * speed_ / 6, stored, near_failure_, unbalanced_ratio, difference, damping_load), strain_,
                 duration);
             strain_ += 2 * speed_ * duration / scales.height;
         }
@@ -116,26 +121,22 @@ TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
     RateControl turning(tolerance, scales);
     RateControl resting(tolerance, scales);
     for (int i = 0; i < 10; ++i) {
-        EXPECT_EQ(turning.next({1e-4, -1e-3, 1, 0, 0, 0, 1}, duration), resting.next({1e-4, 0, 1, 0, 0, 0, 1}, duration));
+        EXPECT_EQ(turning.next(measures(-1e-3, 1, 1), 1e-4, duration), resting.next(measures(0, 1, 1), 1e-4, duration));
     }
 }
 
 TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     RateControl control(tolerance, scales);
     double speed = 0;
-    for (int i = 0; i < 2000; ++i) {
-        speed = control.next({1e-3, 0, 100, 0, 0, 0, i == 0 ? 1.0 : 0.0}, duration);
-    }
+    for (int i = 0; i < 2000; ++i) speed = control.next(measures(0, 100, i == 0 ? 1.0 : 0.0), 1e-3, duration);
     RateControl never_near(tolerance, scales);
     double free_speed = 0;
-    for (int i = 0; i < 10; ++i) {
-        free_speed = never_near.next({1e-3, 0, 100, 0, 0, 0, 0}, duration);
-    }
+    for (int i = 0; i < 10; ++i) free_speed = never_near.next(measures(0, 100, 0), 1e-3, duration);
     EXPECT_EQ(speed, control.max_speed(1e-3, 1));  // nothing moves: no measure holds it
     EXPECT_GT(free_speed, 5 * control.min_speed(1e-3, tolerance));
     RateControl started(tolerance, scales);
-    EXPECT_EQ(started.next({1e-3, 0, 100, 0, 0, 0, 1}, duration), control.min_speed(1e-3, tolerance));
-    EXPECT_LT(started.next({1e-3, 0, 100, 0, 0, 0, 0}, duration), 1.1 * control.min_speed(1e-3, tolerance));
+    EXPECT_EQ(started.next(measures(0, 100, 1), 1e-3, duration), control.min_speed(1e-3, tolerance));
+    EXPECT_LT(started.next(measures(0, 100, 0), 1e-3, duration), 1.1 * control.min_speed(1e-3, tolerance));
 }
 
 TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
@@ -154,9 +155,7 @@ TEST(BlockControl, GivesUpOnASpecimenThatDoesNotComeToRest) {
     BlockControl control(2.0, 1e-4, 10.0);
     test::expect_one_line<NumericalError>(
         [&] {
-            for (int i = 0; i < 100; ++i) {
-                static_cast<void>(control.next(0.5, 1.0));
-            }
+            for (int i = 0; i < 100; ++i) static_cast<void>(control.next(0.5, 1.0));
         },
         {"no equilibrium", "--rate-tolerance"});
 }

@@ -84,14 +84,10 @@ Slots slots_of(const SlotsOfNodes<few>& table, std::size_t zero_slot) {
     Slots slots;
     for (std::size_t i = 0; i < table.first.size(); ++i) {
         for (const std::int32_t slot : table.first[i]) {
-            if (slot != static_cast<std::int32_t>(zero_slot)) {
-                slots[static_cast<std::int32_t>(i)].push_back(slot);
-            }
+            if (slot != static_cast<std::int32_t>(zero_slot)) slots[static_cast<std::int32_t>(i)].push_back(slot);
         }
     }
-    for (const FurtherSlot& further : table.further) {
-        slots[further.node].push_back(further.slot);
-    }
+    for (const FurtherSlot& further : table.further) slots[further.node].push_back(further.slot);
     return slots;
 }
 
@@ -102,9 +98,7 @@ TEST(Assemblage, ContactGeometryAndSlots) {
     double length_sum = 0;
     Slots expected;
     for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
-        for (std::int32_t k = 0; k < 4; ++k) {
-            expected[a.contacts[c].nodes[k]].push_back(slot_of(c, k));
-        }
+        for (std::int32_t k = 0; k < 4; ++k) expected[a.contacts[c].nodes[k]].push_back(slot_of(c, k));
     }
     EXPECT_EQ(slots_of(a.contact_slots, a.contact_chunks.size() * slot_stride), expected);
     for (const ContactGeometry& g : a.contacts) {
@@ -119,9 +113,7 @@ TEST(Assemblage, EveryElementHasSlotsOfItsNodes) {
     const Assemblage a = of(test::crossed_blocks(12, 10, 0.02, 0.03, [](int i, int /*j*/) { return i / 4; }));
     Slots expected;
     for (std::int32_t e = 0; e < a.n_elements(); ++e) {
-        for (std::int32_t k = 0; k < 3; ++k) {
-            expected[a.element_nodes[e][k]].push_back(element_slot_of(e, k));
-        }
+        for (std::int32_t k = 0; k < 3; ++k) expected[a.element_nodes[e][k]].push_back(element_slot_of(e, k));
     }
     EXPECT_FALSE(a.element_slots.further.empty());
     EXPECT_EQ(slots_of(a.element_slots, a.element_chunks.size() * element_slot_stride), expected);
@@ -153,9 +145,7 @@ TEST(Assemblage, ChunksCoverEverything) {
 Specimen of_three_phases() {
     Specimen s = test::one_diagonal_grid(20, 30, 0.02, 0.03);
     s.phase_names = {"quartz", "feldspar", "mica"};
-    for (std::size_t g = 0; g < s.n_grains(); ++g) {
-        s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
-    }
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
     return s;
 }
 
@@ -187,9 +177,7 @@ TEST(Assemblage, SortsContactsByClassIntoChunksOfOne) {
     }
     EXPECT_EQ(last_class, 5);
     EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-        EXPECT_EQ(a.specimen_contact[c] < 0, a.contacts[c].point_area == 0);
-    }
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) EXPECT_EQ(a.specimen_contact[c] < 0, a.contacts[c].point_area == 0);
 }
 
 TEST(Assemblage, GrainsHaveTheElasticityAndMassOfTheirPhase) {

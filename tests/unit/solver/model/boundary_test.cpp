@@ -15,7 +15,14 @@ namespace {
 
 using test::expect_close;
 
-Platen top() { return {1, 0.05, 1e12, 1e11, 0.1, false}; }
+Platen top() {
+    Platen platen;
+    platen.position = 0.05;
+    platen.normal_stiffness = 1e12;
+    platen.shear_stiffness = 1e11;
+    platen.tan_friction = 0.1;
+    return platen;
+}
 PlatenPoint point() { return {0, 1, 0.004, 0, 0, 0, true}; }
 
 TEST(PlatenPoint, PushesButDoesNotPull) {
@@ -87,8 +94,9 @@ TEST(PlatenPoint, LosesItsHoldWhenItLifts) {
     EXPECT_EQ(r.force.x, 0);
 }
 
-std::array<Platen, 2> platens_of(const Specimen& s) {
-    std::array<Platen, 2> p{top(), top()};
+std::vector<Platen> platens_of(const Specimen& s) {
+    std::vector<Platen> p{top(), top()};
+    p[bottom_platen].motion = bottom_platen;
     p[bottom_platen].side = -1;
     p[bottom_platen].position = -s.height / 2;
     p[top_platen].position = s.height / 2;
@@ -101,9 +109,7 @@ TEST(Boundary, PointsAreThoseWithinReach) {
     const Boundary near = make_boundary(a, s, platens_of(s), 1e-6);
     const Boundary far = make_boundary(a, s, platens_of(s), 0.0101);
     std::size_t on_faces = 0;
-    for (const Vector2& p : a.position) {
-        on_faces += std::abs(p.y) > 0.03 - 1e-9 ? 1 : 0;
-    }
+    for (const Vector2& p : a.position) on_faces += std::abs(p.y) > 0.03 - 1e-9 ? 1 : 0;
     EXPECT_EQ(near.platen_points.size(), on_faces);
     EXPECT_GT(far.platen_points.size(), near.platen_points.size());
     for (const PlatenPoint& p : near.platen_points) {
@@ -123,7 +129,7 @@ TEST(Boundary, PointsAreThoseWithinReach) {
 TEST(Boundary, BondedPlatensHoldTheirFacesOnly) {
     const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
     const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    std::array<Platen, 2> platens = platens_of(s);
+    std::vector<Platen> platens = platens_of(s);
     platens[0].bonded = platens[1].bonded = true;
     for (const PlatenPoint& p : make_boundary(a, s, platens, 0.02).platen_points) {
         expect_close(std::abs(a.position[p.node].y), 0.03, 1e-9, 0.03);

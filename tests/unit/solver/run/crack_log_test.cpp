@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -39,8 +40,8 @@ TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
     run.state.events[0][0].mode = CrackMode::tensile;
     run.state.fracture_energy[2 * 130] = 0.25;
     crack_log.collect(run.assemblage, 1e-3, run.state);
-    for (const auto& block : run.state.events) {
-        EXPECT_TRUE(block.empty());
+    for (const auto& chunk : run.state.events) {
+        EXPECT_TRUE(chunk.empty());
     }
     const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
     ASSERT_EQ(rows.size(), 5U);
@@ -104,6 +105,63 @@ TEST(CrackLog, LaterEventsCompleteTheRow) {
     EXPECT_EQ(row.opening, -1e-7);  // at failure, as before
 }
 
+// Two grains that are drawn apart and turned against each other, followed step by step: what a row has of the failure is of its
+// step, what it has of a later moment of the step of that.
+TEST(CrackLog, ARowIsOfTheStepsItNames) {
+    SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
+                                          {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
+                 test::augig_law());
+    run.set_velocity([](const Vector2&) { return Vector2{}; });
+    for (std::int32_t i = 4; i < 8; ++i) {
+        run.state.velocity[static_cast<std::size_t>(i)] = {1, 5 + 100 * run.assemblage.position[static_cast<std::size_t>(i)].x};
+    }
+    run.begin();
+    CrackLog crack_log(2);
+    struct Instant {
+        std::array<ContactMotion, 2> motion;
+        std::array<Vector2, 2> middle;
+        double direction;
+    };
+    std::vector<Instant> instants;
+    const auto& nodes = run.assemblage.contacts[0].nodes;
+    const auto middle_of = [&](std::size_t a, std::size_t b) {
+        const auto place = [&](std::int32_t i) { return run.assemblage.position[i] + run.state.displacement[i]; };
+        return 0.5 * (place(nodes[a]) + place(nodes[b]));
+    };
+    for (int i = 0; i <= 600; ++i) {
+        const Vector2 first = middle_of(0, 2);
+        const Vector2 along = middle_of(1, 3) - first;
+        instants.push_back({{ContactMotion{run.state.opening[0], run.state.sliding[0]},
+                             ContactMotion{run.state.opening[1], run.state.sliding[1]}},
+                            {first + 0.25 * along, first + 0.75 * along},
+                            std::atan2(along.y, along.x)});
+        run.steps(1);
+    }
+    crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
+    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
+    ASSERT_EQ(rows.size(), 2U);
+    const double dt = run.parameters.time_step;
+    for (const Crack& row : rows) {
+        const Instant& failure = instants.at(static_cast<std::size_t>(row.step));
+        EXPECT_EQ(row.time, static_cast<double>(row.step) * dt);
+        EXPECT_EQ(row.opening, failure.motion[row.point].opening);
+        EXPECT_EQ(row.sliding, failure.motion[row.point].sliding);
+        expect_close(row.position[0], failure.middle[row.point].x, 1e-15, 0.01);
+        expect_close(row.position[1], failure.middle[row.point].y, 1e-15, 0.01);
+        expect_close(std::remainder(row.orientation - failure.direction, std::numbers::pi), 0, 1e-14, 1);
+        // The traction is of the step before, the last one short of the peak.
+        const ContactMotion& before = instants.at(static_cast<std::size_t>(row.step) - 1).motion[row.point];
+        const ContactLaw& law = run.parameters.laws[0];
+        expect_close(row.mode_angle, std::atan2(law.ks * std::abs(before.sliding), law.kt * before.opening), 1e-12, 1);
+        for (const CrackMoment& moment : {row.damaged_10, row.damaged_50, row.broken, row.separated}) {
+            const auto step = static_cast<std::size_t>(std::lround(moment.time / dt));
+            EXPECT_GT(moment.time, row.time);
+            EXPECT_EQ(moment.opening, instants.at(step).motion[row.point].opening);
+            EXPECT_EQ(moment.sliding, instants.at(step).motion[row.point].sliding);
+        }
+    }
+}
+
 // The upper of two grains has a velocity upwards: both points of their contact fail in tension.
 TEST(CrackLog, OfARunThatIsPulledApart) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
@@ -111,14 +169,10 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
                  test::augig_law());
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
     run.set_velocity([](const Vector2&) { return Vector2{}; });
-    for (std::int32_t i = 4; i < 8; ++i) {
-        run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
-    }
+    for (std::int32_t i = 4; i < 8; ++i) run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};
     run.begin();
     CrackLog crack_log(2);
-    for (int i = 0; i < 200; ++i) {
-        run.steps(1);
-    }
+    for (int i = 0; i < 200; ++i) run.steps(1);
     crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
     const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
     ASSERT_EQ(rows.size(), 2U);

@@ -27,9 +27,7 @@ double share_of(Velocity&& velocity, DampingForce&& damping_force) {
     const double interval = 0.05 * transit;
     for (int i = 1; i <= 4000; ++i) {
         const double t = i * interval;
-        for (Vector2& u : s.displacement) {
-            u.y += interval * velocity(t);
-        }
+        for (Vector2& u : s.displacement) u.y += interval * velocity(t);
         std::fill(s.damping_force.begin(), s.damping_force.end(), Vector2{0, -damping_force(t)});
         s.time = t;
         follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);

@@ -1,10 +1,11 @@
-// Gauges, energies and frames of states set by hand.
+// Energies of states set by hand.
 #include "solver/run/measure.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "solver/run/frame.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
@@ -15,35 +16,6 @@ using test::expect_close;
 using test::SmallRun;
 
 SmallRun run_of(const Specimen& s) { return {s, test::augig_law()}; }
-
-TEST(Gauges, AUniformStrainIsReadExactly) {
-    const SmallRun run = run_of(test::jittered_grid(6, 8, 0.04, 0.08, 0.2));
-    const Gauges gauges = make_gauges(run.assemblage, run.specimen);
-    std::vector<Vector2> u;
-    for (const Vector2& p : run.assemblage.position) {
-        u.push_back({0.001 + 2e-4 * p.x + 7e-4 * p.y, -0.002 - 5e-4 * p.y + 1e-4 * p.x});
-    }
-    // jittered points: shear adds the little by which x and y are correlated in the gauge
-    EXPECT_NE(gauges.axial.strain(u), 0);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        u[i] = {0.001 + 2e-4 * run.assemblage.position[i].x, -0.002 - 5e-4 * run.assemblage.position[i].y};
-    }
-    expect_close(gauges.axial.strain(u), -5e-4, 1e-12, 5e-4);
-    expect_close(gauges.lateral.strain(u), 2e-4, 1e-12, 2e-4);
-    expect_close(gauges.widening.strain(u), 2e-4, 1e-12, 2e-4);
-}
-
-TEST(Gauges, OfTheCentralHalf) {
-    const SmallRun run = run_of(test::one_diagonal_grid(4, 8, 0.04, 0.08));
-    const Gauges gauges = make_gauges(run.assemblage, run.specimen);
-    EXPECT_FALSE(gauges.axial.terms.empty());
-    for (const Gauge::Term& term : gauges.axial.terms) {
-        EXPECT_LE(std::abs(run.assemblage.position[static_cast<std::size_t>(term.node)].y), 0.02);
-    }
-    for (const Gauge::Term& term : gauges.widening.terms) {
-        expect_close(std::abs(run.assemblage.position[static_cast<std::size_t>(term.node)].x), 0.02, 1e-12, 0.02);
-    }
-}
 
 TEST(Measure, KineticEnergyOfAFlight) {
     SmallRun run = run_of(test::jittered_grid(4, 6, 0.02, 0.03, 0.2));
@@ -65,9 +37,7 @@ TEST(Measure, EnergyOfAnOpenedContact) {
                  test::augig_law());
     const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
-    for (std::size_t i = 4; i < 8; ++i) {
-        run.state.displacement[i].y = opening;
-    }
+    for (std::size_t i = 4; i < 8; ++i) run.state.displacement[i].y = opening;
     run.begin();
     const Energies e = run.measured().energies;
     const double expected = 0.02 * law.tc * law.dct * std::numbers::e * (1 - 1.5 * std::exp(-0.5));  // ∫ Eq 7 over the edge
@@ -86,38 +56,29 @@ TEST(Measure, EnergyOfAnOpenedContact) {
     }
 }
 
-TEST(Measure, FramesAreInTheOrderOfTheSpecimen) {
-    Specimen s = test::one_diagonal_grid(2, 2, 0.02, 0.02);
-    const auto n = static_cast<std::int32_t>(s.n_nodes());
-    std::reverse(s.node_position.begin(), s.node_position.end());
-    for (auto& e : s.element_nodes) {
-        for (auto& i : e) i = n - 1 - i;
-    }
-    for (auto& c : s.contact_nodes) {
-        for (auto& i : c) i = n - 1 - i;
-    }
-    for (auto& b : s.boundary_edges) {
-        for (auto& i : b) i = n - 1 - i;
-    }
-    SmallRun run = run_of(s);
-    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
-        run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
-    }
-    run.begin();
-    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
-    ASSERT_EQ(frame.displacement.size(), s.n_nodes());
-    for (std::size_t i = 0; i < s.n_nodes(); ++i) {
-        EXPECT_EQ(frame.displacement[i][0], 1e-5 * s.node_position[i][0]);
-        EXPECT_EQ(frame.displacement[i][1], 1e-5 * s.node_position[i][1]);
-    }
-    // A swelling by 1e-5: the same stress in all directions, E/((1 + ν)(1 − 2ν)) · 1e-5 in plane strain, to the strain.
-    const double expected = 25.8e9 / (1.23 * 0.54) * 1e-5;
-    for (const auto& stress : frame.element_stress) {
-        expect_close(stress[0], expected, 1e-9, expected);
-        expect_close(stress[1], expected, 1e-9, expected);
-        expect_close(stress[2], 0, 1e-9, expected);
-        expect_close(stress[3], 2 * 0.23 * expected, 1e-9, expected);
-    }
+// An octagon, whose slanted edges are the rim: loads on it press from the side, and are no confining pressure.
+TEST(Measure, TheConfiningPressureIsThatOnTheLeftAndTheRight) {
+    const double a = 0.01;
+    const double b = 0.02;
+    const Specimen octagon =
+        test::specimen_of_triangles({{0, 0}, {-a, -b}, {a, -b}, {b, -a}, {b, a}, {a, b}, {-a, b}, {-b, a}, {-b, -a}},
+                                    {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 1}});
+    const auto force = [&](const std::vector<BoundaryPart>& parts, double pressure) {
+        SmallRun run = run_of(octagon);
+        run.press_on(parts, 0.5);
+        run.begin();
+        test::LinearPressure load;
+        load.set(pressure);
+        run.steps_under(load, pressure, 2);
+        return run.measured().confining_force;
+    };
+    using enum BoundaryPart;
+    const double whole = 1e6 * 2 * a;
+    expect_close(force({left, right}, 1e6), whole, 1e-4, whole);
+    expect_close(force({left, right, rim, top, bottom}, 1e6), whole, 1e-4, whole);
+    expect_close(force({left}, 1e6), whole / 2, 1e-4, whole);
+    expect_close(force({left, right}, -1e6), -whole, 1e-4, whole);
+    EXPECT_EQ(force({rim, top, bottom}, 1e6), 0);
 }
 
 TEST(Measure, DampingTakesItsShareOfTheForceAgainstTheMotion) {

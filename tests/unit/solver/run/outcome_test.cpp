@@ -16,12 +16,8 @@ using test::expect_close;
 /// Rows of which all columns are zero, but the time: 0, 1, 2, … s.
 History rows_of_zeros(std::size_t rows) {
     History h;
-    for (auto& column : h.columns) {
-        column.assign(rows, 0);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        h[time][i] = static_cast<double>(i);
-    }
+    for (auto& column : h.columns) column.assign(rows, 0);
+    for (std::size_t i = 0; i < rows; ++i) h[time][i] = static_cast<double>(i);
     return h;
 }
 

@@ -44,14 +44,10 @@ std::size_t size_of(const std::string& line) {
     std::string shape;
     words >> path >> type >> shape;
     const bool is_link = path.find("PointData") != std::string::npos || path.find("CellData") != std::string::npos;
-    if (is_link || shape.empty() || shape.front() != '[' || !size_of_type.contains(type)) {
-        return 0;
-    }
+    if (is_link || shape.empty() || shape.front() != '[' || !size_of_type.contains(type)) return 0;
     std::size_t size = size_of_type.at(type);
     std::istringstream extents(shape.substr(1));
-    for (std::size_t extent = 0; extents >> extent; extents.ignore()) {
-        size *= extent;
-    }
+    for (std::size_t extent = 0; extents >> extent; extents.ignore()) size *= extent;
     return size;
 }
 
@@ -60,9 +56,7 @@ std::map<std::string, std::size_t> sizes_in(const H5Input& file) {
     std::map<std::string, std::size_t> sizes;
     for (const std::string& line : file.describe()) {
         const std::size_t begin = line.find('/');
-        if (begin != std::string::npos) {
-            sizes[line.substr(begin, line.find('/', begin + 1) - begin)] += size_of(line);
-        }
+        if (begin != std::string::npos) sizes[line.substr(begin, line.find('/', begin + 1) - begin)] += size_of(line);
     }
     return sizes;
 }
@@ -83,9 +77,7 @@ TEST(Plan, FileSizeIsThatOfTheArraysThatTheRunWrites) {
         sizes["/nodes"] + sizes["/elements"] + sizes["/grains"] + sizes["/contacts"] + sizes["/boundary"] + sizes["/VTKHDF"],
         plan.file.specimen);
     std::size_t total = 0;
-    for (const auto& [group, size] : sizes) {
-        total += size;
-    }
+    for (const auto& [group, size] : sizes) total += size;
     // The saved state may have more node–edge contacts than the start.
     EXPECT_GE(total, plan.file.total(rows, run.n_frames(), cracks));
     EXPECT_LE(static_cast<double>(total), 1.02 * static_cast<double>(plan.file.total(rows, run.n_frames(), cracks)));
@@ -142,7 +134,7 @@ TEST(Memory, GrowsByEveryArrayOfAState) {
     }
     for (auto* values :
          {&s.contact_force, &s.element_force, &s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy,
-          &s.loading.amplitudes, &s.prescribed.pressing, &s.clusters.inverse_mass, &s.contact_pairs.active.overlap}) {
+          &s.loading.amplitudes, &s.prescribed.lateral, &s.clusters.inverse_mass, &s.contact_pairs.active.overlap}) {
         expect_growth(*values);
     }
     for (auto* flags : {&s.near_platen, &s.failed, &s.residual, &s.contact_pairs.released, &s.clusters.near_platen}) {

@@ -20,9 +20,7 @@ Specimen triangle() { return test::specimen_of_triangles({{0, 0}, {0.01, 0}, {0,
 TEST(StableStep, ScalesWithSizeDensityAndStiffness) {
     const auto step = [](double size, double density_factor, double modulus_factor) {
         Specimen s = triangle();
-        for (auto& p : s.node_position) {
-            p = {size * p[0], size * p[1]};
-        }
+        for (auto& p : s.node_position) p = {size * p[0], size * p[1]};
         s.width *= size;
         s.height *= size;
         Rock rock = test::augig_granite().rock;
@@ -52,9 +50,7 @@ TEST(StableStep, StiffnessHoldsRigidMotionWithoutForce) {
         }
         apply_stiffness(a, test::no_boundary(a, s), test::augig_law(), x, y);
         double worst = 0;
-        for (const Vector2& f : y) {
-            worst = std::max(worst, length(f));
-        }
+        for (const Vector2& f : y) worst = std::max(worst, length(f));
         if (mode == 3) {
             stretched = worst;
         } else {

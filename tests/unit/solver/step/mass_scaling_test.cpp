@@ -1,6 +1,6 @@
 // Who shares a vertex.
-#include "solver/model/vertex_clusters.hpp"
 #include "solver/step/mass_scaling.hpp"
+#include "solver/model/vertex_clusters.hpp"
 
 #include <gtest/gtest.h>
 

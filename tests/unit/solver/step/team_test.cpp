@@ -18,19 +18,13 @@ int violations(int n_threads, int rounds) {
         for (int round = 0; round < rounds; ++round) {
             round_of[static_cast<std::size_t>(thread)] = round;
             barrier.wait();
-            for (const int other : round_of) {
-                wrong += other == round ? 0 : 1;
-            }
+            for (const int other : round_of) wrong += other == round ? 0 : 1;
             barrier.wait();
         }
     };
     std::vector<std::thread> team;
-    for (int thread = 0; thread < n_threads; ++thread) {
-        team.emplace_back(work, thread);
-    }
-    for (std::thread& thread : team) {
-        thread.join();
-    }
+    for (int thread = 0; thread < n_threads; ++thread) team.emplace_back(work, thread);
+    for (std::thread& thread : team) thread.join();
     return wrong;
 }
 
@@ -50,9 +44,7 @@ TEST(ThreadTeam, EveryThreadWorksOnEveryPieceOnce) {
             team.run([&](int thread) {
                 ++done[static_cast<std::size_t>(thread)];
                 team.wait();
-                for (const int each : done) {
-                    EXPECT_EQ(each, piece);
-                }
+                for (const int each : done) EXPECT_EQ(each, piece);
                 team.wait();
             });
         }

@@ -1,0 +1,170 @@
+#include "post/summary/functions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+
+#include "post/summary/statistic.hpp"
+#include "post/table/table.hpp"
+#include "share/base/error.hpp"
+#include "share/base/printable.hpp"
+
+namespace graincrack::summary {
+
+namespace {
+
+std::string text_of(sqlite3_value* value) {
+    const auto* const bytes = reinterpret_cast<const char*>(sqlite3_value_text(value));
+    return bytes == nullptr ? "" : std::string(bytes, static_cast<std::size_t>(sqlite3_value_bytes(value)));
+}
+
+Number number_of(sqlite3_value* value) {
+    const int type = sqlite3_value_type(value);
+    if (type == SQLITE_NULL) return std::nullopt;
+    if (type == SQLITE_INTEGER || type == SQLITE_FLOAT) return sqlite3_value_double(value);
+    throw InputError(fmt::format("\"{}\"; a number is needed", shortened(text_of(value), 80)));
+}
+
+/// A number in a format such as .1f, +.2f or .0e.
+std::string formatted(double number, const std::string& format) {
+    constexpr std::size_t longest = 5;
+    try {
+        if (format.size() <= longest) return fmt::format(fmt::runtime("{:" + format + "}"), number == 0 ? 0.0 : number);
+    } catch (const fmt::format_error&) {
+    }
+    throw UsageError(fmt::format("\"{}\" is no format of a number; .1f, +.2f or .0e fits", shortened(format, 80)));
+}
+
+/// An entry by itself: numbers with seven digits.
+std::string plain(sqlite3_value* value) {
+    switch (sqlite3_value_type(value)) {
+        case SQLITE_INTEGER: return Cell(static_cast<std::int64_t>(sqlite3_value_int64(value))).text();
+        case SQLITE_FLOAT: return Cell(sqlite3_value_double(value)).text();
+        default: return text_of(value);
+    }
+}
+
+void give(sqlite3_context* context, const std::optional<std::string>& text) {
+    if (text) sqlite3_result_text(context, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
+}
+
+/// Runs what may throw; SQLite is C and takes error codes.
+template <class Body>
+void guarded(sqlite3_context* context, const Body& body) {
+    try {
+        body();
+    } catch (const UsageError& error) {
+        sqlite3_result_error(context, error.what(), -1);
+    } catch (const InputError& error) {
+        sqlite3_result_error(context, error.what(), -1);
+        sqlite3_result_error_code(context, SQLITE_MISMATCH);
+    } catch (const std::bad_alloc&) {
+        sqlite3_result_error_nomem(context);
+    }
+}
+
+/// An aggregate whose values are gathered in a `State`, made at the first row. `step` takes the arguments of a row.
+template <class State>
+struct Gathered {
+    static State* of(sqlite3_context* context, bool make) {
+        auto** const place = static_cast<State**>(sqlite3_aggregate_context(context, make ? sizeof(State*) : 0));
+        if (place == nullptr) return nullptr;
+        if (*place == nullptr && make) *place = new State;
+        return *place;
+    }
+    static void step(sqlite3_context* context, int n, sqlite3_value** arguments) {
+        guarded(context, [&] { of(context, true)->add(n, arguments); });
+    }
+    static void finish(sqlite3_context* context) {
+        const std::unique_ptr<State> state(of(context, false));
+        guarded(context, [&] { (state ? *state : State()).give_to(context); });
+    }
+    static void add_to(sqlite3* database, const std::string& name, int n_arguments, const Statistic* statistic = nullptr) {
+        sqlite3_create_function_v2(database, name.c_str(), n_arguments, SQLITE_UTF8 | SQLITE_DETERMINISTIC,
+                                   const_cast<Statistic*>(statistic), nullptr, step, finish, nullptr);
+    }
+};
+
+struct Columns {
+    std::vector<std::vector<Number>> columns;
+    void add(int n, sqlite3_value** arguments) {
+        columns.resize(static_cast<std::size_t>(n));
+        for (int i = 0; i < n; ++i) columns[static_cast<std::size_t>(i)].push_back(number_of(arguments[i]));
+    }
+    void give_to(sqlite3_context* context) const {
+        if (columns.empty()) return;
+        const Number number = static_cast<const Statistic*>(sqlite3_user_data(context))->of(columns);
+        if (number) sqlite3_result_double(context, *number);
+    }
+};
+
+struct MeanAndHalf {
+    std::vector<std::vector<Number>> values{1};
+    std::string format;
+    void add(int /*n*/, sqlite3_value** arguments) {
+        values[0].push_back(number_of(arguments[0]));
+        format = text_of(arguments[1]);
+    }
+    void give_to(sqlite3_context* context) const {
+        const Number mean = statistics().at("mean").of(values);
+        const Number half = statistics().at("half_interval").of(values);
+        const std::string unsigned_format = format.substr(format.starts_with('+') ? 1 : 0);
+        give(context, mean ? formatted(*mean, format) + (half ? " ± " + formatted(*half, unsigned_format) : "") : "-");
+    }
+};
+
+struct Entries {
+    std::vector<std::string> entries;
+    void add(int /*n*/, sqlite3_value** arguments) {
+        const std::string entry = plain(arguments[0]);
+        if (!entry.empty() && std::find(entries.begin(), entries.end(), entry) == entries.end()) entries.push_back(entry);
+    }
+    void give_to(sqlite3_context* context) const {
+        if (!entries.empty()) give(context, fmt::format("{}", fmt::join(entries, "; ")));
+    }
+};
+
+std::optional<std::string> filled(int n, sqlite3_value** arguments) {
+    const std::string format = n > 0 ? text_of(arguments[0]) : "";
+    std::string text;
+    int argument = 1;
+    for (std::size_t at = 0; at < format.size(); ++at) {
+        if (format[at] != '{') {
+            text += format[at];
+            continue;
+        }
+        const std::size_t close = format.find('}', at);
+        if (close == std::string::npos || argument == n) {
+            throw UsageError(fmt::format("text: {}: {} is needed", shortened(format, 80),
+                                         close == std::string::npos ? "}" : "another argument"));
+        }
+        const std::string inner = format.substr(at + 1, close - at - 1);
+        sqlite3_value* const value = arguments[argument++];
+        if (sqlite3_value_type(value) == SQLITE_NULL) return std::nullopt;
+        text += inner.empty() ? plain(value) : formatted(*number_of(value), inner.substr(inner[0] == ':' ? 1 : 0));
+        at = close;
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_functions(sqlite3* database) {
+    for (const auto& [name, statistic] : statistics()) {
+        Gathered<Columns>::add_to(database, name, static_cast<int>(statistic.arguments), &statistic);
+    }
+    Gathered<MeanAndHalf>::add_to(database, "mean_and_half", 2);
+    Gathered<Entries>::add_to(database, "entries", 1);
+    sqlite3_create_function_v2(
+        database, "text", -1, SQLITE_UTF8 | SQLITE_DETERMINISTIC, nullptr,
+        [](sqlite3_context* context, int n, sqlite3_value** arguments) {
+            guarded(context, [&] { give(context, filled(n, arguments)); });
+        },
+        nullptr, nullptr, nullptr);
+}
+
+}  // namespace graincrack::summary

@@ -1,0 +1,47 @@
+// The crack log: /cracks of a run file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "share/file/h5_file.hpp"
+#include "share/rock/contact_state.hpp"
+
+namespace graincrack {
+
+/// When something happened to a contact point, and its relative displacement at the end of that step; NaN if it did not.
+struct CrackMoment {
+    double time = std::numeric_limits<double>::quiet_NaN();     ///< s
+    double opening = std::numeric_limits<double>::quiet_NaN();  ///< m
+    double sliding = std::numeric_limits<double>::quiet_NaN();  ///< m
+    friend bool operator==(const CrackMoment&, const CrackMoment&) = default;
+};
+
+/// One row of the crack log: a contact point that passed its peak strength. Quantities are those of that step unless they say
+/// more.
+struct Crack {
+    double time = 0;  ///< s
+    std::int64_t step = 0;
+    std::int32_t contact = 0;  ///< row of /contacts
+    std::uint8_t point = 0;    ///< 0 at a1, 1 at a2
+    CrackMode mode = CrackMode::tensile;
+    double mode_angle = 0;             ///< atan2(|τ|, σn) of the step before, short of the peak, rad
+    std::array<double, 2> position{};  ///< m
+    double orientation = 0;            ///< of the tangent from x, counter-clockwise, rad, in [0, π)
+    double length = 0;                 ///< half of the edge's length, m
+    double opening = 0;                ///< m
+    double sliding = 0;                ///< m
+    double energy_released = 0;        ///< J: fracture energy dissipated by this point until the end of the run
+    CrackMoment damaged_10 = {};       ///< 10 % of its cohesion was lost
+    CrackMoment damaged_50 = {};       ///< 50 % was lost
+    CrackMoment broken = {};           ///< 90 % was lost
+    CrackMoment separated = {};        ///< all tensile strength was lost
+};
+
+void write_cracks(H5Output& file, const std::vector<Crack>& cracks);
+/// \throws InputError
+std::vector<Crack> read_cracks(const H5Input& file);
+
+}  // namespace graincrack

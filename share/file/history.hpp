@@ -1,0 +1,65 @@
+// What a run measured from step to step: /history of a run file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "share/base/quantities.hpp"
+#include "share/file/h5_file.hpp"
+
+namespace graincrack {
+
+/// Columns of /history, in the order of `history_datasets`.
+enum class HistoryColumn : std::size_t {
+    time,
+    step,
+    axial_strain,
+    lateral_strain,
+    gauge_axial_strain,
+    gauge_lateral_strain,
+    axial_stress,
+    force_top,
+    force_bottom,
+    confining_pressure,
+    energy_external,
+    energy_kinetic,
+    energy_strain,
+    energy_contact,
+    energy_fracture_tension,
+    energy_fracture_shear,
+    energy_friction,
+    energy_damping,
+    energy_platen,
+    non_conservative_work,
+    energy_balance_error,
+    unbalanced_ratio,
+    tensile_cracks,
+    shear_cracks,
+    platen_speed,
+    damping_load,
+    energy_numerical,
+    count
+};
+struct HistoryDataset {
+    std::string_view name;
+    Dimension dimension;
+    std::string_view description;
+};
+extern const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)> history_datasets;
+
+/// The history: equally long columns. Tension and elongation positive. Crack columns count contacts (points ÷ 2).
+struct History {
+    std::array<std::vector<double>, static_cast<std::size_t>(HistoryColumn::count)> columns;
+    [[nodiscard]] const std::vector<double>& operator[](HistoryColumn c) const { return columns[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::vector<double>& operator[](HistoryColumn c) { return columns[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::size_t size() const { return columns[0].size(); }
+};
+
+/// Appends the rows from `first` on. \param file of a run
+void append_rows(H5Output& file, const History& history, std::size_t first);
+/// Reads /history of a run, finished or not. \throws InputError
+History read_history(const H5Input& file);
+
+}  // namespace graincrack

@@ -1,0 +1,210 @@
+#include "share/file/run_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "share/base/error.hpp"
+#include "share/file/file_checks.hpp"
+#include "share/file/schema.hpp"
+
+namespace graincrack {
+
+namespace {
+
+/// Visits every contact parameter once.
+template <class Contact, class Visit>
+void visit_contact(Contact& contact, const Visit& visit) {
+    for (const ContactParameter& row : all_contact_parameters()) {
+        visit(row.quantity.name.data(), contact.*row.value, row.quantity.dimension);
+    }
+    visit("critical_opening", contact.critical_opening, Dimension::length);
+    visit("critical_sliding", contact.critical_sliding, Dimension::length);
+    visit("ultimate_opening", contact.ultimate_opening, Dimension::length);
+}
+/// Visits every property of a phase once.
+template <class AnyPhase, class Visit>
+void visit_phase(AnyPhase& phase, const Visit& visit) {
+    visit("young_modulus", phase.young_modulus, Dimension::stress);
+    visit("poisson_ratio", phase.poisson_ratio, Dimension::one);
+    visit("density", phase.density, Dimension::density);
+}
+
+/// Visits every attribute of /run once, for writing and reading alike.
+template <class Header, class Visit>
+void visit_header(Header& h, Visit&& visit) {
+    visit("test", h.test);
+    visit("material", h.material);
+    visit("contact_law", h.contact_law);
+    visit("coupling", h.coupling);
+    visit("fracture_energy_choice", h.fracture_energy_choice);
+    visit("young_modulus", h.rock.young_modulus, Dimension::stress);
+    visit("poisson_ratio", h.rock.poisson_ratio, Dimension::one);
+    visit("density", h.rock.density, Dimension::density);
+    visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
+    visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
+    visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
+    visit_contact(h.contact, visit);
+    visit("platen_friction", h.platen_friction, Dimension::angle);
+    visit("confining_pressure", h.confining_pressure, Dimension::stress);
+    visit("rate", h.rate);
+    visit("rate_tolerance", h.rate_tolerance, Dimension::one);
+    visit("rate_share", h.rate_share, Dimension::one);
+    visit("platen_speed", h.platen_speed, Dimension::speed);
+    visit("damping", h.damping, Dimension::one);
+    visit("damping_form", h.damping_form);
+    visit("peak_drop", h.peak_drop, Dimension::one);
+    visit("max_strain", h.max_strain, Dimension::one);
+    visit("mass_scaling", h.mass_scaling);
+    visit("mass_scaling_factor", h.mass_scaling_factor, Dimension::one);
+    visit("added_mass", h.added_mass, Dimension::one);
+    visit("stable_time_step", h.stable_time_step, Dimension::time);
+    visit("time_step", h.time_step, Dimension::time);
+    visit("stop_reason", h.stop_reason);
+    visit("steps", h.steps);
+    visit("integrations", h.integrations);
+    visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
+    visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
+    visit("energy_scale", h.energy_scale, Dimension::energy);
+    visit("energy_balance_error", h.energy_balance_error, Dimension::one);
+    visit("platen_force_difference", h.platen_force_difference, Dimension::one);
+    visit("confinement_mean", h.confinement_mean, Dimension::stress);
+    visit("confinement_deviation", h.confinement_deviation, Dimension::stress);
+    visit("damping_share", h.damping_share, Dimension::one);
+    visit("damping_load", h.damping_load, Dimension::one);
+}
+
+struct HeaderWriter {
+    H5Output& file;
+    void operator()(const char* name, const std::string& value) const { file.attribute(schema::run_group, name, value); }
+    void operator()(const char* name, const std::int64_t& value) const { file.attribute(schema::run_group, name, value); }
+    void operator()(const char* name, const double& value, Dimension dimension) const {
+        file.quantity(schema::run_group, name, value, si_unit(dimension));
+    }
+};
+
+struct HeaderReader {
+    const H5Input& file;
+    void operator()(const char* name, std::string& value) const { value = file.attribute<std::string>(schema::run_group, name); }
+    void operator()(const char* name, std::int64_t& value) const {
+        value = file.attribute<std::int64_t>(schema::run_group, name);
+    }
+    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
+        value = file.attribute<double>(schema::run_group, name);
+        if (!std::isfinite(value)) {
+            throw InputError(fmt::format("{}: attribute {} of {} is {}; a finite number is needed", file.name(), name,
+                                         schema::run_group, value));
+        }
+    }
+};
+
+}  // namespace
+
+void write_header(H5Output& file, const RunHeader& header) {
+    file.create_group(schema::run_group);
+    file.attribute(schema::run_group, "plane", std::string(name_of(header.plane)));
+    file.attribute(schema::run_group, "crack_event", std::string(name_of(header.crack_event)));
+    visit_header(header, HeaderWriter{file});
+}
+
+namespace {
+
+/// Properties of phases or classes as datasets of a group, one a property.
+class PropertyTable {
+public:
+    void operator()(const char* name, const double& value, Dimension dimension) const {
+        if (columns_.find(name) == columns_.end()) order_.emplace_back(name, dimension);
+        columns_[name].push_back(value);
+    }
+    void write(H5Output& file, const std::string& group, const std::vector<std::string>& names) const {
+        file.create_group(group);
+        file.attribute(group, "names", names);
+        for (const auto& [name, dimension] : order_) {
+            file.write<double>(group + "/" + name, std::span<const double>(columns_[name]), {names.size()}, si_unit(dimension),
+                               "by index of the attribute names of the group");
+        }
+    }
+
+private:
+    mutable std::vector<std::pair<std::string, Dimension>> order_;
+    mutable std::map<std::string, std::vector<double>> columns_;
+};
+
+}  // namespace
+
+void write_fabric(H5Output& file, const RunHeader& header, const std::vector<std::string>& phase_names) {
+    const Fabric fabric =
+        header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, phase_names.size()) : header.fabric;
+    const PropertyTable phases;
+    for (const Phase& phase : fabric.phases) visit_phase(phase, phases);
+    phases.write(file, schema::phases_group, phase_names);
+    const PropertyTable classes;
+    for (const ContactParameters& contact : fabric.contacts) visit_contact(contact, classes);
+    classes.write(file, schema::classes_group, contact_class_names(phase_names));
+}
+
+namespace {
+
+/// Row `row` of a group of properties.
+struct PropertyReader {
+    const H5Input& file;
+    std::string group;
+    std::size_t rows, row;
+    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
+        value = file.read<double>(group + "/" + name, {rows})[row];
+        if (!std::isfinite(value)) {
+            throw InputError(
+                fmt::format("{}: {}/{} has the value {}; a finite number is needed", file.name(), group, name, value));
+        }
+    }
+};
+
+Fabric read_fabric(const H5Input& file) {
+    const std::size_t n_phases = rows_of(file, std::string(schema::phases_group) + "/young_modulus");
+    if (n_phases < 1 || n_phases > max_phases) {
+        throw InputError(
+            fmt::format("{}: {} has {} phases; 1 to {} are needed", file.name(), schema::phases_group, n_phases, max_phases));
+    }
+    Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_contact_classes(n_phases))};
+    for (std::size_t i = 0; i < fabric.phases.size(); ++i) {
+        visit_phase(fabric.phases[i], PropertyReader{file, schema::phases_group, fabric.phases.size(), i});
+    }
+    for (std::size_t i = 0; i < fabric.contacts.size(); ++i) {
+        visit_contact(fabric.contacts[i], PropertyReader{file, schema::classes_group, fabric.contacts.size(), i});
+    }
+    return fabric;
+}
+
+CrackEvent read_crack_event(const H5Input& file) {
+    const auto name = file.attribute<std::string>(schema::run_group, "crack_event");
+    const auto* const event =
+        std::find_if(all_crack_events.begin(), all_crack_events.end(), [&](CrackEvent e) { return name_of(e) == name; });
+    if (event == all_crack_events.end()) {
+        throw InputError(fmt::format("{}: attribute crack_event of {} is \"{}\"; failed, half-damaged or broken is needed",
+                                     file.name(), schema::run_group, name));
+    }
+    return *event;
+}
+
+}  // namespace
+
+RunHeader read_header(const H5Input& file) {
+    RunHeader header;
+    const auto plane = file.attribute<std::string>(schema::run_group, "plane");
+    header.plane = plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain;
+    header.crack_event = read_crack_event(file);
+    visit_header(header, HeaderReader{file});
+    header.fabric = read_fabric(file);
+    if (header.time_step <= 0 || header.steps < 0) {
+        throw InputError(
+            fmt::format("{}: time_step and steps of {} are {} and {}; a positive step and no negative number are needed",
+                        file.name(), schema::run_group, header.time_step, header.steps));
+    }
+    return header;
+}
+
+}  // namespace graincrack

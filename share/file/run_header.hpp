@@ -1,0 +1,67 @@
+// What was asked of a run, and what it came to: /run, /phases and /classes of a run file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "share/file/fabric.hpp"
+#include "share/file/h5_file.hpp"
+#include "share/rock/contact_state.hpp"
+#include "share/rock/fracture_process_zone.hpp"
+#include "share/rock/material.hpp"
+
+namespace graincrack {
+
+/// Fraction of the load that the damping forces may carry before a run warns.
+inline constexpr double trusted_damping_load = 0.01;
+
+/// Attributes of /run. An attribute has the name of its member. SI units.
+struct RunHeader {
+    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "program"
+    std::string material;                         ///< name of the material
+    std::string contact_law;                      ///< a name of solver/law/table.hpp
+    CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law
+    std::string coupling;                         ///< "full" | "none"
+    std::string fracture_energy_choice;           ///< "mixed" | "mode-i" | "value"; "none" for a law without fracture energy
+    PlaneCondition plane = PlaneCondition::strain;
+    Rock rock;
+    ContactParameters contact;
+    Fabric fabric;                       ///< of phases and classes; empty: all are of the rock and the contact
+    double platen_friction = 0;          ///< rad
+    double confining_pressure = 0;       ///< target, Pa
+    std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"
+    double rate_tolerance = 0;           ///< bound of the measures that control the automatic rate; 0 with a fixed rate
+    double rate_share = 1;               ///< factor on the speeds, limits and lower bounds of the automatic rate
+    double platen_speed = 0;             ///< of each platen, m/s; with an automatic rate, its mean during axial loading
+    double damping = 0;                  ///< damping force as a share of the unbalanced force; 0 for none
+    std::string damping_form = "local";  ///< "combined" | "local"
+    double peak_drop = 0;
+    double max_strain = 0;
+    std::string mass_scaling = "none";  ///< "none" | "selective"
+    double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
+    double added_mass = 0;              ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
+    double stable_time_step = 0;        ///< s
+    double time_step = 0;               ///< s
+    // set when the run ends
+    std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
+    std::int64_t steps = 0;
+    std::int64_t integrations = 0;    ///< steps
+    double isotropic_end_time = 0;    ///< end of the isotropic stage (triaxial), s; 0 without one
+    double peak_axial_stress = 0;     ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
+    double energy_scale = 0;          ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
+    double energy_balance_error = 0;  ///< energy balance: max over time of |external − sum of the others| / energy_scale
+    double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
+    double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa
+    double confinement_deviation = 0;
+    double damping_share = 0;  ///< energy absorbed by damping / external work at the end
+    double damping_load = 0;  ///< part of the load that damping forces carry, mean from 0.9 of the strain at the peak to the peak
+};
+
+void write_header(H5Output& file, const RunHeader& header);
+/// The fabric of a header, or of its one rock and contact.
+void write_fabric(H5Output& file, const RunHeader& header, const std::vector<std::string>& phase_names);
+/// With its fabric. \throws InputError
+RunHeader read_header(const H5Input& file);
+
+}  // namespace graincrack

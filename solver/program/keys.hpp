@@ -1,0 +1,202 @@
+// The keys of a program's tables and what they hold: one row each, by which a program is read (program_file) and written
+// (program_text). `Keys` is a table that is read (`TomlTable`) or written (`TomlEntries`).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "share/base/quantities.hpp"
+#include "solver/program/program.hpp"
+
+namespace graincrack::program_keys {
+
+/// What a table's keys hold: read into, or written from.
+template <class Keys, class Value>
+using Content = std::conditional_t<Keys::reads, Value, const Value>;
+
+constexpr Quantity any(std::string_view name, Dimension dimension) {
+    return {name, dimension, -quantity::unbounded, quantity::unbounded, name};
+}
+constexpr Quantity positive(std::string_view name, Dimension dimension) {
+    return {name, dimension, 0, quantity::unbounded, name, true};
+}
+inline constexpr Quantity coordinate = any("coordinate", Dimension::length);
+inline constexpr Quantity duration = positive("duration", Dimension::time);
+
+inline constexpr const char* platen_speed = "platen_speed";
+inline constexpr const char* platen_pressure = "platen_pressure";
+inline constexpr const char* until = "until";
+inline constexpr const char* must_end_by = "must_end_by";
+inline constexpr Quantity speed_of_platens = any(platen_speed, Dimension::speed);
+inline constexpr Quantity pressure_of_platens = any(platen_pressure, Dimension::stress);
+/// Keys by which the tables of these motions of the platens, and of the kinds of functions of time, are told.
+inline constexpr const char* automatic = "auto";
+inline constexpr const char* blocks = "blocks";
+inline constexpr std::array<std::pair<const char*, TimeFunction::Kind>, 5> kinds{{{"times", TimeFunction::Kind::table},
+                                                                                  {"to", TimeFunction::Kind::ramp},
+                                                                                  {"sine", TimeFunction::Kind::sine},
+                                                                                  {"ricker", TimeFunction::Kind::ricker},
+                                                                                  {"pulse", TimeFunction::Kind::pulse}}};
+
+/// A function of time as a table of its kind. \param quantity of its values
+template <class Keys>
+void visit(Keys& keys, Content<Keys, TimeFunction>& f, const Quantity& quantity) {
+    constexpr double quiet_start = 1.5;  // periods of a wavelet: there it has 1e-8 of its peak
+    constexpr Quantity frequency = positive("frequency", Dimension::frequency);
+    switch (f.kind) {
+        case TimeFunction::Kind::table:
+            keys.given("times", any("times", Dimension::time), f.times);
+            keys.given("values", quantity, f.values);
+            break;
+        case TimeFunction::Kind::ramp:
+            keys.given("to", quantity, f.value);
+            keys.needed("over", duration, f.duration, "a ramp needs its duration, such as over = \"1 ms\"");
+            break;
+        case TimeFunction::Kind::sine: {
+            keys.given("sine", quantity, f.value);
+            keys.needed("frequency", frequency, f.frequency, "a sine needs its frequency, such as \"10 kHz\"");
+            keys.given("phase", any("phase", Dimension::angle), f.phase);
+            auto cycles = f.duration > 0 ? std::optional(f.duration * f.frequency) : std::nullopt;
+            keys.given("cycles", positive("cycles", Dimension::one), cycles);
+            if constexpr (Keys::reads) f.duration = cycles.value_or(0) / f.frequency;
+            break;
+        }
+        case TimeFunction::Kind::ricker:
+            keys.given("ricker", quantity, f.value);
+            keys.needed("frequency", frequency, f.frequency, "a wavelet needs its frequency, such as \"10 kHz\"");
+            if constexpr (Keys::reads) f.peak_time = quiet_start / f.frequency;
+            keys.given("at", duration, f.peak_time);
+            break;
+        case TimeFunction::Kind::pulse:
+            keys.given("pulse", quantity, f.value);
+            keys.needed("over", duration, f.duration, "a pulse needs its duration, such as over = \"10 us\"");
+            break;
+        default: break;  // constants and "keep" are no tables
+    }
+}
+
+/// Calls `act(name, quantity, function, may be free)` with each action of a boundary condition.
+template <class AnySettings, class Act>
+void visit_settings(AnySettings& settings, Act&& act) {
+    for (std::size_t i = 0; i < n_actions; ++i) {
+        const auto action = static_cast<Action>(i);
+        const Quantity quantity = any(name_of(action), is_velocity(action) ? Dimension::speed : Dimension::stress);
+        act(std::string(name_of(action)), quantity, settings[i], is_velocity(action));
+    }
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, AutomaticRate>& rate) {
+    keys.choice(automatic, rate.apart, "together", "apart");
+    keys.given("tolerance", quantity::rate_tolerance, rate.tolerance);
+    keys.given("share", quantity::rate_share, rate.share);
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, LoadingBlocks>& motion) {
+    keys.given(blocks, any(blocks, Dimension::speed), motion.speed);
+    keys.given("steps", {"steps", Dimension::one, parts_of_block, 1e9, "steps"}, motion.steps);
+    keys.given("rest", quantity::rate_tolerance, motion.rest);
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, Region>& region) {
+    keys.given("on", region.parts);
+    std::optional<std::array<double, 4>> box;
+    if (std::isfinite(region.left)) box = {region.left, region.right, region.bottom, region.top};
+    constexpr const char* fits = "is no box; [left, right, bottom, top] with left <= right and bottom <= top fits";
+    keys.given("box", coordinate, box, fits);
+    if constexpr (Keys::reads) {
+        if (box) region = {region.parts, (*box)[0], (*box)[1], (*box)[2], (*box)[3]};
+        if (region.left > region.right || region.bottom > region.top) keys.refuse("box", fits);
+    }
+}
+
+/// A vector, x and y. \param missing what is said where it is missing; none: it is 0 then
+template <class Keys>
+void visit_vector(Keys& keys, const char* key, const Quantity& quantity, Content<Keys, Vector2>& vector,
+                  const char* missing = nullptr) {
+    std::optional<std::array<double, 2>> components;
+    if (!Keys::reads && (missing != nullptr || vector.x != 0 || vector.y != 0)) components = {vector.x, vector.y};
+    keys.given(key, quantity, components, "has not two components; two, x and y, fit");
+    if constexpr (Keys::reads) {
+        if (components) vector = {(*components)[0], (*components)[1]};
+        if (!components && missing != nullptr) keys.refuse(key, missing);
+    }
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, ProbeRequest>& probe) {
+    std::optional<std::array<double, 2>> point;
+    std::optional<std::array<double, 3>> circle;
+    if constexpr (!Keys::reads) {
+        if (probe.is_circle) {
+            circle = {probe.centre.x, probe.centre.y, probe.radius};
+        } else {
+            point = {probe.centre.x, probe.centre.y};
+        }
+    }
+    constexpr const char* fits = "is no circle; [x, y, radius] with a radius above 0 fits";
+    keys.given("point", coordinate, point, "is no point; [x, y] fits");
+    keys.given("circle", coordinate, circle, fits);
+    if constexpr (Keys::reads) {
+        if (point.has_value() == circle.has_value()) keys.refuse("", "needs either point = [x, y] or circle = [x, y, radius]");
+        if (circle && (*circle)[2] <= 0) keys.refuse("circle", fits);
+        probe.is_circle = circle.has_value();
+        probe.centre = circle ? Vector2{(*circle)[0], (*circle)[1]} : Vector2{(*point)[0], (*point)[1]};
+        probe.radius = circle ? (*circle)[2] : 0;
+    }
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, InitialVelocity>& initial) {
+    visit(keys, initial.region);
+    visit_vector(keys, "velocity", any("velocity", Dimension::speed), initial.velocity,
+                 "missing; two components fit, such as [\"0 m/s\", \"-1 m/s\"]");
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, ProgramPlatens>& platens) {
+    keys.given("bonded", platens.bonded);
+    keys.given("max_strain", quantity::max_strain, platens.max_strain);
+    keys.given("direction", {"direction", Dimension::angle, 0, std::numbers::pi, "direction"}, platens.direction);
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, PlatenFaces>& faces) {
+    keys.given("on", faces.parts);
+    keys.given("at", coordinate, faces.at);
+    if (!faces.at.empty()) {
+        keys.needed("width", positive("width", Dimension::length), faces.width,
+                    "faces at given places need it, such as \"5 mm\"");
+    }
+}
+
+/// The ends of a stage but for the values that end it (`Stage::until`).
+template <class Keys>
+void visit_until(Keys& keys, Content<Keys, Stage>& stage) {
+    auto longest = std::isfinite(stage.longest_time) ? std::optional(stage.longest_time) : std::nullopt;
+    keys.given("time", duration, longest);
+    if constexpr (Keys::reads) stage.longest_time = longest.value_or(quantity::unbounded);
+    keys.given("rest", {"rest", Dimension::one, 0, 1, "rest", true}, stage.rest);
+    keys.given("peak_drop", quantity::peak_drop, stage.peak_drop);
+}
+
+/// What stands at the top.
+template <class Keys>
+void visit(Keys& keys, Content<Keys, Program>& program) {
+    keys.needed("name", program.name, "a program has a name = \"...\"");
+    keys.needed("stages", program.order, "name the stages in their order, such as stages = [\"load\", \"unload\"]");
+    keys.given("damping", quantity::damping, program.damping, "none");
+    visit_vector(keys, "gravity", any("gravity", Dimension::acceleration), program.gravity);
+    keys.given("row_every", duration, program.row_interval);
+    keys.given("start_from", program.start_from);
+}
+
+}  // namespace graincrack::program_keys

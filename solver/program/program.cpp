@@ -1,0 +1,116 @@
+#include "solver/program/program.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graincrack {
+namespace {
+
+bool waves(const Settings& settings) {
+    return std::any_of(settings.begin(), settings.end(), [](const auto& f) { return f && f->is_wave(); });
+}
+
+/// Twice as slow; `of_velocity`: its values are velocities.
+void slow_down(TimeFunction& f, bool of_velocity) {
+    f.duration *= 2;
+    f.frequency /= 2;
+    f.peak_time *= 2;
+    for (double& time : f.times) time *= 2;
+    if (of_velocity) {
+        f.value /= 2;
+        for (double& value : f.values) value /= 2;
+    }
+}
+
+void slow_down(Settings& settings) {
+    for (std::size_t i = 0; i < n_actions; ++i) {
+        if (settings[i]) slow_down(*settings[i], is_velocity(static_cast<Action>(i)));
+    }
+}
+
+struct SlowDown {
+    void operator()(TimeFunction& speed) const { slow_down(speed, true); }
+    void operator()(PressureServo& servo) const { slow_down(servo.pressure, false); }
+    void operator()(AutomaticRate& rate) const { rate.share /= 2; }
+    void operator()(LoadingBlocks& blocks) const {
+        blocks.speed /= 2;
+        blocks.rest /= 2;
+    }
+};
+
+}  // namespace
+
+Vector2 ProgramPlatens::axis() const {
+    if (!direction) return {0, 1};
+    constexpr double least = 1e-15;  // a component below it is one of rounding
+    const Vector2 axis{std::cos(*direction), std::sin(*direction)};
+    return {std::abs(axis.x) < least ? 0 : axis.x, std::abs(axis.y) < least ? 0 : axis.y};
+}
+
+const Stage& Program::stage(const std::string& stage_name) const {
+    return *std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == stage_name; });
+}
+
+double Program::longest_time() const {
+    double sum = 0;
+    for (const std::string& stage_name : order) sum += stage(stage_name).longest_time;
+    return sum;
+}
+
+std::string Program::why_dynamic() const {
+    if (!initial_velocities.empty()) return "it starts in motion";
+    for (const BoundaryCondition& condition : boundary_conditions) {
+        if (condition.is_set[0] || condition.is_set[1]) return "boundary." + condition.name + " drives nodes";
+        if (waves(condition.start)) return "boundary." + condition.name + " makes waves";
+        for (const Stage& s : stages) {
+            const auto found = s.settings.find(condition.name);
+            if (found != s.settings.end() && waves(found->second)) {
+                return "stage." + s.name + "." + condition.name + " makes waves";
+            }
+        }
+    }
+    return "";
+}
+
+Program at_half_the_rate(Program program) {
+    for (BoundaryCondition& condition : program.boundary_conditions) slow_down(condition.start);
+    for (Stage& stage : program.stages) {
+        stage.longest_time *= 2;
+        for (auto& [condition, settings] : stage.settings) slow_down(settings);
+        if (stage.platens) std::visit(SlowDown{}, *stage.platens);
+    }
+    if (program.row_interval) *program.row_interval *= 2;
+    return program;
+}
+
+const std::vector<ProbeColumn>& boundary_columns() {
+    static const std::vector<ProbeColumn> columns{
+        {"displacement_x", Dimension::length, "mean displacement along x of its nodes"},
+        {"displacement_y", Dimension::length, "mean displacement along y of its nodes"},
+        {"force_x", Dimension::force, "force on the specimen along x per metre of thickness, reaction without inertia and loads"},
+        {"force_y", Dimension::force, "force on the specimen along y per metre of thickness, reaction without inertia and loads"},
+    };
+    return columns;
+}
+
+const std::vector<ProbeColumn>& point_columns() {
+    static const std::vector<ProbeColumn> columns{
+        {"displacement_x", Dimension::length, "displacement along x"},
+        {"displacement_y", Dimension::length, "displacement along y"},
+        {"velocity_x", Dimension::speed, "velocity along x, half a step before"},
+        {"velocity_y", Dimension::speed, "velocity along y, half a step before"},
+    };
+    return columns;
+}
+
+const std::vector<ProbeColumn>& circle_columns() {
+    static const std::vector<ProbeColumn> columns{
+        {"stress_xx", Dimension::stress, "mean stress xx of the elements with their centre in the circle, tension positive"},
+        {"stress_yy", Dimension::stress, "mean stress yy of the elements with their centre in the circle, tension positive"},
+        {"stress_xy", Dimension::stress, "mean stress xy of the elements with their centre in the circle"},
+        {"stress_zz", Dimension::stress, "mean stress zz of the elements with their centre in the circle, tension positive"},
+    };
+    return columns;
+}
+
+}  // namespace graincrack

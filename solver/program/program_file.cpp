@@ -1,0 +1,287 @@
+// The program's file: TOML, strict. share/doc/programs.md describes it.
+#include "solver/program/program_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "share/base/error.hpp"
+#include "solver/program/keys.hpp"
+#include "solver/program/toml_table.hpp"
+
+namespace graincrack {
+namespace {
+
+using program_keys::visit;
+
+void check_time_table(const TomlTable& table, const TimeFunction& f) {
+    if (f.values.size() != f.times.size() || f.times.empty()) {
+        table.refuse("values", "needs as many values as there are times, and at least one");
+    }
+    if (std::adjacent_find(f.times.begin(), f.times.end(), [](double a, double b) { return a >= b; }) != f.times.end()) {
+        table.refuse("times", "must ascend");
+    }
+}
+
+/// A function written as a table. What `from` is, only the stage knows.
+TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
+    const auto& kinds = program_keys::kinds;
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return table.has(kind.first); });
+    if (found == kinds.end()) {
+        table.refuse("",
+                     "is no function of time; {to, over}, {times, values}, {sine, frequency}, {ricker, frequency}, "
+                     "{pulse, over} or one value fits");
+    }
+    TimeFunction f;
+    f.kind = found->second;
+    visit(table, f, quantity);
+    if (f.kind == TimeFunction::Kind::table) check_time_table(table, f);
+    table.refuse_others();
+    return f;
+}
+
+/// A value, "keep", "free" where that makes sense (NaN), or a table.
+std::optional<TimeFunction> read_function(TomlTable& table, const std::string& key, const Quantity& quantity, bool may_be_free) {
+    if (!table.has_value(key)) {
+        auto function = table.table(key);
+        return function ? std::optional(read_function_table(*function, quantity)) : std::nullopt;
+    }
+    TimeFunction f;
+    if (table.is_word(key, "keep")) {
+        f.kind = TimeFunction::Kind::keep;
+    } else if (may_be_free && table.is_word(key, "free")) {
+        f.value = std::nan("");
+    } else {
+        table.given(key, quantity, f.value);
+    }
+    return f;
+}
+
+/// A table whose keys are all those of the value.
+template <class Value>
+Value read_table(TomlTable table) {
+    Value value;
+    visit(table, value);
+    table.refuse_others();
+    return value;
+}
+
+/// How a stage moves the platens. \throws InputError also for two ways
+std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
+    using namespace program_keys;
+    const bool has_pressure = table.has(platen_pressure);
+    if (has_pressure && table.has(platen_speed)) {
+        table.refuse(platen_pressure, "the platens have a speed already; give one of the two");
+    }
+    if (has_pressure) return PressureServo{*read_function(table, platen_pressure, pressure_of_platens, false)};
+    const auto speed = table.has_value(platen_speed) ? std::nullopt : table.table(platen_speed);
+    if (speed && speed->has(automatic)) return read_table<AutomaticRate>(*speed);
+    if (speed && speed->has(program_keys::blocks)) {
+        const auto blocks = read_table<LoadingBlocks>(*speed);
+        if (blocks.speed == 0) speed->refuse("", "needs a speed other than 0");
+        return blocks;
+    }
+    const auto function = read_function(table, platen_speed, speed_of_platens, false);
+    return function ? std::optional<PlatenMotion>(*function) : std::nullopt;
+}
+
+/// Whether the platens come to their strain limit by themselves.
+bool moves_on(const std::optional<PlatenMotion>& motion) {
+    if (!motion || std::holds_alternative<PressureServo>(*motion)) return false;
+    const auto* const function = std::get_if<TimeFunction>(&*motion);
+    return function == nullptr || (function->kind == TimeFunction::Kind::constant && function->value != 0) ||
+           (function->kind == TimeFunction::Kind::ramp && function->value != 0);
+}
+
+Settings read_settings(TomlTable& table) {
+    Settings settings;
+    program_keys::visit_settings(settings,
+                                 [&](const std::string& name, const Quantity& quantity, auto& function, bool may_be_free) {
+                                     function = read_function(table, name, quantity, may_be_free);
+                                 });
+    return settings;
+}
+
+/// Calls `read(table)` with each table [group.NAME], if there is any.
+template <class Read>
+void for_each_table(TomlTable& file, const std::string& group, Read&& read) {
+    if (auto tables = file.table(group)) {
+        for (TomlTable& table : tables->tables()) {
+            read(table);
+            table.refuse_others();
+        }
+        tables->refuse_others();
+    }
+}
+
+BoundaryCondition read_boundary_condition(TomlTable& table) {
+    BoundaryCondition condition;
+    condition.name = table.name();
+    visit(table, condition.region);
+    if (!table.has("on") && !table.has("box")) {
+        table.refuse("", "nowhere; give on = \"a part of the boundary\" or box = [left, right, bottom, top]");
+    }
+    condition.start = read_settings(table);
+    return condition;
+}
+
+ProbeRequest read_probe(const Program& program, TomlTable& table) {
+    ProbeRequest probe;
+    probe.name = table.name();
+    visit(table, probe);
+    if (std::any_of(program.boundary_conditions.begin(), program.boundary_conditions.end(),
+                    [&](const BoundaryCondition& c) { return c.name == probe.name; })) {
+        table.refuse("", "there is a boundary of this name, which is a probe already; give it another name");
+    }
+    return probe;
+}
+
+const std::vector<ProbeColumn>* columns_of(const Program& program, const std::string& probe) {
+    for (const BoundaryCondition& condition : program.boundary_conditions) {
+        if (condition.name == probe) return &boundary_columns();
+    }
+    for (const ProbeRequest& request : program.probes) {
+        if (request.name == probe) return request.is_circle ? &circle_columns() : &point_columns();
+    }
+    return nullptr;
+}
+
+/// A key of `until` that names a column: the value of it that ends the stage.
+void read_condition(TomlTable& table, const std::string& key, Dimension dimension, Condition condition, Stage& stage) {
+    std::optional<double> value;
+    table.given(key, program_keys::any(key, dimension), value);
+    if (value) {
+        condition.value = *value;
+        stage.until.push_back(condition);
+    }
+}
+
+void read_probe_conditions(const Program& program, TomlTable table, Stage& stage) {
+    const std::vector<ProbeColumn>* columns = columns_of(program, table.name());
+    if (columns == nullptr) table.refuse("", "there is no probe and no boundary of this name");
+    for (std::size_t i = 0; i < columns->size(); ++i) {
+        const ProbeColumn& column = (*columns)[i];
+        read_condition(table, column.name, column.dimension, {table.name(), i, table.name() + "." + column.name}, stage);
+    }
+    table.refuse_others();
+}
+
+void read_until(const Program& program, TomlTable table, Stage& stage) {
+    program_keys::visit_until(table, stage);
+    if (std::isinf(stage.longest_time) && !moves_on(stage.platens)) {
+        table.refuse(
+            "time",
+            "missing; a stage in which the platens do not move on up to max_strain needs a longest time, such as \"1 ms\"");
+    }
+    for (std::size_t i = 0; i < history_datasets.size(); ++i) {
+        const std::string name(history_datasets[i].name);
+        if (name != "time" && name != "step") read_condition(table, name, history_datasets[i].dimension, {"", i, name}, stage);
+    }
+    for (const TomlTable& probe : table.tables()) read_probe_conditions(program, probe, stage);
+    table.refuse_others();
+}
+
+Stage read_stage(Program& program, TomlTable& table) {
+    Stage stage;
+    stage.name = table.name();
+    stage.platens = read_platen_motion(table);
+    if (!program.platens && stage.platens) table.refuse("", "there are no platens to move; add a table [platens]");
+    for (BoundaryCondition& condition : program.boundary_conditions) {
+        if (auto own = table.table(condition.name)) {
+            const Settings settings = read_settings(*own);
+            own->refuse_others();
+            stage.settings[condition.name] = settings;
+        }
+    }
+    read_until(program,
+               table.needed_table(program_keys::until, "every stage needs until = { time = \"...\" }, and may have other ends"),
+               stage);
+    table.given(program_keys::must_end_by, stage.must_end_by);
+    const auto is_end = [&](const Condition& c) { return c.name == stage.must_end_by; };
+    const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == ended_by_rest && stage.rest) ||
+                         (stage.must_end_by == "peak_drop" && stage.peak_drop) ||
+                         std::any_of(stage.until.begin(), stage.until.end(), is_end);
+    if (!has_end) table.refuse(program_keys::must_end_by, "is none of the ends in until; one of them other than time fits");
+    table.refuse_others();
+    return stage;
+}
+
+void read_stages(TomlTable& file, Program& program) {
+    TomlTable stages = file.needed_table("stage", "describe each stage by a table [stage.NAME]");
+    for (const std::string& name : program.order) {
+        if (!stages.table(name)) file.refuse("stages", fmt::format("there is no table [stage.{}]", name));
+    }
+    for (TomlTable& table : stages.tables()) {
+        if (std::find(program.order.begin(), program.order.end(), table.name()) == program.order.end()) {
+            table.refuse("", "is in no place of stages; add it there, or remove it");
+        }
+        program.stages.push_back(read_stage(program, table));
+    }
+    stages.refuse_others();
+}
+
+/// Which actions of each condition are named anywhere.
+void record_actions(Program& program) {
+    for (BoundaryCondition& condition : program.boundary_conditions) {
+        for (std::size_t i = 0; i < n_actions; ++i) {
+            condition.is_set[i] = condition.start[i].has_value();
+            for (const Stage& stage : program.stages) {
+                const auto found = stage.settings.find(condition.name);
+                condition.is_set[i] = condition.is_set[i] || (found != stage.settings.end() && found->second[i]);
+            }
+        }
+        if (std::none_of(condition.is_set.begin(), condition.is_set.end(), [](bool set) { return set; })) {
+            throw InputError(
+                fmt::format("{}: boundary.{}: does nothing; give it a velocity_x, velocity_y, traction_x, traction_y "
+                            "or pressure, here or in a stage",
+                            program.file, condition.name));
+        }
+    }
+}
+
+void read_platens(TomlTable& file, Program& program) {
+    if (auto table = file.table("platens")) {
+        program.platens.emplace();
+        table->given("glued", program.platens->bonded);  // the former name of `bonded`
+        visit(*table, *program.platens);
+        for (auto& [name, faces] : {std::pair("bottom", &program.platens->bottom), std::pair("top", &program.platens->top)}) {
+            auto side = table->table(name);
+            if (!side) continue;
+            visit(*side, *faces);
+            side->refuse_others();
+        }
+        table->refuse_others();
+    }
+}
+
+}  // namespace
+
+Program parse_program(const std::string& text, const std::string& name) {
+    TomlTable file(parse_toml(text, name));
+    Program program;
+    program.file = name;
+    program.text = text;
+    visit(file, program);
+    read_platens(file, program);
+    for_each_table(file, "boundary",
+                   [&](TomlTable& table) { program.boundary_conditions.push_back(read_boundary_condition(table)); });
+    for_each_table(file, "probe", [&](TomlTable& table) { program.probes.push_back(read_probe(program, table)); });
+    for_each_table(file, "initial", [&](TomlTable& table) { visit(table, program.initial_velocities.emplace_back()); });
+    read_stages(file, program);
+    file.refuse_others();
+    record_actions(program);
+    return program;
+}
+
+Program read_program(const std::string& file) {
+    (void)read_toml(file);  // says why it cannot be read
+    std::ifstream stream(file, std::ios::binary);
+    return parse_program({std::istreambuf_iterator<char>(stream), {}}, file);
+}
+
+}  // namespace graincrack

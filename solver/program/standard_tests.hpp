@@ -1,0 +1,79 @@
+// The four laboratory tests as programs: platens, a membrane where there is a pressure, and the stages of both.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
+#include "solver/program/program.hpp"
+
+namespace graincrack {
+
+enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
+constexpr std::string_view name_of(TestKind test) {
+    switch (test) {
+        case TestKind::uniaxial: return "uniaxial";
+        case TestKind::triaxial: return "triaxial";
+        case TestKind::brazilian: return "brazilian";
+        case TestKind::tension: return "tension";
+        case TestKind::program: return "program";
+    }
+    return "?";
+}
+
+/// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
+enum class RateKind : std::uint8_t { fixed, automatic, blocks };
+constexpr std::string_view name_of(RateKind rate) {
+    switch (rate) {
+        case RateKind::fixed: return "fixed";
+        case RateKind::automatic: return "auto";
+        case RateKind::blocks: return "blocks";
+    }
+    return "?";
+}
+
+/// What a standard test asks of its loading.
+struct LoadingRequest {
+    TestKind test = TestKind::uniaxial;
+    RateKind rate = RateKind::fixed;
+    double platen_speed = 5e-3;                      ///< of each platen, m/s; not of `automatic`
+    std::optional<double> rate_tolerance;            ///< of `automatic`, see `AutomaticRate`; missing: that of the test
+    double rest_tolerance = default_rest_tolerance;  ///< of `blocks`: unbalanced ratio that counts as rest between them
+    double rate_share = 1;                           ///< of all speeds of `automatic`, see `RateControl`
+    std::int64_t block_steps = 5000;
+    double confining_pressure = 0;  ///< Pa
+    double platen_friction = 0;     ///< rad
+    double max_strain = 0.015;
+    [[nodiscard]] double automatic_tolerance() const {
+        const bool is_tensile = test == TestKind::tension || test == TestKind::brazilian;
+        return rate_tolerance.value_or(is_tensile ? tensile_rate_tolerance : default_rate_tolerance);
+    }
+    /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
+    [[nodiscard]] double control_tolerance() const {
+        switch (rate) {
+            case RateKind::fixed: return 0;
+            case RateKind::automatic: return automatic_tolerance();
+            case RateKind::blocks: return rest_tolerance;
+        }
+        return 0;
+    }
+};
+
+/// Names of the stages of a test under pressure; the others have the second alone.
+inline constexpr const char* isotropic_stage = "isotropic";
+inline constexpr const char* axial_stage = "axial";
+
+/// Uniaxial or triaxial compression, Brazilian test or direct tension. Under a confining pressure a membrane on the parts left
+/// and right and the platens first load the specimen isotropically and wait for rest, then the platens move on. \param peak_drop
+/// fall below the peak that ends the test, share of it; 0: the test ends at the strain limit alone
+Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock);
+
+/// A Brazilian test loads a disc; the other standard tests measure stress over the width of their specimen, which a disc does not
+/// have. Shapes of names that the mesher does not give, and all shapes of a program, pass.
+/// \param file of the specimen, for the message \throws InputError if the test is not made for the shape
+void require_shape(TestKind test, const Specimen& specimen, const std::string& file);
+
+}  // namespace graincrack

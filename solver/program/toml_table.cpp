@@ -1,0 +1,201 @@
+#include "solver/program/toml_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+
+namespace graincrack {
+
+TomlTable::TomlTable(const TomlFile& file) : file_(std::make_shared<const TomlFile>(file)) {}
+TomlTable::TomlTable(std::shared_ptr<const TomlFile> file, std::vector<std::string> section)
+    : file_(std::move(file)), section_(std::move(section)), path_(fmt::format("{}", fmt::join(section_, "."))) {}
+
+bool TomlTable::is_inside(const std::vector<std::string>& section) const {
+    return section.size() >= section_.size() && std::equal(section_.begin(), section_.end(), section.begin());
+}
+
+const TomlEntry* TomlTable::entry(const std::string& key) const {
+    const auto found = std::find_if(file_->entries.begin(), file_->entries.end(),
+                                    [&](const TomlEntry& e) { return e.section == section_ && e.key == key; });
+    return found == file_->entries.end() ? nullptr : &*found;
+}
+
+std::vector<std::pair<int, std::string>> TomlTable::keys() const {
+    std::vector<std::pair<int, std::string>> keys;
+    const auto add = [&](int line, const std::string& name) {
+        if (std::none_of(keys.begin(), keys.end(), [&](const auto& k) { return k.second == name; })) {
+            keys.emplace_back(line, name);
+        }
+    };
+    for (const TomlEntry& e : file_->entries) {
+        if (e.section == section_) add(e.line, e.key);
+    }
+    for (const TomlSection& s : file_->sections) {
+        if (is_inside(s.name) && s.name.size() > section_.size()) add(s.line, s.name[section_.size()]);
+    }
+    std::stable_sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return keys;
+}
+
+bool TomlTable::has_table(const std::string& key) const {
+    return std::any_of(file_->sections.begin(), file_->sections.end(), [&](const TomlSection& s) {
+        return is_inside(s.name) && s.name.size() > section_.size() && s.name[section_.size()] == key;
+    });
+}
+bool TomlTable::has_value(const std::string& key) const { return entry(key) != nullptr; }
+bool TomlTable::has(const std::string& key) const { return has_value(key) || has_table(key); }
+std::string TomlTable::name() const { return section_.empty() ? "" : section_.back(); }
+
+std::string TomlTable::where(const std::string& key) const {
+    int line = 0;
+    for (const TomlSection& s : file_->sections) line = line == 0 && is_inside(s.name) && !section_.empty() ? s.line : line;
+    for (const auto& [at, name] : keys()) line = name == key ? at : line;
+    const std::string dotted = path_.empty() ? key : key.empty() ? path_ : path_ + "." + key;
+    return line == 0 ? fmt::format("{}: {}", file_->file, dotted) : fmt::format("{}: line {}: {}", file_->file, line, dotted);
+}
+
+void TomlTable::refuse(const std::string& key, const std::string& wrong_and_right) const {
+    throw InputError(fmt::format("{}: {}", where(key), wrong_and_right));
+}
+
+std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key) {
+    asked_.push_back(key);
+    if (has_table(key)) refuse(key, "is a table; a text, or an array of texts, fits");
+    const TomlEntry* found = entry(key);
+    if (found == nullptr) return std::nullopt;
+    std::vector<std::string> words;
+    for (const TomlValue& value : found->values) {
+        if (value.kind != TomlValue::Kind::text) refuse(key, fmt::format("{} is no text; a text in quotes fits", value.text));
+        words.push_back(value.text);
+    }
+    return words;
+}
+
+std::optional<std::string> TomlTable::text(const std::string& key) {
+    const auto words = texts(key);
+    if (!words) return std::nullopt;
+    if (entry(key)->is_array) refuse(key, "is an array; one text in quotes fits");
+    return words->front();
+}
+
+void TomlTable::given(const std::string& key, bool& value) {
+    asked_.push_back(key);
+    if (!has(key)) return;
+    const TomlEntry* found = entry(key);
+    if (found == nullptr || found->is_array || found->values.front().kind != TomlValue::Kind::boolean) {
+        refuse(key, "is neither true nor false");
+    }
+    value = found->values.front().text == "true";
+}
+
+double TomlTable::number(const std::string& key, const TomlValue& value, const Quantity& quantity) const {
+    try {
+        return parse_quantity(value.text, quantity, where(key));
+    } catch (const UsageError& error) {
+        throw InputError(error.what());
+    }
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, std::vector<double>& values) {
+    asked_.push_back(key);
+    if (!has(key)) return;
+    const std::string fits = fmt::format("an array of texts with units of a {} or of bare numbers in {} fits",
+                                         name_of(quantity.dimension), quantity.unit());
+    const TomlEntry* found = entry(key);
+    if (found == nullptr || !found->is_array) refuse(key, "is no array; " + fits);
+    values.clear();
+    for (const TomlValue& value : found->values) {
+        if (value.kind == TomlValue::Kind::boolean) refuse(key, value.text + " is no quantity; " + fits);
+        values.push_back(number(key, value, quantity));
+    }
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, double& value) {
+    asked_.push_back(key);
+    if (!has(key)) return;
+    const TomlEntry* found = entry(key);
+    if (found == nullptr || found->is_array || found->values.front().kind == TomlValue::Kind::boolean) {
+        refuse(key, fmt::format("is no quantity; a text with a unit of a {} or a bare number in {} fits",
+                                name_of(quantity.dimension), quantity.unit()));
+    }
+    value = number(key, found->values.front(), quantity);
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, std::int64_t& value) {
+    auto number = static_cast<double>(value);
+    given(key, quantity, number);
+    if (number != std::floor(number)) refuse(key, fmt::format("{} is no whole number", number));
+    value = static_cast<std::int64_t>(number);
+}
+
+void TomlTable::given(const std::string& key, const Quantity& quantity, std::optional<double>& value, const char* none) {
+    if (none != nullptr && is_word(key, none)) {
+        value = 0;
+        return;
+    }
+    double number = 0;
+    given(key, quantity, number);
+    if (has(key)) value = number;
+}
+
+bool TomlTable::is_word(const std::string& key, const std::string& word) {
+    asked_.push_back(key);
+    const TomlEntry* found = entry(key);
+    return found != nullptr && !found->is_array && found->values.front().text == word;
+}
+
+void TomlTable::choice(const std::string& key, bool& value, const std::string& word_of_false, const std::string& word_of_true) {
+    value = is_word(key, word_of_true);
+    if (!value && !is_word(key, word_of_false)) {
+        refuse(key, fmt::format("is none of the words that fit, \"{}\" and \"{}\"", word_of_false, word_of_true));
+    }
+}
+
+void TomlTable::require(const std::string& key, const std::string& what) {
+    const TomlEntry* found = entry(key);
+    if (!has(key) || (found != nullptr && found->values.empty())) {
+        asked_.push_back(key);
+        refuse(key, "missing; " + what);
+    }
+}
+
+std::optional<TomlTable> TomlTable::table(const std::string& key) {
+    asked_.push_back(key);
+    if (has_value(key)) refuse(key, "is a value; a table fits");
+    if (!has_table(key)) return std::nullopt;
+    std::vector<std::string> section = section_;
+    section.push_back(key);
+    return TomlTable(file_, section);
+}
+
+std::vector<TomlTable> TomlTable::tables() {
+    std::vector<TomlTable> found;
+    for (const auto& [line, key] : keys()) {
+        if (has_table(key)) found.push_back(*table(key));
+    }
+    return found;
+}
+
+TomlTable TomlTable::needed_table(const std::string& key, const std::string& what) {
+    auto found = table(key);
+    if (!found) refuse(key, "missing; " + what);
+    return *found;
+}
+
+void TomlTable::refuse_others() const {
+    for (const auto& [line, key] : keys()) {
+        if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
+            std::vector<std::string> known = asked_;
+            std::sort(known.begin(), known.end());
+            known.erase(std::unique(known.begin(), known.end()), known.end());
+            refuse(key, fmt::format("unknown key{}; known are {}", did_you_mean(key, known), fmt::join(known, ", ")));
+        }
+    }
+}
+
+}  // namespace graincrack

@@ -1,0 +1,89 @@
+// A table of a TOML file that is asked for its keys one by one; what nobody asked for is refused.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/base/quantities.hpp"
+#include "share/base/toml_file.hpp"
+
+namespace graincrack {
+
+class TomlTable {
+public:
+    explicit TomlTable(const TomlFile& file);
+
+    [[nodiscard]] const std::string& path() const { return path_; }  ///< "stage.load", "" for the whole file
+    [[nodiscard]] bool has(const std::string& key) const;            ///< a value or a table
+    [[nodiscard]] bool has_value(const std::string& key) const;
+    /// "file: line 12: stage.load.until", for messages.
+    [[nodiscard]] std::string where(const std::string& key = "") const;
+
+    // Rows of `program/keys.hpp`: what is missing leaves the value as it is, or is refused, saying `what`, where it is needed.
+    // Each throws InputError where the key holds something else.
+    static constexpr bool reads = true;
+    void given(const std::string& key, std::string& value) { value = text(key).value_or(value); }
+    void given(const std::string& key, std::vector<std::string>& value) { value = texts(key).value_or(value); }  ///< or one text
+    void given(const std::string& key, bool& value);
+    void given(const std::string& key, const Quantity& quantity, double& value);
+    void given(const std::string& key, const Quantity& quantity, std::int64_t& value);
+    /// \param none the word that stands for 0, if there is one
+    void given(const std::string& key, const Quantity& quantity, std::optional<double>& value, const char* none = nullptr);
+    void given(const std::string& key, const Quantity& quantity, std::vector<double>& value);
+    /// \param fits what is said where the number of values is another
+    template <std::size_t N>
+    void given(const std::string& key, const Quantity& quantity, std::optional<std::array<double, N>>& value, const char* fits) {
+        std::vector<double> values;
+        given(key, quantity, values);
+        if (!has(key)) return;
+        if (values.size() != N) refuse(key, fits);
+        std::copy(values.begin(), values.end(), value.emplace().begin());
+    }
+    /// One of two words.
+    void choice(const std::string& key, bool& value, const std::string& word_of_false, const std::string& word_of_true);
+    template <class Value>
+    void needed(const std::string& key, Value& value, const std::string& what) {
+        require(key, what);
+        given(key, value);
+    }
+    void needed(const std::string& key, const Quantity& quantity, double& value, const std::string& what) {
+        require(key, what);
+        given(key, quantity, value);
+    }
+
+    /// Whether the value is this word.
+    bool is_word(const std::string& key, const std::string& word);
+    std::optional<TomlTable> table(const std::string& key);
+    TomlTable needed_table(const std::string& key, const std::string& what);
+    /// The tables in this one, by their names in the order of the file.
+    std::vector<TomlTable> tables();
+
+    [[nodiscard]] std::string name() const;  ///< last part of the path
+    /// Refuses every key that was not asked for. \throws InputError
+    void refuse_others() const;
+    [[noreturn]] void refuse(const std::string& key, const std::string& wrong_and_right) const;
+
+private:
+    std::optional<std::string> text(const std::string& key);
+    std::optional<std::vector<std::string>> texts(const std::string& key);
+    void require(const std::string& key, const std::string& what);
+    [[nodiscard]] double number(const std::string& key, const TomlValue& value, const Quantity& quantity) const;
+    TomlTable(std::shared_ptr<const TomlFile> file, std::vector<std::string> section);
+    [[nodiscard]] const TomlEntry* entry(const std::string& key) const;
+    [[nodiscard]] bool has_table(const std::string& key) const;
+    [[nodiscard]] std::vector<std::pair<int, std::string>> keys() const;  ///< line and name of values and tables
+    [[nodiscard]] bool is_inside(const std::vector<std::string>& section) const;
+
+    std::shared_ptr<const TomlFile> file_;
+    std::vector<std::string> section_;
+    std::string path_;
+    std::vector<std::string> asked_;
+};
+
+}  // namespace graincrack

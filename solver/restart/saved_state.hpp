@@ -1,0 +1,51 @@
+// The state of a run at its end, kept in its file (/state), so that another run starts from it: to the byte with the same
+// values, or with other contact values or another program.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "share/file/run_file.hpp"
+#include "solver/loading/stage_control.hpp"
+#include "solver/model/state.hpp"
+#include "solver/setup/setup.hpp"
+
+namespace graincrack {
+
+class H5Output;
+
+/// Where the choice of frames is, for a run that resumes from a checkpoint.
+struct FrameProgress {
+    double next = 0;               ///< progress at which the next regular frame is due
+    double interval = 0;           ///< from one regular frame to the next
+    int regular = 0;               ///< how many there are
+    std::vector<FrameRole> roles;  ///< of the frames of the checkpoint
+};
+
+/// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error);
+
+/// Adds to /state of a checkpoint where its frames were.
+void write_frame_progress(H5Output& file, const FrameProgress& progress);
+
+/// Bytes of the arrays that /state has for a state.
+std::size_t size_of_saved_state(const State& state);
+
+/// What a run starts with that starts from another.
+struct SavedState {
+    State state;
+    StageControllerState loading;
+    std::vector<Crack> cracks;
+    FrameProgress frames;             ///< of a checkpoint
+    double energy_scale = 0;          ///< largest stored energy so far, J
+    double energy_balance_error = 0;  ///< largest so far, J
+};
+
+/// Reads the end of the run `path`. Its specimen, rock, plane and mass scaling must be those of `setup`; contact values and time
+/// step may be others: what the change puts into the contacts' stored energy counts as external work. \throws InputError if the
+/// run keeps no state, or one that does not fit
+SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,
+                            const Setup& setup);
+
+}  // namespace graincrack

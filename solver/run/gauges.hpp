@@ -1,0 +1,34 @@
+// Strains measured on the specimen.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "share/file/specimen.hpp"
+#include "solver/model/assemblage.hpp"
+
+namespace graincrack {
+
+/// A strain as a linear function of displacements: Σ weight · component, by least squares over the nodes of a region.
+struct Gauge {
+    struct Term {
+        std::int32_t node;
+        double weight;  ///< 1/m
+    };
+    bool along_y = false;
+    std::vector<Term> terms;      ///< ascending by node
+    std::vector<Range> of_chunk;  ///< by chunk of nodes: its terms
+    [[nodiscard]] double strain(const std::vector<Vector2>& displacement) const;
+};
+
+/// The four strain measures of the history.
+struct Gauges {
+    Gauge axial;     ///< slope of u_y over y in the central half
+    Gauge lateral;   ///< slope of u_x over x in the central half
+    Gauge widening;  ///< mean u_x of the right boundary less that of the left, over the width
+};
+/// The central half: |y| ≤ height/4, and |x| ≤ width/4 of a specimen without end faces, a disc. The boundary gauge takes parts
+/// left and right, of a disc the rim within 15° of the x axis.
+Gauges make_gauges(const Assemblage& assemblage, const Specimen& specimen);
+
+}  // namespace graincrack

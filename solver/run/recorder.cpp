@@ -1,0 +1,105 @@
+#include "solver/run/recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "share/base/error.hpp"
+#include "solver/model/transit_time.hpp"
+#include "solver/run/damping_load.hpp"
+#include "solver/run/near_failure.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Load over the specimen's width (brazilian: over its diameter), tension positive, Pa.
+double axial_stress_of(const Measurement& m, const Specimen& s) { return 0.5 * (m.force_top - m.force_bottom) / s.width; }
+
+double axial_strain_of(const State& state, const Specimen& s) {
+    const auto& platens = state.loading.platen_displacement;
+    return (platens[top_platen] - platens[bottom_platen]) / s.height;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Specimen& specimen, const SimulationRequest& request, const Setup& setup)
+    : specimen_(specimen),
+      setup_(setup),
+      gauges_(make_gauges(setup.assemblage, specimen)),
+      time_constant_(mean_transits * bar_transit_time(specimen, request.material.rock)),
+      crack_log_(2 * specimen.n_contacts()),
+      energy_(specimen, request) {}
+
+Feedback Recorder::record(double platen_speed, State& state) {
+    const Assemblage& a = setup_.assemblage;
+    crack_log_.collect(a, setup_.parameters.time_step, state);
+    const Measurement m = measure(a, setup_.boundary, setup_.parameters, state);
+    energy_.add(m.energies, state.step);
+    follow_damping_load(a, state, m.platen_power, time_constant_, state.damping_load);
+    const double strain = axial_strain_of(state, specimen_);
+    push_row(m, strain, platen_speed, state);
+    is_at_peak_ = !crack_log_.empty() && axial_stress() > peak_;
+    peak_ = is_at_peak_ ? axial_stress() : peak_;
+    const double load = std::abs(m.force_top - m.force_bottom) / 2;
+    Feedback feedback;
+    feedback.time = state.time;
+    feedback.axial_strain = strain;
+    feedback.axial_compression = -axial_stress_of(m, specimen_);
+    feedback.unbalanced_ratio = m.unbalanced_ratio;
+    feedback.kinetic_energy = m.own_kinetic;
+    feedback.stored_energy = m.energies.stored();
+    feedback.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
+    feedback.damping_load = state.damping_load.share();
+    feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width);
+    return feedback;
+}
+
+void Recorder::restore(const SavedState& saved) {
+    crack_log_.restore(saved.cracks);
+    energy_.restore(saved.energy_scale, saved.energy_balance_error);
+}
+
+void Recorder::resume(const RunReader& checkpoint, const State& state) {
+    history_ = checkpoint.history();
+    if (history_[HistoryColumn::time].back() != state.time ||
+        history_[HistoryColumn::step].back() != static_cast<double>(state.step)) {
+        throw InputError(checkpoint.name() + ": its state is not that of the last row of its history: the file is damaged");
+    }
+    energy_.resume(history_[HistoryColumn::energy_external]);
+    peak_ = checkpoint.header().peak_axial_stress;
+}
+
+double Recorder::axial_stress() const { return std::abs(history_[HistoryColumn::axial_stress].back()); }
+
+void Recorder::push_row(const Measurement& m, double strain, double speed_of_platens, const State& state) {
+    using enum HistoryColumn;
+    const Energies& e = m.energies;
+    push(time, state.time);
+    push(step, static_cast<double>(state.step));
+    push(HistoryColumn::axial_strain, strain);
+    push(lateral_strain, gauges_.widening.strain(state.displacement));
+    push(gauge_axial_strain, gauges_.axial.strain(state.displacement));
+    push(gauge_lateral_strain, gauges_.lateral.strain(state.displacement));
+    push(HistoryColumn::axial_stress, axial_stress_of(m, specimen_));
+    push(force_top, m.force_top);
+    push(force_bottom, -m.force_bottom);
+    push(confining_pressure, m.confining_force / (specimen_.height * (1 + strain)));
+    push(energy_external, e.external);
+    push(energy_kinetic, e.kinetic);
+    push(energy_strain, e.strain);
+    push(energy_contact, e.contact);
+    push(energy_fracture_tension, e.fracture_tension);
+    push(energy_fracture_shear, e.fracture_shear);
+    push(energy_friction, e.friction);
+    push(energy_damping, e.damping);
+    push(energy_platen, e.platen);
+    push(non_conservative_work, e.non_conservative_work);
+    push(energy_balance_error, energy_.relative(e.balance_error()));
+    push(unbalanced_ratio, m.unbalanced_ratio);
+    push(tensile_cracks, 0.5 * static_cast<double>(crack_log_.tensile_points()));
+    push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));
+    push(platen_speed, speed_of_platens);
+    push(damping_load, state.damping_load.share());
+    push(energy_numerical, e.numerical);
+}
+
+}  // namespace graincrack

@@ -1,0 +1,57 @@
+// The run file as it grows, and its checkpoints.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "share/file/provenance.hpp"
+#include "share/file/run_file.hpp"
+#include "solver/restart/checkpoint.hpp"
+#include "solver/restart/saved_state.hpp"
+#include "solver/run/frame_output.hpp"
+#include "solver/run/program_driver.hpp"
+#include "solver/run/recorder.hpp"
+
+namespace graincrack {
+
+/// What a run consists of, as its files keep it.
+struct Run {
+    const Specimen& specimen;
+    const SimulationRequest& request;
+    const Setup& setup;
+    const ProgramDriver& program;
+    const State& state;
+    const Recorder& recorder;
+    const RunHeader& header;
+    int threads;
+};
+
+class RunOutput {
+public:
+    /// \param output file, "-" for stdout \param frames of the checkpoint that the run resumes from, if it does
+    /// \throws UsageError if something else has the name of the run or of its checkpoint
+    RunOutput(const Run& run, const std::string& output, const std::optional<FrameProgress>& frames);
+    /// Takes the last row: frames, and from time to time the rows so far.
+    void record();
+    /// Whether a checkpoint is due, or was asked for.
+    [[nodiscard]] bool wants_checkpoint() const;
+    /// Writes a run file of its own, with all rows, cracks and frames so far and the present state. \return its name, "" for a
+    /// run that has none
+    const std::string& write_checkpoint();
+    /// Completes the file.
+    void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance);
+
+private:
+    void append_rows();
+
+    Run run_;
+    std::string checkpoint_;  ///< its file, "" for none
+    RunWriter writer_;
+    FrameOutput frames_;
+    std::size_t rows_written_ = 0;
+    WallClock since_checkpoint_, since_flush_;
+};
+
+}  // namespace graincrack

@@ -1,0 +1,61 @@
+// Functions of time.
+#include "solver/model/amplitude.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/check.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+
+TEST(TimeFunction, TakesItsValues) {
+    TimeFunction f;
+    f.kind = TimeFunction::Kind::ramp;
+    f.from = 1;
+    f.value = 3;
+    f.duration = 2;
+    EXPECT_EQ(f(-1), 1);
+    EXPECT_EQ(f(0.5), 1 + 2 * (0.0625 * 2.5));
+    EXPECT_EQ(f(1), 2);
+    EXPECT_EQ(f(5), 3);
+    EXPECT_EQ(f.end(), 2);
+    f.kind = TimeFunction::Kind::pulse;
+    expect_close(f(1), 4, 1e-15, 1);
+    expect_close(f(0.5), 2.5, 1e-15, 1);
+    EXPECT_EQ(f(2.1), 1);
+    f.kind = TimeFunction::Kind::sine;
+    f.frequency = 0.25;
+    f.phase = std::numbers::pi / 6;
+    expect_close(f(0), 2.5, 1e-15, 1);
+    expect_close(f(1), 1 + 3 * std::cos(f.phase), 1e-15, 1);
+    EXPECT_EQ(f(2.1), 1);  // half a cycle
+    f.duration = 0;
+    EXPECT_NE(f(2.1), 1);
+    EXPECT_TRUE(std::isinf(f.end()));
+    f.kind = TimeFunction::Kind::ricker;
+    f.peak_time = 6;
+    EXPECT_EQ(f(6), 4);
+    // Its zeros are 1/(√2 π f) from the peak, its mean over time is 0.
+    expect_close(f(6 + 1 / (std::sqrt(2.0) * std::numbers::pi * f.frequency)), 1, 1e-14, 1);
+    double sum = 0;
+    for (int i = -3000; i <= 3000; ++i) sum += f(6 + 0.01 * i) - 1;
+    expect_close(0.01 * sum, 0, 1e-9, 1);
+    EXPECT_LT(std::abs(f(f.end()) - 1), 1e-12);
+    f.kind = TimeFunction::Kind::table;
+    f.times = {1, 2, 4};
+    f.values = {10, 20, 0};
+    EXPECT_EQ(f(0), 10);
+    EXPECT_EQ(f(1.5), 15);
+    EXPECT_EQ(f(3), 10);
+    EXPECT_EQ(f(4), 0);
+    EXPECT_EQ(f(9), 0);
+    EXPECT_EQ(f.end(), 4);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,52 @@
+// Frames of states set by hand.
+#include "solver/run/frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::expect_close;
+using test::SmallRun;
+
+SmallRun run_of(const Specimen& s) { return {s, test::augig_law()}; }
+
+TEST(Frame, IsInTheOrderOfTheSpecimen) {
+    Specimen s = test::one_diagonal_grid(2, 2, 0.02, 0.02);
+    const auto n = static_cast<std::int32_t>(s.n_nodes());
+    std::reverse(s.node_position.begin(), s.node_position.end());
+    for (auto& e : s.element_nodes) {
+        for (auto& i : e) i = n - 1 - i;
+    }
+    for (auto& c : s.contact_nodes) {
+        for (auto& i : c) i = n - 1 - i;
+    }
+    for (auto& b : s.boundary_edges) {
+        for (auto& i : b) i = n - 1 - i;
+    }
+    SmallRun run = run_of(s);
+    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
+    run.begin();
+    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
+    ASSERT_EQ(frame.displacement.size(), s.n_nodes());
+    for (std::size_t i = 0; i < s.n_nodes(); ++i) {
+        EXPECT_EQ(frame.displacement[i][0], 1e-5 * s.node_position[i][0]);
+        EXPECT_EQ(frame.displacement[i][1], 1e-5 * s.node_position[i][1]);
+    }
+    // A swelling by 1e-5: the same stress in all directions, E/((1 + ν)(1 − 2ν)) · 1e-5 in plane strain, to the strain.
+    const double expected = 25.8e9 / (1.23 * 0.54) * 1e-5;
+    for (const auto& stress : frame.element_stress) {
+        expect_close(stress[0], expected, 1e-9, expected);
+        expect_close(stress[1], expected, 1e-9, expected);
+        expect_close(stress[2], 0, 1e-9, expected);
+        expect_close(stress[3], 2 * 0.23 * expected, 1e-9, expected);
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
