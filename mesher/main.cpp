@@ -3,6 +3,8 @@
 //     graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5
 //     graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5
 //     graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 -o minerals.h5
+#include <fmt/format.h>
+
 #include <chrono>
 #include <iostream>
 #include <optional>
@@ -16,6 +18,7 @@
 #include "mesher/specimen_maker.hpp"
 #include "share/base/error.hpp"
 #include "share/base/progress.hpp"
+#include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/provenance.hpp"
 #include "share/rock/material.hpp"
@@ -84,6 +87,11 @@ int run(int argc, char** argv) {
     // Report
     if (options->verbosity != Verbosity::quiet) {
         print(std::cerr, describe_mesh(specimen, options->request, report));
+        if (length(options->moved) > 0) {
+            print(std::cerr, {fmt::format("  note: moved by ({}, {}), so that the middle of its extent is the origin",
+                                          format_quantity(options->moved.x, Dimension::length),
+                                          format_quantity(options->moved.y, Dimension::length))});
+        }
         if (material) {
             write_notes(std::cerr, "graincrack-mesh", *material);
             print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));

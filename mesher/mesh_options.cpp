@@ -1,9 +1,13 @@
 #include "mesher/mesh_options.hpp"
 
-#include <limits>
+#include <optional>
+#include <vector>
 
 #include "mesher/plane/triangulation.hpp"
+#include "mesher/region/region_files.hpp"
 #include "share/base/error.hpp"
+#include "share/base/quantities.hpp"
+#include "share/base/units.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack::mesher {
@@ -16,7 +20,198 @@ constexpr const char* examples =
     "  graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 "
     "--strength-modulus 5 -o minerals.h5";
 
-/// Options of both shapes.
+/// What the options of a kind of specimens set; kinds share them.
+struct KindOptions {
+    double width = 0;
+    double height = 0;
+    double diameter = 0;
+    double inner_diameter = 0;
+    Pole pole = Pole::facet;
+    int diameters = 1;
+    int loaded_diameter = 0;
+    std::optional<double> flats;
+    std::optional<double> notch;
+    std::optional<double> angle;  ///< of a notch or slit
+    std::string file;
+};
+
+/// A kind of specimens: a subcommand with its options, and how they make the region of a request.
+struct Kind {
+    const char* name;
+    const char* help;
+    void (*add_options)(CLI::App&, KindOptions&);
+    void (*make)(const KindOptions&, SpecimenRequest&);
+};
+
+void add_width(CLI::App& app, KindOptions& options, const char* name) {
+    add_quantity(app, name, options.width, quantity::width, "width, along x")->required();
+}
+void add_height(CLI::App& app, KindOptions& options) {
+    add_quantity(app, "--height", options.height, quantity::height, "height, along the load")->required();
+}
+void add_diameter(CLI::App& app, KindOptions& options) {
+    add_quantity(app, "--diameter", options.diameter, quantity::diameter, "diameter")->required();
+}
+
+const Kind kinds[] = {
+    {"rectangle", "a rectangle, loaded along its height",
+     [](CLI::App& app, KindOptions& options) {
+         add_width(app, options, "--width");
+         add_height(app, options);
+         add_quantity(
+             app, "--notch", options.notch, quantity::notch,
+             "length of a notch through the centre, across the load, whose grain boundaries are broken from the start; the "
+             "width of the specimen makes it a joint");
+         add_quantity(app, "--notch-angle", options.angle, quantity::direction,
+                      "direction of the notch from x: a straight notch, which grain boundaries follow; default: across the load "
+                      "along whole grain boundaries as they lie");
+     },
+     [](const KindOptions& options, SpecimenRequest& request) {
+         request.region = rectangle(options.width, options.height);
+         if (options.angle && !options.notch) throw UsageError("--notch-angle: there is no notch; add --notch 20mm");
+         if (options.angle) {
+             request.region.edges = {central_slit(request.region, *options.notch, *options.angle, "--notch")};
+         } else {
+             request.notch = options.notch;
+         }
+     }},
+    {"disc", "a disc, loaded along its vertical diameter",
+     [](CLI::App& app, KindOptions& options) {
+         add_diameter(app, options);
+         CLI::Option* pole = add_choice<Pole>(app, "--pole", options.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
+                                              "part of the rim that meets the platens");
+         CLI::Option* diameters = add_integer<int>(
+             app, "--diameters", options.diameters,
+             "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1, max_diameters);
+         CLI::Option* loaded = add_integer<int>(
+             app, "--loaded-diameter", options.loaded_diameter,
+             "index of the diameter along the load, counter-clockwise from 0: the same grains, rotated, with holes and flaws", 0,
+             max_diameters - 1);
+         CLI::Option* flats = add_quantity(app, "--flats", options.flats, quantity::flats,
+                                           "angle under which flat poles, the parts top and bottom, are seen from the centre");
+         for (CLI::Option* other : {pole, diameters, loaded}) flats->excludes(other);
+         add_quantity(app, "--slit", options.notch, quantity::slit, "length of a straight crack through the centre");
+         add_quantity(app, "--slit-angle", options.angle, quantity::direction,
+                      "direction of the crack from x; 90deg along the load; default: 90deg");
+     },
+     [](const KindOptions& options, SpecimenRequest& request) {
+         request.region = options.flats ? disc_with_flats(options.diameter, *options.flats)
+                                        : disc(options.diameter, options.pole, options.diameters, options.loaded_diameter);
+         if (options.angle && !options.notch) throw UsageError("--slit-angle: there is no slit; add --slit 20mm");
+         if (options.notch) {
+             request.region.edges = {
+                 central_slit(request.region, *options.notch, options.angle.value_or(quantity::right_angle), "--slit")};
+         }
+     }},
+    {"ring", "a ring, loaded along its vertical diameter",
+     [](CLI::App& app, KindOptions& options) {
+         add_diameter(app, options);
+         add_quantity(app, "--inner-diameter", options.inner_diameter, quantity::diameter, "diameter of the hole")->required();
+     },
+     [](const KindOptions& options, SpecimenRequest& request) {
+         if (!(options.inner_diameter < options.diameter)) throw UsageError("--inner-diameter: must be less than --diameter");
+         request.region = ring(options.diameter, options.inner_diameter);
+     }},
+    {"beam", "a beam along x, to be bent",
+     [](CLI::App& app, KindOptions& options) {
+         add_width(app, options, "--length");
+         add_height(app, options);
+         add_quantity(app, "--notch", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
+     },
+     [](const KindOptions& options, SpecimenRequest& request) {
+         request.region = rectangle(options.width, options.height);
+         request.region.name = "beam";
+         if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--notch")};
+     }},
+    {"half-disc", "half a disc on its flat side, to be bent",
+     [](CLI::App& app, KindOptions& options) {
+         add_diameter(app, options);
+         add_quantity(app, "--slit", options.notch, quantity::slit,
+                      "length of a straight crack from the middle of the flat side");
+     },
+     [](const KindOptions& options, SpecimenRequest& request) {
+         request.region = half_disc(options.diameter);
+         if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--slit")};
+     }},
+    {"polygon", "a polygon from a file, moved so that the middle of its extent is the origin",
+     [](CLI::App& app, KindOptions& options) {
+         app.add_option(
+                "file", options.file,
+                "TSV with columns x_mm and y_mm of the corners and, if there is one, part: the name of the side from a corner "
+                "to the next (side unless given; top, bottom, left and right are those of a rectangle)")
+             ->type_name("FILE")
+             ->required();
+     },
+     [](const KindOptions& options, SpecimenRequest& request) { request.region = read_polygon(options.file); }},
+};
+
+/// An option that may be given again.
+void add_each(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
+              const std::string& help) {
+    app.add_option(option, target, help)
+        ->type_name(type)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->default_str("");
+}
+
+/// What is cut into a specimen of any kind.
+struct CutOptions {
+    std::vector<std::string> holes;
+    std::vector<std::string> joint_sets;
+    std::string flaws;
+};
+
+void add_cuts(CLI::App& app, CutOptions& options) {
+    add_each(app, "--hole", options.holes, "X,Y,RADIUS",
+             "round hole, as 10mm,-5mm,4mm; may be given again; its part is hole_1, hole_2 …");
+    detail::add_value(
+        app, "--flaws", [&options](const std::string& text) { options.flaws = text; },
+        "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if there is one, class: "
+        "broken "
+        "(from the start; the default) or intact",
+        "FILE", "");
+    add_each(
+        app, "--joint-set", options.joint_sets, "KEY=VALUE,...",
+        "parallel joints at random: spacing=20mm,dip=45deg and, if wanted, persistence=0.7 (share of a line that is jointed), "
+        "length=30mm (mean; default: the spacing), class=broken|intact; may be given again");
+}
+
+/// The text of a hole: its centre and radius. \throws UsageError naming `where`
+void cut_hole(const std::string& text, const std::string& where, Region& region) {
+    const std::size_t first = text.find(',');
+    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
+    if (second == std::string::npos) {
+        throw UsageError(where + ": \"" + text.substr(0, 60) + "\" is not understood; give X,Y,RADIUS as 10mm,-5mm,4mm");
+    }
+    const auto value = [&](std::size_t from, std::size_t to, const Quantity& quantity) {
+        return parse_quantity(std::string_view(text).substr(from, to - from), quantity, where);
+    };
+    add_hole(region, {value(0, first, quantity::coordinate), value(first + 1, second, quantity::coordinate)},
+             value(second + 1, text.size(), quantity::hole_radius), where);
+}
+
+/// Cuts holes and flaws; their coordinates are those of the kind, before the region is centred.
+/// \return the translation
+Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
+    const auto numbered = [](const char* option, std::size_t i, std::size_t n) {
+        return std::string(option) + (n > 1 ? " " + std::to_string(i + 1) : "");
+    };
+    for (std::size_t i = 0; i < options.holes.size(); ++i) {
+        cut_hole(options.holes[i], numbered("--hole", i, options.holes.size()), request.region);
+    }
+    if (!options.flaws.empty()) {
+        const auto flaws = read_flaws(options.flaws);
+        request.region.edges.insert(request.region.edges.end(), flaws.begin(), flaws.end());
+    }
+    for (std::size_t i = 0; i < options.joint_sets.size(); ++i) {
+        request.joint_sets.push_back(
+            parse_joint_set(options.joint_sets[i], numbered("--joint-set", i, options.joint_sets.size())));
+    }
+    return centre_region(request.region);
+}
+
+/// Options of all kinds.
 void add_mesh_options(CLI::App& shape, MeshOptions& options) {
     SpecimenRequest& request = options.request;
     CLI::Option* edge = add_quantity(shape, "--edge", request.edge, quantity::mean_edge,
@@ -61,34 +256,23 @@ void add_mesh_options(CLI::App& shape, MeshOptions& options) {
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     MeshOptions options;
     CommonOptions common;
-    CLI::App app("Makes specimens: rectangles and discs of triangular grains of near-equal size without a preferred direction");
+    CLI::App app("Makes specimens of triangular grains of near-equal size without a preferred direction");
     add_common_options(app, "graincrack-mesh", common, examples, {triangulation_library()});
     add_dry_run(app, common, "print the expected counts and file size without making a specimen");
     app.require_subcommand(1);
-    Shape rectangle{ShapeKind::rectangle, 0, 0, Pole::facet};
-    CLI::App* rectangle_app = app.add_subcommand("rectangle", "a rectangle, loaded along its height");
-    add_quantity(*rectangle_app, "--width", rectangle.width, quantity::width, "width, across the load")->required();
-    add_quantity(*rectangle_app, "--height", rectangle.height, quantity::height, "height, along the load")->required();
-    add_quantity(*rectangle_app, "--notch", options.request.notch, quantity::notch,
-                 "length of a notch through the centre, across the load, whose grain boundaries are broken from the start; the "
-                 "width of the specimen makes it a joint");
-    add_mesh_options(*rectangle_app, options);
-
-    Shape disc{ShapeKind::disc, 0, 0, Pole::facet};
-    CLI::App* disc_app = app.add_subcommand("disc", "a disc, loaded along its vertical diameter");
-    add_quantity(*disc_app, "--diameter", disc.width, quantity::diameter, "diameter")->required();
-    add_choice<Pole>(*disc_app, "--pole", disc.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
-                     "part of the rim that meets the platens");
-    add_integer<int>(*disc_app, "--diameters", disc.diameters,
-                     "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1, max_diameters);
-    add_integer<int>(*disc_app, "--loaded-diameter", disc.loaded_diameter,
-                     "index of the diameter along the load, counter-clockwise from 0: the same grains, rotated", 0,
-                     max_diameters - 1);
-    add_mesh_options(*disc_app, options);
-
+    KindOptions kind_options;
+    CutOptions cuts;
+    for (const Kind& kind : kinds) {
+        CLI::App* sub = app.add_subcommand(kind.name, kind.help);
+        kind.add_options(*sub, kind_options);
+        add_cuts(*sub, cuts);
+        add_mesh_options(*sub, options);
+    }
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
-    disc.height = disc.width;
-    options.request.shape = disc_app->parsed() ? disc : rectangle;
+    for (const Kind& kind : kinds) {
+        if (app.get_subcommand(kind.name)->parsed()) kind.make(kind_options, options.request);
+    }
+    options.moved = make_cuts(cuts, options.request);
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;
     options.configuration = effective_configuration(app);

@@ -14,6 +14,7 @@ struct MeshOptions {
     SpecimenRequest request;
     std::string material;  ///< name or file for the checks of the grain size; empty for none
     std::string output;    ///< file or "-"
+    Point moved;           ///< translation of a polygon to the origin, m
     Verbosity verbosity = Verbosity::normal;
     bool dry_run = false;
     std::string configuration;  ///< effective options as TOML

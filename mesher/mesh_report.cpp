@@ -50,6 +50,19 @@ std::string strength_line(const Specimen& specimen, const StrengthRequest& reque
         request.correlation ? "correlated over " + format_quantity(*request.correlation, Dimension::length) : "uncorrelated");
 }
 
+/// Flaws as they came out, and the length of all contacts that are broken from the start.
+std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
+    double broken = 0;
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        if (specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][0])];
+        const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
+        broken += std::hypot(q[0] - p[0], q[1] - p[1]);
+    }
+    return fmt::format("  {} pieces of flaws and joints, {} long in all; contacts broken from the start: {}", report.n_flaws,
+                       format_quantity(report.flaw_length, Dimension::length), format_quantity(broken, Dimension::length));
+}
+
 }  // namespace
 
 std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
@@ -73,6 +86,11 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
                                     format_quantity(*request.notch, Dimension::length),
                                     format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
+    if (!request.region.edges.empty() || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
+    if (report.n_flaws + request.region.loops.size() > 1 && s.min_angle < smallest_angle) {
+        lines.push_back(
+            "  note: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");
+    }
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
         lines.push_back(
             fmt::format("  note: after {} attempts parts of the mesh still have a preferred direction, which is hardly "
@@ -87,8 +105,8 @@ std::vector<std::string> describe_plan(const SpecimenRequest& request) {
     const auto counts = assemblage_counts(plan.n_grains, plan.n_boundary, request.elements_per_edge);
     const double megabytes = compressed_share * static_cast<double>(uncompressed_size(counts)) / 1e6;
     return {
-        fmt::format("{} of {}{} grains, mean edge about {}", region_of(request).name, request.grains ? "" : "about ",
-                    counts.grains, format_quantity(plan.edge, Dimension::length, 3)),
+        fmt::format("{} of {}{} grains, mean edge about {}", request.region.name, request.grains ? "" : "about ", counts.grains,
+                    format_quantity(plan.edge, Dimension::length, 3)),
         fmt::format("  {} nodes, {} elements, {} contacts, {} boundary edges", counts.nodes, counts.elements, counts.contacts,
                     counts.boundary_edges),
         fmt::format("  file about {:.2g} MB, time about {:.2g} s", megabytes, 1.2e-5 * static_cast<double>(counts.grains)),

@@ -12,6 +12,7 @@
 #include "mesher/assemblage/statistics.hpp"
 #include "mesher/cells/delaunay.hpp"
 #include "mesher/elements/lattice.hpp"
+#include "mesher/region/fit_edges.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "mesher/seeds/sampling.hpp"
@@ -23,9 +24,12 @@ namespace graincrack::mesher {
 
 namespace {
 
+constexpr std::size_t max_edges = 3000;  ///< prescribed; each is compared with each
 constexpr int max_attempts = 100;
 constexpr int attempts_to_promise = 20;  ///< if the best of so many is far above the bounds, further attempts are useless
 constexpr int max_corrections = 4;
+constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
+constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
@@ -54,20 +58,9 @@ double equilateral_edge(const Region& region, double n_grains) {
 
 double smallest_extent(const Region& region) { return std::min(bounds(region).width(), bounds(region).height()); }
 
-void check_size(const char* option, double value) {
-    if (!(value > 0) || !std::isfinite(value)) throw UsageError(std::string(option) + ": must be a length above 0");
-}
-
 void check_request(const SpecimenRequest& request) {
-    const Shape& shape = request.shape;
-    if (request.region) {
-        check(*request.region);
-    } else if (shape.kind == ShapeKind::disc) {
-        check_size("--diameter", shape.width);
-    } else {
-        check_size("--width", shape.width);
-        check_size("--height", shape.height);
-    }
+    const Region& region = request.region;
+    check(region);
     if (request.edge.has_value() == request.grains.has_value()) {
         throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
     }
@@ -78,15 +71,15 @@ void check_request(const SpecimenRequest& request) {
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
     }
-    if (shape.loaded_diameter >= shape.diameters) {
-        throw UsageError("--loaded-diameter: there are " + std::to_string(shape.diameters) + " (--diameters), counted from 0");
+    if (is_round(region) && region.loops.front().circle->loaded_diameter >= region.loops.front().circle->diameters) {
+        throw UsageError("--loaded-diameter: there are " + std::to_string(region.loops.front().circle->diameters) +
+                         " (--diameters), counted from 0");
     }
     check(request.phases);
     check(request.strength);
-    const Region region = region_of(request);
     const double smallest = smallest_extent(region);
     if (request.edge) {
-        check_size("--edge", *request.edge);
+        if (!(*request.edge > 0) || !std::isfinite(*request.edge)) throw UsageError("--edge: must be a length above 0");
         if (*request.edge > smallest / 2) {
             throw UsageError("--edge: " + metres(*request.edge) + " is too large for a specimen " + metres(smallest) +
                              " across; give at most half of that");
@@ -99,9 +92,38 @@ void check_request(const SpecimenRequest& request) {
     }
 }
 
+void check_notch(double notch, double width, double edge) {
+    if (width < 6 * edge) {
+        throw UsageError("--notch: there is no room for one; the specimen must be at least six grain edges of " + metres(edge) +
+                         " wide");
+    }
+    const bool through = std::abs(notch - width) <= 1e-9 * width;
+    if (!through && !(notch >= 2 * edge && notch <= width - 4 * edge)) {
+        throw UsageError("--notch: must leave two grain edges of " + metres(edge) +
+                         " at either side and be at least two long; give " + metres(2 * edge) + " to " +
+                         metres(width - 4 * edge) + ", or " + metres(width) + " for a joint through the whole width");
+    }
+}
+
+/// Grains must have room between a round hole and the boundary or another.
+void check_walls(const Region& region, double edge) {
+    const auto curves = curves_of({region.name, region.loops, {}});
+    for (const Curve& hole : curves) {
+        if (hole.kind != Curve::Kind::circular_hole) continue;
+        for (const Curve& other : curves) {
+            const double wall = other.distance(hole.circle.centre) - hole.circle.radius;
+            if (&other == &hole || wall >= thinnest_wall * edge) continue;
+            throw UsageError("the rock between a hole of radius " + metres(hole.circle.radius) +
+                             " and the boundary or another hole is " + metres(wall) + " thick, with grain edges of " +
+                             metres(edge) + "; move the hole, or give smaller grains");
+        }
+    }
+}
+
 MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
-    const Region region = region_of(request);
     MeshPlan plan;
+    plan.region = request.region;
+    const Region& region = plan.region;
     plan.n_grains = n_grains;
     plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(region, static_cast<double>(n_grains));
     plan.n_boundary = admissible_boundary_count(region, perimeter(region) / plan.edge, n_grains % 2 != 0);
@@ -109,29 +131,35 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         throw UsageError("--phases: " + std::to_string(n_phases) + " are more than the " + std::to_string(n_grains) +
                          " grains; give at most one phase per grain");
     }
-    if (plan.n_boundary < 4 * request.shape.diameters) {
-        throw UsageError("--diameters: " + std::to_string(request.shape.diameters) + " are too many for " +
-                         std::to_string(plan.n_boundary) + " edges on the rim; give at most a quarter of that number");
+    const int diameters = is_round(region) ? region.loops.front().circle->diameters : 1;
+    if (plan.n_boundary < 4 * diameters) {
+        throw UsageError("--diameters: " + std::to_string(diameters) + " are too many for " + std::to_string(plan.n_boundary) +
+                         " edges on the rim; give at most a quarter of that number");
     }
-    if (request.notch && request.shape.width < 6 * plan.edge) {
-        throw UsageError("--notch: there is no room for one; the specimen must be at least six grain edges of " +
-                         metres(plan.edge) + " wide");
+    if (request.notch) check_notch(*request.notch, bounds(region).width(), plan.edge);
+    for (const Loop& loop : region.loops) {
+        if (loop.circle && loop.circle->radius < smallest_radius * plan.edge) {
+            throw UsageError("--" + std::string(request.edge ? "edge" : "grains") + ": grain edges of " + metres(plan.edge) +
+                             " are too large for a round boundary of radius " + metres(loop.circle->radius) +
+                             "; give smaller grains");
+        }
     }
-    const bool through = request.notch && std::abs(*request.notch - request.shape.width) <= 1e-9 * request.shape.width;
-    if (request.notch && !through &&
-        !(*request.notch >= 2 * plan.edge && *request.notch <= request.shape.width - 4 * plan.edge)) {
-        throw UsageError("--notch: must leave two grain edges of " + metres(plan.edge) +
-                         " at either side and be at least two long; give " + metres(2 * plan.edge) + " to " +
-                         metres(request.shape.width - 4 * plan.edge) + ", or " + metres(request.shape.width) +
-                         " for a joint through the whole width");
+    check_walls(region, plan.edge);
+    for (std::size_t i = 0; i < request.joint_sets.size(); ++i) {
+        const auto joints = joints_of(request.joint_sets[i], region, plan.edge, request.seed, i);
+        plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
     }
+    if (plan.region.edges.size() > max_edges) {
+        throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
+    }
+    plan.region.edges = fitted_edges(plan.region, plan.edge);
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
     return plan;
 }
 
 Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int number, const ProgressCallback& progress) {
-    const Region region = region_of(request);
+    const Region& region = plan.region;
     const DepthGrid depth(region, sampling_margin * plan.edge);
     RandomNumbers random(request.seed, static_cast<std::uint64_t>(number));
     Seeds fixed = fixed_seeds(region, plan.n_boundary, plan.edge, outline_spread * request.spread, random);
@@ -140,8 +168,12 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     const auto on_loops = std::count_if(fixed.sides.begin(), fixed.sides.end(), [](const Side& side) { return side.part >= 0; });
     const auto n_free = static_cast<std::ptrdiff_t>(plan.n_inner) - (on_loops - plan.n_boundary) / 2 -
                         (static_cast<std::ptrdiff_t>(fixed.n_fixed) - on_loops);
+    if (n_free < 0 && plan.region.loops.size() + plan.region.edges.size() > 1) {
+        throw UsageError("--" + std::string(request.edge ? "edge" : "grains") +
+                         ": holes and flaws leave no room for grains of this size; give smaller grains");
+    }
     Attempt attempt;
-    attempt.loading_arc = fixed.loading_arc;
+    attempt.loading_arc = region.flats > 0 ? region.flats : fixed.loading_arc;
     const RelaxationGoal goal{plan.edge, request.spread, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, n_free))};
     attempt.cells = delaunay_cells(relax_points(depth, std::move(fixed), inner, goal, random, progress));
     for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
@@ -150,10 +182,13 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     }
     const double whole = psi6(attempt.cells.points, attempt.cells.edges);
     attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
+    if (!is_plain(region)) {
+        attempt.excess = std::max(attempt.excess, smallest_angle / statistics_of(region, attempt.cells).min_angle);
+    }
     return attempt;
 }
 
-/// The first mesh without a preferred direction, or the best of all attempts.
+/// The first mesh without a preferred direction and without slivers, or the best of all attempts.
 Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
     Attempt best;
     for (int number = 0; number < max_attempts && best.excess > 1; ++number) {
@@ -169,11 +204,9 @@ Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const
 
 }  // namespace
 
-Region region_of(const SpecimenRequest& request) { return request.region ? *request.region : region_of(request.shape); }
-
 MeshPlan plan_mesh(const SpecimenRequest& request) {
     check_request(request);
-    const Region region = region_of(request);
+    const Region& region = request.region;
     if (!request.grains) {
         const double equilateral = *request.edge / edge_over_equilateral(request.spread);
         const double n_grains = 4 * area(region) / (std::sqrt(3.0) * equilateral * equilateral);
@@ -194,7 +227,7 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     MeshPlan plan = plan_mesh(request);
     MeshReport made;
     Attempt attempt = best_attempt(request, plan, progress, made);
-    const Region region = region_of(request);
+    const Region& region = request.region;
     MeshStatistics statistics = statistics_of(region, attempt.cells);
     for (int i = 0; request.edge && i < max_corrections; ++i) {
         const double ratio = statistics.mean_edge / *request.edge;
@@ -209,7 +242,9 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
         statistics = next_statistics;
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
-    if (!request.region) turn_to_load(request.shape, attempt.cells.points);
+    made.n_flaws = plan.region.edges.size();
+    for (const PrescribedEdge& e : plan.region.edges) made.flaw_length += length(e.to - e.from);
+    turn_to_load(region, attempt.cells.points);
     std::vector<int> crystal_of_grain;
     Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge), &crystal_of_grain);
     specimen.shape = region.name;
@@ -223,7 +258,7 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     specimen.seed = request.seed;
     specimen.statistics = statistics;
     assign_phases(specimen, crystal_of_grain, request.phases);
-    assign_strength_factors(specimen, crystal_of_grain, turn_to_load(request.shape), request.strength);
+    assign_strength_factors(specimen, crystal_of_grain, turn_to_load(region), request.strength);
     if (report != nullptr) *report = made;
     return specimen;
 }

@@ -6,7 +6,8 @@
 
 #include "mesher/fabric/phases.hpp"
 #include "mesher/fabric/strength_field.hpp"
-#include "mesher/region/shape.hpp"
+#include "mesher/region/joint_set.hpp"
+#include "mesher/region/shapes.hpp"
 #include "mesher/seeds/relaxation.hpp"
 #include "share/file/specimen.hpp"
 
@@ -14,12 +15,12 @@ namespace graincrack::mesher {
 
 /// Requested properties of a specimen. Exactly one of `edge` and `grains` is set.
 struct SpecimenRequest {
-    Shape shape;
-    std::optional<Region> region;        ///< instead of the shape
+    Region region;                       ///< centred on the origin
+    std::vector<JointSet> joint_sets;    ///< whose joints are added to the edges of the region
     std::optional<double> edge;          ///< mean edge over all grain edges, rim included, m
     std::optional<std::int64_t> grains;  ///< exact number of grains
     double spread = 0.1;                 ///< coefficient of variation of the edges, 0 to 0.3
-    std::optional<double> notch;         ///< length of a notch across the middle of a rectangle, m
+    std::optional<double> notch;         ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
     std::uint64_t seed = 1;
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
     PhaseRequest phases;
@@ -36,12 +37,12 @@ inline constexpr int max_elements_per_edge = 100;
 /// equal parts, for every `Partition`.
 inline constexpr double max_psi6 = 0.15;
 inline constexpr double max_psi6_of_parts = 0.30;
-
-/// The region of a request, or that of its shape.
-Region region_of(const SpecimenRequest& request);
+/// With holes and flaws, a mesh with a smaller angle, rad (8°), is made again from other random numbers too.
+inline constexpr double smallest_angle = 0.14;
 
 /// Numbers that follow from a request before any point is placed.
 struct MeshPlan {
+    Region region;  ///< with the prescribed edges that the mesh follows
     std::int64_t n_grains = 0;
     int n_boundary = 0;       ///< boundary points, and edges
     std::size_t n_inner = 0;  ///< inner points, those of prescribed edges included
@@ -50,12 +51,15 @@ struct MeshPlan {
 
 /// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points and h holes has
 /// (n + 2 − 2h − b)/2 inner points, so b and n are both even or both odd.
-/// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh, or the fabric does not fit
+/// \throws UsageError naming the option if a size, edge, number, spread or subdivision allows no mesh, a flaw has no room, or the
+///         fabric does not fit
 MeshPlan plan_mesh(const SpecimenRequest& request);
 
 /// Result of the attempts to make a mesh.
 struct MeshReport {
     double psi6_of_parts = 0;  ///< largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
+    std::size_t n_flaws = 0;   ///< pieces of prescribed edges inside
+    double flaw_length = 0;    ///< of them, m
     int attempts = 0;          ///< number of meshes made until one had no preferred direction
 };
 

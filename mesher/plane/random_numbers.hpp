@@ -20,6 +20,7 @@ constexpr double uniform_of(std::uint64_t bits) { return (static_cast<double>(bi
 /// Streams of a seed; those of the attempts at a mesh are numbered from 0.
 inline constexpr std::uint64_t phase_stream = 1'000'000;
 inline constexpr std::uint64_t strength_stream = 1'000'001;
+inline constexpr std::uint64_t joint_stream = 1'000'002;  ///< of the first joint set; those of the others follow
 
 /// Stream of random numbers of one seed. The engine is fixed by the C++ standard; the conversions are defined here, because
 /// the distributions of the standard library differ between implementations.

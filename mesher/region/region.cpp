@@ -31,9 +31,31 @@ double polygon_area(const std::vector<Point>& corners) {
     return sum;
 }
 
+/// Whether a point lies in the sector of an arc, which is less than 180° wide.
+bool is_beside_arc(const Curve& arc, Point p) {
+    const Point centre = arc.circle.centre;
+    return cross(arc.from - centre, p - centre) >= 0 && cross(p - centre, arc.to - centre) >= 0;
+}
+
+/// Calls `visit(curve)` for the sides of a polygon that are arcs.
+template <class Visit>
+void for_each_arc(const Loop& loop, const Visit& visit) {
+    for (std::size_t i = 0; i < loop.centres.size(); ++i) {
+        if (!loop.centres[i]) continue;
+        const Point from = loop.corners[i];
+        const Circle circle{*loop.centres[i], length(from - *loop.centres[i])};
+        visit(Curve{Curve::Kind::arc, from, loop.corners[(i + 1) % loop.corners.size()], {}, circle});
+    }
+}
+
 bool loop_contains(const Loop& loop, Point p) {
     if (loop.circle) return squared_length(p - loop.circle->centre) < loop.circle->radius * loop.circle->radius;
     bool inside = false;
+    for_each_arc(loop, [&](const Curve& arc) {
+        const bool beyond_chord = cross(arc.to - arc.from, p - arc.from) <= 0;
+        if (beyond_chord && squared_length(p - arc.circle.centre) < arc.circle.radius * arc.circle.radius) inside = true;
+    });
+    if (inside) return true;
     for_each_side(loop.corners, [&](Point a, Point b) {
         if ((a.y > p.y) != (b.y > p.y) && (cross(b - a, p - a) > 0) == (b.y > a.y)) inside = !inside;
     });
@@ -43,10 +65,11 @@ bool loop_contains(const Loop& loop, Point p) {
 /// Shares of the edge from a to b, between 0 and 1, where a curve meets it.
 void add_meetings(const Curve& curve, Point a, Point b, std::vector<double>& shares) {
     const Point d = b - a;
+    const bool is_arc = curve.kind == Curve::Kind::arc;
     const auto add = [&](double share) {
-        if (share > 0 && share < 1) shares.push_back(share);
+        if (share > 0 && share < 1 && (!is_arc || is_beside_arc(curve, a + share * d))) shares.push_back(share);
     };
-    if (curve.is_circle()) {
+    if (curve.is_circle() || is_arc) {
         const Point from = a - curve.circle.centre;
         const double half = dot(from, d) / squared_length(d);
         const double rest = half * half - (squared_length(from) - curve.circle.radius * curve.circle.radius) / squared_length(d);
@@ -68,7 +91,11 @@ bool meet(const Curve& a, const Curve& b) {
         const double apart = length(a.circle.centre - b.circle.centre);
         return apart <= a.circle.radius + b.circle.radius && apart >= std::abs(a.circle.radius - b.circle.radius);
     }
-    if (a.is_circle()) return meet(b, a);
+    const bool arc_a = a.kind == Curve::Kind::arc;
+    const bool arc_b = b.kind == Curve::Kind::arc;
+    if (arc_a && arc_b) return false;  // arcs of one polygon, which bulge outwards
+    if (b.is_circle() && arc_a) return a.distance(b.circle.centre) <= b.circle.radius;
+    if (a.is_circle() || arc_a) return meet(b, a);
     if (b.distance(a.from) == 0 || b.distance(a.to) == 0) return true;
     std::vector<double> shares;
     add_meetings(b, a.from, a.to, shares);
@@ -76,16 +103,6 @@ bool meet(const Curve& a, const Curve& b) {
 }
 
 }  // namespace
-
-Region rectangle(double width, double height) {
-    const double x = width / 2;
-    const double y = height / 2;
-    return {"rectangle", {{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}, {0, 1, 2, 3}}}, {}};
-}
-
-Region disc(double diameter, Pole pole, int diameters) {
-    return {"disc", {{{}, {static_cast<std::uint8_t>(BoundaryPart::rim)}, Circle{{}, diameter / 2, pole, diameters}}}, {}};
-}
 
 void check(const Region& region) {
     const auto refuse = [&](const char* what) { throw UsageError("region " + region.name + ": " + what); };
@@ -95,6 +112,7 @@ void check(const Region& region) {
         if (loop.circle ? !(loop.circle->radius > 0) : loop.corners.size() < 3) {
             refuse("a loop needs three corners or a radius above 0");
         }
+        if (!loop.centres.empty() && loop.centres.size() != loop.corners.size()) refuse("a loop has arcs without corners");
         if (loop.parts.size() != (loop.circle ? 1 : loop.corners.size())) refuse("each side of a loop needs one part");
         for (const std::uint8_t part : loop.parts) {
             if (part >= region.part_names.size()) refuse("a side has a part without a name");
@@ -139,10 +157,17 @@ Box bounds(const Region& region) {
         return {loop.circle->centre - reach, loop.circle->centre + reach};
     }
     Box box{loop.corners.front(), loop.corners.front()};
-    for (const Point p : loop.corners) {
+    const auto widen = [&](Point p) {
         box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
         box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
+    };
+    for (const Point p : loop.corners) widen(p);
+    for_each_arc(loop, [&](const Curve& arc) {
+        for (const Point axis : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}}) {
+            const Point extreme = arc.circle.centre + arc.circle.radius * axis;
+            if (is_beside_arc(arc, extreme)) widen(extreme);
+        }
+    });
     return box;
 }
 
@@ -151,16 +176,16 @@ double area(const Region& region) {
     for (const Loop& loop : region.loops) {
         const double own = loop.circle ? pi * loop.circle->radius * loop.circle->radius : std::abs(polygon_area(loop.corners));
         sum += &loop == &region.loops.front() ? own : -own;
+        for_each_arc(loop, [&](const Curve& arc) {
+            sum += arc.circle.radius * arc.circle.radius / 2 * (arc.arc_angle() - std::sin(arc.arc_angle()));
+        });
     }
     return sum;
 }
 
 double perimeter(const Region& region) {
     double sum = 0;
-    for (const Loop& loop : region.loops) {
-        if (loop.circle) sum += 2 * pi * loop.circle->radius;
-        for_each_side(loop.corners, [&](Point p, Point q) { sum += length(q - p); });
-    }
+    for (const Curve& curve : curves_of({region.name, region.loops, {}})) sum += curve.length();
     return sum;
 }
 
@@ -176,7 +201,7 @@ double depth_inside(const Region& region, Point p) {
     return contains(region, p) ? nearest : -nearest;
 }
 
-bool is_round(const Region& region) { return region.loops.size() == 1 && region.loops.front().circle.has_value(); }
+bool is_round(const Region& region) { return !region.loops.empty() && region.loops.front().circle.has_value(); }
 
 bool is_plain(const Region& region) {
     return region.loops.size() == 1 && region.edges.empty() && (is_round(region) || is_convex(region.loops.front().corners));
@@ -194,7 +219,7 @@ std::vector<PrescribedEdge> clip(const Region& region, const PrescribedEdge& edg
     const double least = round_off * (box.width() + box.height());
     std::vector<PrescribedEdge> pieces;
     for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-        const PrescribedEdge piece{at(shares[i]), at(shares[i + 1]), edge.kind};
+        const PrescribedEdge piece{at(shares[i]), at(shares[i + 1]), edge.kind, edge.name, edge.needed};
         // A piece along a side is no piece inside.
         if (length(piece.to - piece.from) > least && depth_inside(region, midpoint(piece.from, piece.to)) > least) {
             pieces.push_back(piece);
@@ -210,22 +235,50 @@ bool can_be_cut_off(Point before, Point at, Point after) {
     return cross(u, v) > 0 && cosine < sharpest_shared && cosine > bluntest_shared;
 }
 
+Point Loop::ahead(std::size_t side) const {
+    const Point from = corners[side];
+    return centre(side) ? from + left_of(from - *centre(side)) : corners[(side + 1) % corners.size()];
+}
+
+Point Loop::behind(std::size_t side) const {
+    const Point to = corners[(side + 1) % corners.size()];
+    return centre(side) ? to - left_of(to - *centre(side)) : corners[side];
+}
+
+double Curve::arc_angle() const {
+    const Point p = from - circle.centre;
+    const Point q = to - circle.centre;
+    return std::atan2(cross(p, q), dot(p, q));
+}
+
+double Curve::length() const {
+    if (is_circle()) return 2 * pi * circle.radius;
+    return kind == Kind::arc ? circle.radius * arc_angle() : mesher::length(to - from);
+}
+
 double Curve::distance(Point p) const {
+    using mesher::length;
     if (is_circle()) return std::abs(circle.radius - length(p - circle.centre));
+    if (kind == Kind::arc) {
+        return is_beside_arc(*this, p) ? std::abs(circle.radius - length(p - circle.centre))
+                                       : std::min(length(p - from), length(p - to));
+    }
     if (dot(p - from, along) < 0) return length(p - from);
     if (dot(p - to, along) > 0) return length(p - to);
     return std::abs(dot(left_of(along), p) - dot(left_of(along), from));
 }
 
 Point Curve::moved_off(Point p, bool inside, double depth) const {
-    if (is_circle()) {
+    using mesher::length;
+    const bool is_arc = kind == Kind::arc;
+    if (is_circle() || (is_arc && is_beside_arc(*this, p))) {
         const Point radial = p - circle.centre;
-        const double aim = circle.radius + (kind == Kind::circle ? -depth : depth);
+        const double aim = circle.radius + (kind == Kind::circular_hole ? depth : -depth);
         return squared_length(radial) > 0 ? circle.centre + (aim / length(radial)) * radial : p;
     }
     const Point normal = left_of(along);
-    const bool before = dot(p - from, along) < 0;
-    if (before || dot(p - to, along) > 0) {
+    const bool before = is_arc ? length(p - from) < length(p - to) : dot(p - from, along) < 0;
+    if (before || is_arc || dot(p - to, along) > 0) {
         const Point end = before ? from : to;
         return end + (inside ? depth : -depth) * unit(p - end);
     }
@@ -240,7 +293,15 @@ std::vector<Curve> curves_of(const Region& region) {
     for (const Loop& loop : region.loops) {
         const bool outer = &loop == &region.loops.front();
         if (loop.circle) curves.push_back({outer ? Curve::Kind::circle : Curve::Kind::circular_hole, {}, {}, {}, *loop.circle});
-        for_each_side(loop.corners, [&](Point p, Point q) { curves.push_back({Curve::Kind::side, p, q, unit(q - p), {}}); });
+        std::size_t side = 0;
+        for_each_side(loop.corners, [&](Point p, Point q) {
+            const auto centre = loop.centre(side++);
+            if (centre) {
+                curves.push_back({Curve::Kind::arc, p, q, {}, Circle{*centre, length(p - *centre)}});
+            } else {
+                curves.push_back({Curve::Kind::side, p, q, unit(q - p), {}});
+            }
+        });
     }
     for (const PrescribedEdge& e : region.edges) {
         curves.push_back({Curve::Kind::prescribed, e.from, e.to, unit(e.to - e.from), {}});

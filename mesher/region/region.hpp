@@ -20,14 +20,24 @@ struct Circle {
     double radius = 0;         ///< m
     Pole pole = Pole::vertex;  ///< at both ends of each diameter; the polygon has the circle's extent there
     int diameters = 1;         ///< at equal angles, the first along y
+    /// Index, counted counter-clockwise from 0, of the diameter that is loaded: the specimen is turned so that it lies along y.
+    int loaded_diameter = 0;
 };
 
 /// A closed line with the region on its left: a polygon, counter-clockwise around the region and clockwise around a hole; or a
-/// circle, which needs no direction.
+/// circle, which needs no direction. Sides of a polygon around a region may be arcs of circles that bulge outwards.
 struct Loop {
     std::vector<Point> corners;       ///< of a polygon; side i runs from corner i to the next
     std::vector<std::uint8_t> parts;  ///< index into `part_names` of each side; of a circle one
     std::optional<Circle> circle = {};
+    /// Of each side that is an arc the centre, around which it runs counter-clockwise by less than 180°; empty without arcs.
+    std::vector<std::optional<Point>> centres = {};
+
+    [[nodiscard]] std::optional<Point> centre(std::size_t side) const { return centres.empty() ? std::nullopt : centres[side]; }
+    /// A point in the direction in which a side leaves its first corner, and one from which it reaches its last: of a straight
+    /// side its other end.
+    [[nodiscard]] Point ahead(std::size_t side) const;
+    [[nodiscard]] Point behind(std::size_t side) const;
 };
 
 /// A straight edge inside a region that grain sides follow to round-off. The contacts along it are of its kind.
@@ -35,6 +45,8 @@ struct PrescribedEdge {
     Point from;
     Point to;
     ContactKind kind = ContactKind::grain_boundary;
+    std::string name = "a prescribed edge";  ///< for messages: "flaws.tsv: line 3"
+    bool needed = true;                      ///< false: left out where it has no room, as a joint drawn at random is
 };
 
 /// The first loop lies around the region, the others around its holes. Loops neither cross nor touch each other.
@@ -43,12 +55,8 @@ struct Region {
     std::vector<Loop> loops;
     std::vector<PrescribedEdge> edges;
     std::vector<std::string> part_names = Specimen{}.part_names;
+    double flats = 0;  ///< of a disc with flat poles: angle under which a flat is seen from the centre, rad
 };
-
-/// A rectangle centred on the origin, with the parts bottom, right, top and left.
-Region rectangle(double width, double height);
-/// A disc centred on the origin, of the part rim.
-Region disc(double diameter, Pole pole, int diameters);
 
 /// Checks that loops have three corners, a part for each side and the right direction, that they neither cross nor touch each
 /// other and that holes lie inside; that prescribed edges have a length.
@@ -68,7 +76,7 @@ double perimeter(const Region& region);  ///< of all loops, m
 bool contains(const Region& region, Point p);
 /// Distance from the nearest loop, positive inside, m.
 double depth_inside(const Region& region, Point p);
-/// Whether a region is one circle, as a disc is.
+/// Whether a circle lies around a region, as around a disc or a ring.
 bool is_round(const Region& region);
 /// Whether a region is convex, without holes and prescribed edges.
 bool is_plain(const Region& region);
@@ -78,15 +86,17 @@ std::vector<PrescribedEdge> clip(const Region& region, const PrescribedEdge& edg
 /// Whether a corner is convex, sharp enough that one triangle could cut it off, and blunt enough that two should share it.
 bool can_be_cut_off(Point before, Point at, Point after);
 
-/// What distances are measured from: a straight side, a circle or a prescribed edge.
+/// What distances are measured from: a straight side, an arc, a circle or a prescribed edge.
 struct Curve {
-    enum class Kind { side, prescribed, circle, circular_hole } kind = Kind::side;
-    Point from;  ///< of a straight curve
+    enum class Kind { side, prescribed, circle, circular_hole, arc } kind = Kind::side;
+    Point from;  ///< of a straight curve or an arc
     Point to;
-    Point along;  ///< unit vector
-    Circle circle;
+    Point along;    ///< unit vector of a straight curve
+    Circle circle;  ///< also of an arc
 
     [[nodiscard]] bool is_circle() const { return kind == Kind::circle || kind == Kind::circular_hole; }
+    [[nodiscard]] double arc_angle() const;  ///< that an arc is seen under from its centre, rad
+    [[nodiscard]] double length() const;     ///< m
     [[nodiscard]] double distance(Point p) const;
     /// A point moved straight away from the curve, to a distance `depth` inside the region; from a prescribed edge within
     /// its side.

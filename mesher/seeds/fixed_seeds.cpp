@@ -36,11 +36,10 @@ struct Divided {
 std::vector<Divided> undivided(const Region& region) {
     std::vector<Divided> sides;
     for (const Curve& curve : curves_of({region.name, region.loops, {}})) {
-        if (curve.is_circle()) {
-            sides.push_back({2 * pi * curve.circle.radius, 0, min_circle_edges});
-        } else {
-            sides.push_back({length(curve.to - curve.from), std::abs(curve.to.y - curve.from.y), 1});
-        }
+        const bool is_arc = curve.kind == Curve::Kind::arc;
+        const double rise = curve.is_circle() ? 0 : std::abs(curve.to.y - curve.from.y);
+        const int fewest = curve.is_circle() ? min_circle_edges : 1;
+        sides.push_back({curve.length(), rise, is_arc ? 1 + static_cast<int>(curve.arc_angle() / (pi / 4)) : fewest});
     }
     return sides;
 }
@@ -146,6 +145,31 @@ std::vector<Point> circle_points(const Circle& circle, int n, double spread, Ran
     return points;
 }
 
+/// Points of an arc between its ends. They lie at the radius that gives the polygon through them the area of the sector.
+std::vector<Point> arc_points(const Curve& arc, const std::vector<double>& shares) {
+    const double radius = arc.circle.radius;
+    const double angle = arc.arc_angle();
+    const std::size_t n = shares.size() - 1;
+    double inner_radius = radius;
+    for (int i = 0; i < 100; ++i) {
+        const auto radius_of = [&](std::size_t k) { return k == 0 || k == n ? radius : inner_radius; };
+        double sector = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            sector += 0.5 * radius_of(k) * radius_of(k + 1) * std::sin(angle * (shares[k + 1] - shares[k]));
+        }
+        const double ratio = 0.5 * radius * radius * angle / sector;
+        if (n == 1 || std::abs(ratio - 1) < 4e-16) break;
+        inner_radius *= n == 2 ? ratio : std::sqrt(ratio);
+    }
+    const Point from = unit(arc.from - arc.circle.centre);
+    std::vector<Point> points;
+    for (std::size_t k = 1; k < n; ++k) {
+        const double turn = angle * shares[k];
+        points.push_back(arc.circle.centre + inner_radius * (std::cos(turn) * from + std::sin(turn) * left_of(from)));
+    }
+    return points;
+}
+
 /// Fixed seeds in the making.
 class Builder {
 public:
@@ -168,10 +192,11 @@ public:
                 auto points = circle_points(*loop.circle, side++->n, spread_, random_);
                 if (&loop != &region_.loops.front()) std::reverse(points.begin(), points.end());
                 for (const Point p : points) {
-                    if (std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // what meets a platen
+                    const bool outer = &loop == &region_.loops.front();
+                    if (outer && std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // what meets a platen
                     add_point(loop.circle->centre + p, loop.parts[0]);
                 }
-                if (is_round(region_) && loop.circle->pole == Pole::facet) {
+                if (&loop == &region_.loops.front() && loop.circle->pole == Pole::facet) {
                     seeds_.loading_arc = 2 * std::atan2(std::abs(points.front().x), loop.circle->radius);
                 }
             }
@@ -181,6 +206,12 @@ public:
                 const Point to = loop.corners[(i + 1) % loop.corners.size()];
                 const auto shares = cut_line(side++->n, spread_, random_);
                 corners.push_back(size());
+                if (const auto centre = loop.centre(i)) {
+                    add_point(from, loop.parts[i]);
+                    const Curve arc{Curve::Kind::arc, from, to, {}, Circle{*centre, length(from - *centre)}};
+                    for (const Point p : arc_points(arc, shares)) add_point(p, loop.parts[i]);
+                    continue;
+                }
                 for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
                     // The coordinate that is constant along the side is copied exactly, so that the side is straight.
                     Point p = from;
@@ -193,9 +224,7 @@ public:
             const int n_loop = size() - first;
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 const int at = corners[i];
-                const std::size_t n_corners = corners.size();
-                if (!can_be_cut_off(loop.corners[(i + n_corners - 1) % n_corners], loop.corners[i],
-                                    loop.corners[(i + 1) % n_corners])) {
+                if (!can_be_cut_off(loop.behind((i + corners.size() - 1) % corners.size()), loop.corners[i], loop.ahead(i))) {
                     continue;
                 }
                 seeds_.corners.push_back({first + (at - first + n_loop - 1) % n_loop, at, first + (at - first + 1) % n_loop});

@@ -74,8 +74,8 @@ std::vector<Point> corner_points(const Region& region, double distance) {
         const std::size_t n = loop.corners.size();
         for (std::size_t i = 0; i < n; ++i) {
             const Point at = loop.corners[i];
-            const Point before = loop.corners[(i + n - 1) % n];
-            const Point after = loop.corners[(i + 1) % n];
+            const Point before = loop.behind((i + n - 1) % n);
+            const Point after = loop.ahead(i);
             if (!can_be_cut_off(before, at, after)) continue;
             const Point middle = unit(after - at) + unit(before - at);
             points.push_back(at + distance * (std::sqrt(1 / squared_length(middle)) * middle));

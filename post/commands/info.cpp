@@ -56,6 +56,18 @@ void write_phases(std::ostream& out, const H5Input& file) {
     if (!phases.empty()) line(out, "phases", phases);
 }
 
+/// Names of the parts that boundary edges have.
+void write_parts(std::ostream& out, const H5Input& file) {
+    const char* path = schema::boundary_part.path;
+    const auto names = file.attribute_or<std::vector<std::string>>(path, "names", {});
+    const std::vector<std::uint8_t> parts = file.has(path) ? file.read<std::uint8_t>(path) : std::vector<std::uint8_t>{};
+    std::string used;
+    for (std::size_t p = 0; p < names.size(); ++p) {
+        if (std::find(parts.begin(), parts.end(), p) != parts.end()) used += (used.empty() ? "" : ", ") + names[p];
+    }
+    if (!used.empty()) line(out, "boundary_parts", used);
+}
+
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
     const char* group = schema::specimen_group;
     const auto length = [&](const char* name) {
@@ -63,13 +75,20 @@ void write_specimen_lines(std::ostream& out, const H5Input& file) {
             line(out, name, format_quantity(file.attribute<double>(group, name), Dimension::length));
         }
     };
+    const auto number = [&](const char* name) {
+        if (file.has_attribute(group, name)) line(out, name, format_number(file.attribute<double>(group, name), 4));
+    };
     line(out, "shape", file.attribute_or<std::string>(group, "shape", "unknown"));
     length("width");
     length("height");
     length("mean_edge");
+    number("edge_variation");
+    length("mean_diameter");
+    number("diameter_variation");
     line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
     write_integer(out, file, group, "seed");
     write_counts(out, file);
+    write_parts(out, file);
     write_phases(out, file);
 }
 

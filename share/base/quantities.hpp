@@ -93,6 +93,13 @@ inline constexpr Quantity width{"width", Dimension::length, 0, 1e4, "width of th
 inline constexpr Quantity height{"height", Dimension::length, 0, 1e4, "height of the specimen (y)", true};
 inline constexpr Quantity diameter{"diameter", Dimension::length, 0, 1e4, "diameter of the disc", true};
 inline constexpr Quantity notch{"notch", Dimension::length, 0, 1e4, "length of a notch across the middle of a rectangle", true};
+inline constexpr Quantity slit{"slit", Dimension::length, 0, 1e4, "length of a straight crack", true};
+inline constexpr Quantity direction{"direction", Dimension::angle, -7, 7, "direction, counter-clockwise from x"};
+inline constexpr Quantity flats{"flats", Dimension::angle, 0, 2.1, "angle under which a flat pole is seen from the centre", true};
+inline constexpr Quantity joint_length{"joint_length", Dimension::length, 0, 1e4, "length or spacing of joints", true};
+inline constexpr Quantity persistence{"persistence", Dimension::one, 0, 1, "share of a line that is jointed", true};
+inline constexpr Quantity hole_radius{"radius", Dimension::length, 0, 1e4, "radius of a hole", true};
+inline constexpr Quantity coordinate{"coordinate", Dimension::length, -1e4, 1e4, "coordinate"};
 inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
 inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
 inline constexpr Quantity phase_fraction{"fraction", Dimension::one, 0, 1, "fraction of the area that a phase has", true};

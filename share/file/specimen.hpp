@@ -53,7 +53,7 @@ struct MeshStatistics {
 
 /// Arrays of a specimen. Index ranges: n nodes, e elements, g grains, c contacts, b boundary edges. SI units.
 struct Specimen {
-    std::string shape;         ///< "rectangle", "disc" or "polygon"
+    std::string shape;         ///< "rectangle", "disc", "ring", "beam", "half-disc" or "polygon"
     double width = 0;          ///< extent along x (disc: diameter)
     double height = 0;         ///< extent along y between the platens (disc: diameter)
     std::string tessellation;  ///< "delaunay", … or a name that another program gave

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,8 @@ namespace {
 constexpr double tolerance = 0.01;   // of sizes, areas and edges: the strength is off by as much
 constexpr double off_centre = 1e-3;  // of a size: one platen would meet the specimen before the other
 constexpr double conformity = 1e-9;  // of the specimen's size: far below any edge, far above round-off of positions
+
+constexpr std::array<std::string_view, 6> shapes{"rectangle", "disc", "ring", "beam", "half-disc", "polygon"};
 
 double signed_area(const Specimen& s, const std::array<std::int32_t, 3>& e) {
     const auto& a = s.node_position[e[0]];
@@ -66,8 +69,8 @@ void check_sizes(const Specimen& s, const Checker& check) {
                       "contacts/strength_factor must be positive and finite", c);
     }
     check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
-    check.require(s.shape == "rectangle" || s.shape == "disc" || s.shape == "polygon",
-                  "shape is unknown; rectangle, disc or polygon is needed");
+    check.require(std::find(shapes.begin(), shapes.end(), s.shape) != shapes.end(),
+                  "shape is unknown; rectangle, disc, ring, beam, half-disc or polygon is needed");
     check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
                   "width and height must be positive and finite");
     check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");
@@ -110,6 +113,7 @@ void check_elements(const Specimen& s, const Checker& check) {
 void check_size(const Specimen& s, const Checker& check) {
     double longest = 0;
     for (const auto& [i, j] : s.boundary_edges) longest = std::max(longest, distance(s, i, j));
+    longest *= std::max(1, s.elements_per_edge);  // boundary edges of one grain edge lie on one line
     for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
         const auto [lowest, highest] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
                                                            [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });

@@ -58,7 +58,7 @@ std::string toml_line(const CLI::Option& option) {
         return option.count() > 0 && option.as<bool>() ? fmt::format("{} = true\n", key) : fmt::format("# {} = true\n", key);
     }
     std::vector<std::string> values = option.results();
-    const bool many = option.get_items_expected_max() > 1;
+    const bool many = option.get_items_expected_max() > 1 || option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
     if (values.empty()) {
         const std::set<CLI::Option*> others = option.get_excludes();
         // the default holds unless an option that excludes this one is given, or has a default itself

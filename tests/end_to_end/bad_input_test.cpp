@@ -22,6 +22,11 @@ void lay_out(const Shell& shell, const std::string& command) {
     lines += "material=" GRAINCRACK_SOURCE "/share/materials/augig-granite.toml\n";
     lines += "grep -v '^density' $material >no-density.toml\n";
     lines += "echo 'gravity = 1' >unknown-key.toml\n";
+    const std::string flaws = "printf 'x1_mm\\ty1_mm\\tx2_mm\\ty2_mm\\tclass\\n";
+    lines += flaws + "0\\t0\\t4\\t0\\t\\n20\\t0\\t30\\t0\\t\\n' >outside.tsv\n";
+    lines += flaws + "0\\t0\\t4\\t0\\tbroken\\n2\\t0\\t6\\t0\\tbroken\\n' >double.tsv\n";
+    lines += flaws + "0\\t0\\t4\\t0\\thealed\\n' >class.tsv\n";
+    lines += "printf 'x_mm\\ty_mm\\n0\\t0\\n20\\t20\\n20\\t0\\n0\\t20\\n' >cross.tsv\n";
     if (command.find("rectangle.h5") != std::string::npos) {
         lines += "graincrack-mesh rectangle --width 20mm --height 40mm --grains 60 --quiet -o rectangle.h5\n";
     }
@@ -72,6 +77,25 @@ const std::vector<BadInput> mesher{
     {"NoSubcommand", "graincrack-mesh", 2, "rectangle"},
     {"UnknownOption", "graincrack-mesh disc --diametre 20mm -o out.h5", 2, "--diametre"},
     {"WordForAnother", "graincrack-mesh disc --diameter 20mm --grains 60 --pole north -o out.h5", 2, "north"},
+    {"FlawOutside", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws outside.tsv -o out.h5", 2, "outside.tsv: line 3"},
+    {"FlawsUponEachOther", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws double.tsv -o out.h5", 2,
+     "double.tsv: line 3: lies upon double.tsv: line 2"},
+    {"FlawOfUnknownClass", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws class.tsv -o out.h5", 3,
+     "class.tsv: line 2"},
+    {"FlawsWithoutColumns", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws text.h5 -o out.h5", 3, "x1_mm"},
+    {"MissingFlaws", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws none.tsv -o out.h5", 3, "none.tsv"},
+    {"PolygonWhoseSidesCross", "graincrack-mesh polygon cross.tsv --grains 200 -o out.h5", 3, "cross.tsv"},
+    {"HoleAcrossTheRim", "graincrack-mesh disc --diameter 20mm --grains 200 --hole 8mm,0,4mm -o out.h5", 2, "--hole"},
+    {"SecondHoleInTheFirst", "graincrack-mesh disc --diameter 20mm --grains 200 --hole 0,0,4mm --hole 1mm,0,1mm -o out.h5", 2,
+     "--hole 2"},
+    {"HoleOfTwoNumbers", "graincrack-mesh disc --diameter 20mm --grains 200 --hole 1mm,2mm -o out.h5", 2, "--hole"},
+    {"SlitWithoutRoom", "graincrack-mesh disc --diameter 20mm --grains 200 --slit 20mm -o out.h5", 2, "--slit"},
+    {"AngleWithoutASlit", "graincrack-mesh disc --diameter 20mm --grains 200 --slit-angle 20deg -o out.h5", 2, "--slit-angle"},
+    {"JointsWithoutDip", "graincrack-mesh disc --diameter 20mm --grains 200 --joint-set spacing=5mm -o out.h5", 2, "dip"},
+    {"JointsTooClose", "graincrack-mesh disc --diameter 20mm --edge 2mm --joint-set spacing=1mm,dip=0 -o out.h5", 2,
+     "--joint-set"},
+    {"HoleOfFewGrains", "graincrack-mesh disc --diameter 20mm --edge 2mm --hole 0,0,1mm -o out.h5", 2, "--edge"},
+    {"RingWithoutRock", "graincrack-mesh ring --diameter 20mm --inner-diameter 20mm --edge 2mm -o out.h5", 2, "--inner-diameter"},
     {"Variable", "GRAINCRACK_DIAMETER=20kg graincrack-mesh disc --grains 60 -o out.h5", 2, "GRAINCRACK_DIAMETER"},
 };
 INSTANTIATE_TEST_SUITE_P(Mesher, Refused, testing::ValuesIn(mesher), name_of_case);

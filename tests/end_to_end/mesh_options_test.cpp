@@ -129,6 +129,33 @@ TEST_F(GraincrackMesh, PhasesAndStrengthFactorsAreInTheFile) {
     EXPECT_FALSE(plain.has_attribute("/grains/phase", "fractions"));
 }
 
+TEST_F(GraincrackMesh, EveryKindIsWrittenAndRepeated) {
+    std::ofstream(file("l.tsv"))
+        << "x_mm\ty_mm\tpart\n0\t0\tbottom\n40\t0\tright\n40\t20\t\n20\t20\t\n20\t40\ttop\n0\t40\tleft\n";
+    std::ofstream(file("flaws.tsv")) << "# two\nx1_mm\ty1_mm\tx2_mm\ty2_mm\tclass\n5\t3\t12\t3\tbroken\n-9\t8\t9\t9\tintact\n";
+    const std::string cuts = " --edge 2mm --hole 3mm,-5mm,2mm --flaws " + file("flaws.tsv");
+    const std::vector<std::pair<std::string, std::string>> kinds{
+        {"rectangle",
+         "rectangle --width 40mm --height 40mm --notch 12mm --notch-angle 90deg --joint-set spacing=15mm,dip=-80deg" + cuts},
+        {"disc", "disc --diameter 40mm" + cuts},
+        {"disc", "disc --diameter 40mm --flats 20deg --slit 12mm --slit-angle 60deg --edge 2mm"},
+        {"ring", "ring --diameter 40mm --inner-diameter 14mm --edge 2mm --hole 12mm,5mm,3mm"},
+        {"beam", "beam --length 80mm --height 20mm --notch 8mm --edge 2mm --hole -20mm,0,3mm --hole 20mm,0,3mm"},
+        {"half-disc", "half-disc --diameter 40mm --slit 8mm --edge 1.5mm"},
+        {"polygon", "polygon " + file("l.tsv") + " --edge 2mm --hole 10mm,30mm,3mm --flaws " + file("flaws.tsv")}};
+    for (const auto& [shape, arguments] : kinds) {
+        const Answer answer = run(arguments + " -o " + file("a.h5"));
+        ASSERT_EQ(answer.code, 0) << arguments << answer.text;
+        EXPECT_EQ(answer.has("moved by (-20 mm, -20 mm)"), shape == "polygon") << answer.text;
+        const H5Input written(file("a.h5"), "specimen");
+        EXPECT_EQ(read_specimen(written).shape, shape);
+        ASSERT_EQ(run(arguments + " -o " + file("b.h5") + " --print-config > " + file("b.toml")).code, 0);
+        const Answer again = run(arguments.substr(0, arguments.find(' ')) + " --quiet --config " + file("b.toml"));
+        ASSERT_EQ(again.text, "") << arguments;
+        EXPECT_EQ(H5Input(file("b.h5")).digest(), written.digest()) << arguments;
+    }
+}
+
 TEST_F(GraincrackMesh, UnknownKeyIsAnError) {
     std::ofstream(file("bad.toml")) << "[rectangle]\ngrain = 7\n";
     const Answer answer = run(small + "-o " + file("a.h5") + " --config " + file("bad.toml"));

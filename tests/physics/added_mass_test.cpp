@@ -33,7 +33,7 @@ Case make_case(const Specimen& specimen, double share) {
 }
 Specimen rectangle(int elements_per_edge = 1) {
     mesher::SpecimenRequest request;
-    request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
+    request.region = mesher::rectangle(0.02, 0.04);
     request.edge = 0.004;
     request.elements_per_edge = elements_per_edge;
     return mesher::make_specimen(request);

@@ -89,7 +89,7 @@ TEST(Moduli, OfRandomMeshes) {
     for (const Case& c : {Case{1152, PlaneCondition::stress, 24.78, 0.248}, Case{1840, PlaneCondition::stress, 24.50, 0.253},
                           Case{1152, PlaneCondition::strain, 24.68, 0.239}}) {
         mesher::SpecimenRequest request;
-        request.shape = {mesher::ShapeKind::rectangle, 0.08, 0.16};
+        request.region = mesher::rectangle(0.08, 0.16);
         request.grains = c.grains;
         const SmallRun run(mesher::make_specimen(request), law_of(c.plane), c.plane);
         Moduli m = pulled(run);

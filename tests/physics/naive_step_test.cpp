@@ -34,7 +34,7 @@ enum class Grains { of_one_phase, of_three_phases };
 
 PhasedSpecimen make(Grains grains) {
     mesher::SpecimenRequest request;
-    request.shape = {mesher::ShapeKind::rectangle, 0.02, 0.04};
+    request.region = mesher::rectangle(0.02, 0.04);
     request.grains = 80;
     const Specimen s = mesher::make_specimen(request);
     return grains == Grains::of_three_phases

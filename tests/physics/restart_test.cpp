@@ -34,7 +34,7 @@ void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 const Specimen& specimen() {
     static const Specimen s = [] {
         mesher::SpecimenRequest request;
-        request.shape = {mesher::ShapeKind::rectangle, 0.04, 0.08};
+        request.region = mesher::rectangle(0.04, 0.08);
         request.grains = 300;
         request.seed = 4;
         return mesher::make_specimen(request);

@@ -24,7 +24,7 @@ using test::expect_close;
 
 Specimen disc(int grains, int elements_per_edge) {
     mesher::SpecimenRequest request;
-    request.shape = {mesher::ShapeKind::disc, 0.04, 0.04};
+    request.region = mesher::disc(0.04);
     request.grains = grains;
     request.elements_per_edge = elements_per_edge;
     return mesher::make_specimen(request);

@@ -20,7 +20,7 @@ constexpr double omega = 1000;  // rad/s; stresses are compared scaled to 100
 
 Specimen disc() {
     mesher::SpecimenRequest request;
-    request.shape = {mesher::ShapeKind::disc, 2 * radius, 2 * radius};
+    request.region = mesher::disc(2 * radius);
     request.grains = 452;
     return mesher::make_specimen(request);
 }

@@ -50,7 +50,7 @@ TEST(TimeStep, BelowTheExactOneWithPlatens) {
 TEST(TimeStep, OfTheAugigRectangle) {
     for (const auto& [grains, low, high] : {std::tuple{1152, 6e-8, 8e-8}, std::tuple{1840, 5.0e-8, 6.6e-8}}) {
         mesher::SpecimenRequest request;
-        request.shape = {mesher::ShapeKind::rectangle, 0.08, 0.16};
+        request.region = mesher::rectangle(0.08, 0.16);
         request.grains = grains;
         const SmallRun run = between_platens(mesher::make_specimen(request), augig_law());
         const std::string name = "dynamics: stable step, 80 x 160 mm, " + std::to_string(grains) + " grains";

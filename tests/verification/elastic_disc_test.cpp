@@ -24,7 +24,7 @@ constexpr double radius = diameter / 2;
 /// A disc with stiff contacts, compressed to about 1 MPa and held until it is at rest.
 SmallRun compressed_disc() {
     mesher::SpecimenRequest request;
-    request.shape = {mesher::ShapeKind::disc, diameter, diameter};
+    request.region = mesher::disc(diameter);
     request.grains = 452;
     request.elements_per_edge = 2;
     ContactParameters contact = test::augig_contact(PlaneCondition::stress);

@@ -22,8 +22,7 @@ constexpr double confining_pressure = 8 * MPa;
 Specimen specimen_of(TestKind test) {
     mesher::SpecimenRequest request;
     const bool disc = test == TestKind::brazilian;
-    request.shape =
-        disc ? mesher::Shape{mesher::ShapeKind::disc, 0.04, 0.04} : mesher::Shape{mesher::ShapeKind::rectangle, 0.03, 0.06};
+    request.region = disc ? mesher::disc(0.04) : mesher::rectangle(0.03, 0.06);
     request.grains = disc ? 120 : 160;
     return mesher::make_specimen(request);
 }

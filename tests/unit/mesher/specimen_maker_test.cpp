@@ -18,7 +18,7 @@ namespace {
 
 SpecimenRequest rectangle_of(std::int64_t grains, std::uint64_t seed = 1) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.region = rectangle(0.08, 0.16);
     request.grains = grains;
     request.seed = seed;
     return request;
@@ -26,7 +26,7 @@ SpecimenRequest rectangle_of(std::int64_t grains, std::uint64_t seed = 1) {
 
 SpecimenRequest disc_of(std::int64_t grains, std::uint64_t seed = 1, Pole pole = Pole::facet) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::disc, 0.08, 0.08, pole};
+    request.region = disc(0.08, pole);
     request.grains = grains;
     request.seed = seed;
     return request;
@@ -37,7 +37,7 @@ struct Order {
     double whole = 0;
     double parts = 0;
 };
-Order order_of(const Specimen& s, const Shape& shape) {
+Order order_of(const Specimen& s, const Region& region) {
     std::vector<Point> points;
     std::vector<Edge> edges;
     const auto add = [&](std::int32_t from, std::int32_t to) {
@@ -51,7 +51,7 @@ Order order_of(const Specimen& s, const Shape& shape) {
     for (const auto& edge : s.boundary_edges) add(edge[0], edge[1]);
     Order order{psi6(points, edges), 0};
     for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
-        order.parts = std::max(order.parts, largest_psi6_of_parts(region_of(shape), partition, points, edges));
+        order.parts = std::max(order.parts, largest_psi6_of_parts(region, partition, points, edges));
     }
     return order;
 }
@@ -60,7 +60,7 @@ TEST(SpecimenMaker, RectanglesHaveNoPreferredDirection) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const SpecimenRequest request = rectangle_of(1122, seed);
         const Specimen s = make_specimen(request);
-        const Order order = order_of(s, request.shape);
+        const Order order = order_of(s, request.region);
         EXPECT_LE(order.whole, 0.15) << "seed " << seed;
         EXPECT_LE(order.parts, 0.30) << "seed " << seed;
         EXPECT_NEAR(order.whole, s.statistics.psi6, 1e-9);
@@ -76,7 +76,7 @@ TEST(SpecimenMaker, DiscsHaveNoPreferredDirection) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const SpecimenRequest request = disc_of(452, seed);
         const Specimen s = make_specimen(request);
-        const Order order = order_of(s, request.shape);
+        const Order order = order_of(s, request.region);
         EXPECT_LE(order.whole, 0.15) << "seed " << seed;
         EXPECT_LE(order.parts, 0.30) << "seed " << seed;
         EXPECT_EQ(s.n_grains(), 452U);
@@ -95,12 +95,12 @@ TEST(SpecimenMaker, NumbersOfGrainsAreExact) {
 
 TEST(SpecimenMaker, WantedEdgeIsTheMean) {
     for (const double edge : {2e-3, 4e-3, 5.13e-3, 9e-3}) {
-        for (const ShapeKind kind : {ShapeKind::rectangle, ShapeKind::disc}) {
+        for (const Region& region : {rectangle(0.08, 0.16), disc(0.08)}) {
             SpecimenRequest request;
-            request.shape = {kind, 0.08, kind == ShapeKind::disc ? 0.08 : 0.16, Pole::facet};
+            request.region = region;
             request.edge = edge;
             // whole grains allow no better than their own number
-            const double tolerance = std::max(0.005, 1.5 * edge * edge / area(region_of(request)));
+            const double tolerance = std::max(0.005, 1.5 * edge * edge / area(region));
             EXPECT_NEAR(make_specimen(request).statistics.mean_edge / edge, 1, tolerance) << edge;
         }
     }
@@ -147,7 +147,7 @@ TEST(SpecimenMaker, SpecimensAreValidInManyProportions) {
     for (const auto& [width, height] : {std::pair{0.01, 0.2}, std::pair{0.2, 0.01}, std::pair{0.05, 0.05}}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             SpecimenRequest request;
-            request.shape = {ShapeKind::rectangle, width, height, Pole::facet};
+            request.region = rectangle(width, height);
             request.edge = 0.005;
             request.seed = seed;
             const Specimen s = make_specimen(request);
@@ -159,10 +159,10 @@ TEST(SpecimenMaker, SpecimensAreValidInManyProportions) {
 
 TEST(SpecimenMaker, SizesScale) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 80e3, 160e3, Pole::facet};
+    request.region = rectangle(80e3, 160e3);
     request.edge = 5e3;
     const Specimen large = make_specimen(request);
-    request.shape = {ShapeKind::rectangle, 80e-6, 160e-6, Pole::facet};
+    request.region = rectangle(80e-6, 160e-6);
     request.edge = 5e-6;
     const Specimen small = make_specimen(request);
     validate(large, "large");
@@ -188,8 +188,8 @@ TEST(SpecimenMaker, BadRequestsNameTheirOption) {
         change(request);
         return complaint(request);
     };
-    EXPECT_NE(changed([](auto& r) { r.shape.width = -0.08; }).find("--width"), std::string::npos);
-    EXPECT_NE(changed([](auto& r) { r.shape.height = 0; }).find("--height"), std::string::npos);
+    EXPECT_NE(changed([](auto& r) { r.region = rectangle(-0.08, 0.16); }), "");
+    EXPECT_NE(changed([](auto& r) { r.region = rectangle(0.08, 0); }), "");
     EXPECT_NE(changed([](auto& r) { r.grains = 0; }).find("--grains"), std::string::npos);
     EXPECT_NE(changed([](auto& r) { r.grains = -5; }).find("--grains"), std::string::npos);
     EXPECT_NE(changed([](auto& r) { r.grains.reset(); }).find("--edge"), std::string::npos);
@@ -224,13 +224,13 @@ std::vector<double> turned_invariants(const Specimen& s) {
 // The same grains, rotated: every diameter ends in facets that lie on the platens and are centred on the load.
 TEST(SpecimenMaker, ADiscIsLoadedAlongEachOfItsDiameters) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet};
-    request.shape.diameters = 6;
+    request.region = disc(0.08);
+    request.region.loops.front().circle->diameters = 6;
     request.grains = 452;
     const std::vector<double> first = turned_invariants(make_specimen(request));
     double moment_before = 0;
     for (int turn = 0; turn < 6; ++turn) {
-        request.shape.loaded_diameter = turn;
+        request.region.loops.front().circle->loaded_diameter = turn;
         const Specimen turned = make_specimen(request);
         EXPECT_EQ(turned.n_grains(), 452U);
         const std::vector<double> now = turned_invariants(turned);
@@ -250,16 +250,16 @@ TEST(SpecimenMaker, ADiscIsLoadedAlongEachOfItsDiameters) {
             if (platen < 0) moment_before = inside;
         }
     }
-    request.shape.loaded_diameter = 6;
+    request.region.loops.front().circle->loaded_diameter = 6;
     EXPECT_THROW((void)plan_mesh(request), UsageError);
-    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 36, 0};
+    request.region = disc(0.08, Pole::facet, 36);
     EXPECT_THROW((void)plan_mesh(request), UsageError);
 }
 
 TEST(SpecimenMaker, ARegionWithHolesAndFlawsBecomesASpecimen) {
     SpecimenRequest request;
     request.region = l_with_holes();
-    request.region->edges = {{{0.01, 0.03}, {0.03, 0.05}, ContactKind::pre_existing_crack}, {{0.07, 0.01}, {0.09, 0.01}}};
+    request.region.edges = {{{0.01, 0.03}, {0.03, 0.05}, ContactKind::pre_existing_crack}, {{0.07, 0.01}, {0.09, 0.01}}};
     for (const std::int64_t grains : {900, 901}) {
         for (const int n : {1, 2}) {
             request.grains = grains;
@@ -288,6 +288,96 @@ TEST(SpecimenMaker, ARegionWithHolesAndFlawsBecomesASpecimen) {
     }
 }
 
+/// Length of the contacts of a kind whose ends lie on a segment to 1e-9 of its length.
+double covered(const Specimen& s, const PrescribedEdge& edge) {
+    const Curve line{Curve::Kind::prescribed, edge.from, edge.to, unit(edge.to - edge.from), {}};
+    double sum = 0;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto at = [&](std::size_t k) {
+            const auto& [x, y] = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][k])];
+            return Point{x, y};
+        };
+        const double slack = 1e-9 * length(edge.to - edge.from);
+        if (line.distance(at(0)) > slack || line.distance(at(1)) > slack) continue;
+        EXPECT_EQ(s.contact_kind[c], static_cast<std::uint8_t>(edge.kind));
+        sum += length(at(1) - at(0));
+    }
+    return sum;
+}
+
+TEST(SpecimenMaker, EveryKindOfSpecimenFollowsItsFlaws) {
+    const auto slit = [](Region region, double size, double angle) {
+        region.edges = {central_slit(region, size, angle, "--slit")};
+        return region;
+    };
+    std::vector<Region> regions{slit(rectangle(0.08, 0.16), 0.03, 0.9),
+                                slit(disc(0.08), 0.024, 1.1),
+                                slit(disc_with_flats(0.08, 0.35), 0.024, -0.3),
+                                ring(0.08, 0.03),
+                                half_disc(0.08),
+                                rectangle(0.12, 0.04)};
+    regions[3].edges = {{{0.015, 0}, {0.04, 0}, ContactKind::pre_existing_crack}};  // from the hole to the outline
+    for (const std::size_t i : {4U, 5U}) regions[i].edges = {slit_from_below(regions[i], 0.018, "--slit")};
+    regions[5].name = "beam";
+    add_hole(regions[0], {0.02, 0.05}, 0.008, "--hole");
+    regions[0].edges.push_back({{-0.1, 0.02}, {0.1, 0.07}});
+    for (const Region& region : regions) {
+        for (const int n : {1, 3}) {
+            SpecimenRequest request;
+            request.region = region;
+            request.edge = 3e-3;
+            request.elements_per_edge = n;
+            const Specimen s = make_specimen(request);
+            validate(s, region.name);
+            EXPECT_EQ(s.shape, region.name);
+            double all = 0;
+            for (const PrescribedEdge& whole : region.edges) {
+                for (const PrescribedEdge& edge : clip({region.name, region.loops, {}}, whole)) {
+                    const double wanted = length(edge.to - edge.from);
+                    EXPECT_NEAR(covered(s, edge) / wanted, 1, 1e-9) << region.name;
+                    if (edge.kind == ContactKind::pre_existing_crack) all += wanted;
+                }
+            }
+            double broken = 0;
+            for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+                const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+                const auto& q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+                if (s.contact_kind[c] != 0) broken += std::hypot(q[0] - p[0], q[1] - p[1]);
+            }
+            EXPECT_NEAR(broken, all, 1e-12) << "no other contact is broken";
+            EXPECT_LT(s.statistics.edge_variation, 0.13) << region.name;
+            EXPECT_GT(s.statistics.min_angle, 15 * std::numbers::pi / 180) << region.name;
+            const bool moved = region.loops.size() > 1;  // a flaw ends on a circle, whose point it moves
+            EXPECT_NEAR(s.statistics.area_error, 0, moved ? 1e-3 : 1e-12) << region.name;
+        }
+    }
+}
+
+TEST(SpecimenMaker, RoundSpecimensOfFewDividedGrainsAreValid) {
+    for (const std::uint64_t seed : {8U, 9U, 10U}) {
+        SpecimenRequest request;
+        request.region = ring(16.366e-3, 6.9931e-3);
+        request.grains = 27;
+        request.spread = 0.1859;
+        request.elements_per_edge = 3;
+        request.seed = seed;
+        EXPECT_NO_THROW(validate(make_specimen(request), "ring")) << seed;
+    }
+}
+
+TEST(SpecimenMaker, JointSetsAreFollowedAndCovered) {
+    SpecimenRequest request = rectangle_of(3000);
+    request.joint_sets = {parse_joint_set("spacing=20mm,dip=45deg,persistence=0.7", "--joint-set"),
+                          parse_joint_set("spacing=25mm,dip=-30deg,class=intact", "--joint-set")};
+    const MeshPlan plan = plan_mesh(request);
+    EXPECT_GT(plan.region.edges.size(), 20U);
+    const Specimen s = make_specimen(request);
+    validate(s, "rectangle");
+    EXPECT_EQ(s.n_grains(), 3000U);
+    for (const PrescribedEdge& edge : plan.region.edges) EXPECT_NEAR(covered(s, edge) / length(edge.to - edge.from), 1, 1e-9);
+    EXPECT_GT(s.statistics.min_angle, 10 * std::numbers::pi / 180);
+}
+
 TEST(SpecimenMaker, ProgressMayStopTheWork) {
     struct Stopped {};
     EXPECT_THROW(make_specimen(rectangle_of(1122), [](double) { throw Stopped{}; }), Stopped);
@@ -301,7 +391,7 @@ TEST(SpecimenMaker, PlanIsWhatComesOut) {
     EXPECT_EQ(static_cast<std::size_t>(plan.n_boundary), s.n_boundary_edges());
     EXPECT_NEAR(plan.edge / s.statistics.mean_edge, 1, 0.01);
     EXPECT_GE(report.attempts, 1);
-    EXPECT_NEAR(report.psi6_of_parts, order_of(s, request.shape).parts, 1e-9);
+    EXPECT_NEAR(report.psi6_of_parts, order_of(s, request.region).parts, 1e-9);
 }
 
 TEST(MeshReport, NamesWhatWasNotReached) {

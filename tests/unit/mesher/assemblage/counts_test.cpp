@@ -10,7 +10,7 @@ namespace {
 TEST(Counts, AreThoseOfTheArrays) {
     for (const int n : {1, 2, 3}) {
         SpecimenRequest request;
-        request.shape = {ShapeKind::rectangle, 0.04, 0.06, Pole::facet};
+        request.region = rectangle(0.04, 0.06);
         request.grains = 200;
         request.elements_per_edge = n;
         const Specimen s = make_specimen(request);

@@ -15,7 +15,7 @@ namespace {
 
 SpecimenRequest notched(double length, int elements_per_edge = 1) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.region = rectangle(0.08, 0.16);
     request.grains = 1122;
     request.elements_per_edge = elements_per_edge;
     request.notch = length;
@@ -61,7 +61,7 @@ TEST(Notch, TooShortOrTooLongIsRefused) {
     EXPECT_THROW(plan_mesh(notched(0.005)), UsageError);
     EXPECT_THROW(plan_mesh(notched(0.075)), UsageError);
     SpecimenRequest narrow = notched(0.011);
-    narrow.shape.width = 0.02;
+    narrow.region = rectangle(0.02, 0.16);
     narrow.grains = 100;  // edges of about 8.5 mm
     try {
         plan_mesh(narrow);

@@ -40,7 +40,7 @@ Specimen specimen_of(const PlaneMesh& mesh) {
 
 SpecimenRequest small_rectangle(int elements_per_edge) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 0.04, 0.06, Pole::facet};
+    request.region = rectangle(0.04, 0.06);
     request.grains = 200;
     request.elements_per_edge = elements_per_edge;
     return request;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "mesher/region/shapes.hpp"
+
 namespace graincrack::mesher {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mesher/region/shapes.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/relaxation.hpp"
 #include "mesher/seeds/sampling.hpp"

@@ -142,11 +142,11 @@ std::vector<std::pair<double, int>> phases_by_distance(const Specimen& s) {
 
 TEST(Phases, TurnWithADisc) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 6, 0};
+    request.region = disc(0.08, Pole::facet, 6);
     request.grains = 452;
     request.phases = {granite(), {}, 4};
     const auto first = phases_by_distance(make_specimen(request));
-    request.shape.loaded_diameter = 2;
+    request.region.loops.front().circle->loaded_diameter = 2;
     const auto turned = phases_by_distance(make_specimen(request));
     for (std::size_t g = 0; g < first.size(); ++g) {
         EXPECT_NEAR(turned[g].first, first[g].first, 1e-15);
@@ -209,7 +209,7 @@ TEST(Phases, BadRequestsNameTheirOption) {
     EXPECT_EQ(refused({granite(), {}, std::nan("")}, 1122).rfind("--phase-cluster", 0), 0U);
     EXPECT_EQ(refused({{{"a", std::nan("")}, {"b", 1}}, {}, 1}, 1122).rfind("--phases", 0), 0U);
     SpecimenRequest few;
-    few.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet};
+    few.region = disc(0.08);
     few.grains = 12;
     for (int i = 0; i < 20; ++i) few.phases.fractions.push_back({"p" + std::to_string(i), 0.05});
     EXPECT_THROW((void)plan_mesh(few), UsageError);

@@ -159,12 +159,12 @@ TEST(StrengthField, ContactsOfAGrainBoundaryHaveOneFactorWhateverTheElements) {
 
 TEST(StrengthField, FactorsTurnWithADisc) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::disc, 0.08, 0.08, Pole::facet, 6, 0};
+    request.region = disc(0.08, Pole::facet, 6);
     request.grains = 452;
     for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
         request.strength = {5, correlation, {}};
         const auto sorted = [&](int loaded) {
-            request.shape.loaded_diameter = loaded;
+            request.region.loops.front().circle->loaded_diameter = loaded;
             std::vector<double> factors = make_specimen(request).contact_strength_factor;
             std::sort(factors.begin(), factors.end());
             return factors;

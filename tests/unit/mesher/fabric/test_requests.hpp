@@ -11,7 +11,7 @@ namespace graincrack::mesher {
 
 inline SpecimenRequest rectangle_of(std::int64_t grains) {
     SpecimenRequest request;
-    request.shape = {ShapeKind::rectangle, 0.08, 0.16, Pole::facet};
+    request.region = rectangle(0.08, 0.16);
     request.grains = grains;
     return request;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mesher/plane/random_numbers.hpp"
+#include "mesher/region/shapes.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {

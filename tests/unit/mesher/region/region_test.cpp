@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 

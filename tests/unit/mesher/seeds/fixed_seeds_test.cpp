@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {

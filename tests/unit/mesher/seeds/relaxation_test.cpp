@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesher/region/shapes.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/sampling.hpp"
 #include "share/base/error.hpp"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mesher/region/shapes.hpp"
+
 namespace graincrack::mesher {
 namespace {
 

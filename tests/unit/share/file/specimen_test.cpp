@@ -211,7 +211,7 @@ const std::vector<Offence>& offences() {
         {"NaN area", [](Specimen& s) { s.grain_area[1] = std::numeric_limits<double>::quiet_NaN(); }, "area of a grain"},
         {"mean edge that is not that of the mesh", [](Specimen& s) { s.statistics.mean_edge *= 1.02; }, "mean_edge"},
         {"edges per grain edge", [](Specimen& s) { s.elements_per_edge = 2; }, "mean_edge"},
-        {"unknown shape", [](Specimen& s) { s.shape = "hexagon"; }, "rectangle, disc or polygon"},
+        {"unknown shape", [](Specimen& s) { s.shape = "hexagon"; }, "rectangle, disc, ring, beam, half-disc or polygon"},
         {"middle off the origin",
          [](Specimen& s) {
              for (auto& p : s.node_position) p[1] += 0.0011 * s.height;

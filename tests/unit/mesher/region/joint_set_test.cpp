@@ -1,0 +1,64 @@
+#include "mesher/region/joint_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "mesher/region/shapes.hpp"
+#include "share/base/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+TEST(JointSet, IsReadOrRefusedByName) {
+    const JointSet set = parse_joint_set("spacing=20mm,dip=45deg,persistence=0.7,length=30mm,class=intact", "--joint-set");
+    EXPECT_EQ(set.spacing, 0.02);
+    EXPECT_NEAR(set.dip, 0.785398163397448, 1e-15);
+    EXPECT_EQ(set.persistence, 0.7);
+    EXPECT_EQ(set.length, 0.03);
+    EXPECT_EQ(set.kind, ContactKind::grain_boundary);
+    EXPECT_EQ(parse_joint_set("dip=0,spacing=5mm", "--joint-set").length, 0.005);
+    for (const char* text : {"", "spacing=20mm", "dip=45deg", "spacing=0mm,dip=0deg", "spacing=1mm,dip=0deg,persistence=0",
+                             "spacing", "spacing=1mm,dip=0deg,class=new", "spacing=1mm,,dip=0deg"}) {
+        try {
+            (void)parse_joint_set(text, "--joint-set 2");
+            ADD_FAILURE() << text;
+        } catch (const UsageError& error) {
+            EXPECT_EQ(std::string(error.what()).rfind("--joint-set 2: ", 0), 0U) << error.what();
+        }
+    }
+}
+
+TEST(JointSet, HasItsSpacingDirectionAndPersistence) {
+    const Region region = rectangle(1, 1);
+    JointSet set{0.02, 0.5, 0.6, 0.03, ContactKind::pre_existing_crack, "--joint-set"};
+    const auto joints = joints_of(set, region, 2e-3, 3, 0);
+    double jointed = 0;
+    for (const PrescribedEdge& joint : joints) {
+        const Point way = joint.to - joint.from;
+        EXPECT_NEAR(std::atan2(way.y, way.x), 0.5, 1e-9);
+        EXPECT_FALSE(joint.needed);
+        for (const PrescribedEdge& piece : clip(region, joint)) jointed += length(piece.to - piece.from);
+    }
+    EXPECT_NEAR(jointed * 0.02, 0.6, 0.02) << "length in an area of 1 m2 times spacing";
+    set.persistence = 1;
+    double whole = 0;
+    for (const PrescribedEdge& joint : joints_of(set, region, 2e-3, 3, 0)) {
+        for (const PrescribedEdge& piece : clip(region, joint)) whole += length(piece.to - piece.from);
+    }
+    EXPECT_NEAR(whole * 0.02, 1, 0.01);
+}
+
+TEST(JointSet, FollowsSeedAndNumberAndKeepsRoomForGrains) {
+    const Region region = rectangle(0.1, 0.1);
+    const JointSet set{0.02, 0.5, 0.6, 0.03, ContactKind::pre_existing_crack, "--joint-set"};
+    EXPECT_EQ(joints_of(set, region, 2e-3, 3, 0)[0].from, joints_of(set, region, 2e-3, 3, 0)[0].from);
+    EXPECT_NE(joints_of(set, region, 2e-3, 3, 0)[0].from, joints_of(set, region, 2e-3, 4, 0)[0].from);
+    EXPECT_NE(joints_of(set, region, 2e-3, 3, 0)[0].from, joints_of(set, region, 2e-3, 3, 1)[0].from);
+    EXPECT_THROW((void)joints_of(set, region, 0.011, 3, 0), UsageError);
+    EXPECT_THROW((void)joints_of({1e-6, 0, 1, 1e-6, {}, "--joint-set"}, region, 1e-7, 3, 0), UsageError);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
