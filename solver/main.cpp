@@ -54,18 +54,23 @@ void print_program(const SolveOptions& options, const Specimen& specimen) {
         name_of(options.request.plane), program_text(program));
 }
 
-/// The strength a test is made for, from its largest axial stress (brazilian: load over D t).
-double strength_of(const RunHeader& h) {
-    return h.test == name_of(TestKind::brazilian) ? 2 / std::numbers::pi * h.peak_axial_stress : h.peak_axial_stress;
+/// The strength a test is made for, from its largest axial stress (brazilian: load over D t); of bending the largest load.
+std::string strength_of(const RunHeader& h, double width) {
+    if (h.peak_axial_stress <= 0) return "";
+    if (h.test == name_of(TestKind::bend)) {
+        return fmt::format("largest load {:.4g} kN/m at a span of {:.4g} mm (plane {}); ", h.peak_axial_stress * width * 1e-3,
+                           h.span * 1e3, name_of(h.plane));
+    }
+    const double factor = h.test == name_of(TestKind::brazilian) ? 2 / std::numbers::pi : 1;
+    return fmt::format("strength {:.2f} MPa (plane {}); ", factor * h.peak_axial_stress * 1e-6, name_of(h.plane));
 }
 
 /// Error of the energy balance over the largest stored energy up to which a run is beyond doubt.
 constexpr double trusted_residual = 0.005;
 
-void print_summary(const SimulationSummary& s) {
+void print_summary(const SimulationSummary& s, double width) {
     const RunHeader& h = s.header;
-    const std::string strength =
-        h.peak_axial_stress > 0 ? fmt::format("strength {:.2f} MPa (plane {}); ", strength_of(h) * 1e-6, name_of(h.plane)) : "";
+    const std::string strength = strength_of(h, width);
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
     fmt::print(stderr, "{}: ended by {} after {} steps of {:.3g} s{}; {}contacts that failed: {} open, {} closed\n", h.test,
                h.stop_reason, h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
@@ -157,7 +162,7 @@ int solve(int argc, char** argv) {
     provenance.specimen_configuration = configuration_of(input);
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     if (options->verbosity != Verbosity::quiet) {
-        print_summary(summary);
+        print_summary(summary, specimen.width);
         print_sudden_loss(options->request);
     }
     if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);

@@ -63,7 +63,7 @@ void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& ra
     add_quantity(
         command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
         fmt::format("tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}, in Brazilian "
-                    "tests and direct tension {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
+                    "tests, direct tension and bending {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
                     default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed,
                  "speed of each platen in a block; default 5mm/s");
@@ -139,9 +139,16 @@ void add_sensitivity_flag(CLI::App& command, SimulationRequest& request) {
         "twice the elements along an edge; print the changes of the results and store them in the run file");
 }
 
-void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, bool confined) {
+void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, TestKind test) {
     LoadingRequest& loading = request.loading;
-    if (confined) {
+    if (test == TestKind::bend) {
+        add_quantity(command, "--span", loading.span, quantity::span,
+                     "distance of the lower rollers, which stand at the nodes next to its ends; default: four heights of a beam, "
+                     "0.6 diameters of a half-disc");
+        add_quantity(command, "--roller-width", loading.roller_width, quantity::roller_width,
+                     "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node");
+    }
+    if (test == TestKind::triaxial) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
                      "confining pressure on the lateral edges")
             ->required();
@@ -166,7 +173,7 @@ CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, Common
     CLI::App* command = app.add_subcommand(std::string(name_of(test)), help);
     command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
     add_contact_options(*command, raw.contact);
-    add_run_options(*command, options.request, raw, test == TestKind::triaxial);
+    add_run_options(*command, options.request, raw, test);
     command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
     command->add_flag("--print-program", options.print_program,
                       "print the test as a loading program for `graincrack-solve program`, and run nothing");
@@ -282,6 +289,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         {add(TestKind::triaxial, "compression between platens under confining pressure"), TestKind::triaxial},
         {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
         {add(TestKind::tension, "direct tension between bonded platens"), TestKind::tension},
+        {add(TestKind::bend, "bending of a beam or a half-disc on three rollers"), TestKind::bend},
     };
     CLI::App* program = add_program(app, options, raw, common);
     if (!parse_command_line(app, argc, argv)) return std::nullopt;

@@ -109,6 +109,7 @@ void write_header(H5Output& file, const RunHeader& header) {
     file.attribute(schema::run_group, "plane", std::string(name_of(header.plane)));
     file.attribute(schema::run_group, "crack_event", std::string(name_of(header.crack_event)));
     visit_header(header, HeaderWriter{file});
+    if (header.span > 0) file.quantity(schema::run_group, "span", header.span, "m");
 }
 
 namespace {
@@ -199,6 +200,11 @@ RunHeader read_header(const H5Input& file) {
     header.crack_event = read_crack_event(file);
     visit_header(header, HeaderReader{file});
     header.fabric = read_fabric(file);
+    header.span = file.attribute_or<double>(schema::run_group, "span", 0);
+    if (!(header.span >= 0 && std::isfinite(header.span)) || (header.test == "bend" && header.span == 0)) {
+        throw InputError(fmt::format("{}: attribute span of {} is {}; a test in bending needs a positive number, others none",
+                                     file.name(), schema::run_group, header.span));
+    }
     if (header.time_step <= 0 || header.steps < 0) {
         throw InputError(
             fmt::format("{}: time_step and steps of {} are {} and {}; a positive step and no negative number are needed",

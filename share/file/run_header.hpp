@@ -18,7 +18,7 @@ inline constexpr double trusted_damping_load = 0.01;
 
 /// Attributes of /run. An attribute has the name of its member. SI units.
 struct RunHeader {
-    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "program"
+    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "bend" | "program"
     std::string material;                         ///< name of the material
     std::string contact_law;                      ///< a name of solver/law/table.hpp
     CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law
@@ -38,6 +38,7 @@ struct RunHeader {
     std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
+    double span = 0;                    ///< bend: distance of the lower rollers, m; 0 and no attribute in other tests
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
     double added_mass = 0;              ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
@@ -48,7 +49,7 @@ struct RunHeader {
     std::int64_t steps = 0;
     std::int64_t integrations = 0;    ///< steps
     double isotropic_end_time = 0;    ///< end of the isotropic stage (triaxial), s; 0 without one
-    double peak_axial_stress = 0;     ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t)
+    double peak_axial_stress = 0;     ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t); bend: load over length or diameter
     double energy_scale = 0;          ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
     double energy_balance_error = 0;  ///< energy balance: max over time of |external − sum of the others| / energy_scale
     double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak

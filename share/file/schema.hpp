@@ -25,6 +25,7 @@ inline constexpr const char* frames_group = "/frames";
 inline constexpr const char* probes_group = "/probes";
 inline constexpr const char* program_group = "/program";
 inline constexpr const char* state_group = "/state";
+inline constexpr const char* platens_group = "/platens";  ///< where they have faces of some width: rollers and punches
 inline constexpr const char* provenance_group = "/provenance";
 inline constexpr const char* vtk_group = "/VTKHDF";
 
@@ -41,6 +42,9 @@ inline constexpr Dataset contact_strength_factor{"/contacts/strength_factor", "1
 inline constexpr Dataset contact_kind{"/contacts/kind", "1", "kind of the contact at the start, index into the attribute names"};
 inline constexpr Dataset boundary_edges{"/boundary/edges", "1", "nodes of a boundary edge, solid on the left"};
 inline constexpr Dataset boundary_part{"/boundary/part", "1", "named part of the boundary, index into the attribute names"};
+
+inline constexpr Dataset platens_bottom{"/platens/bottom", "m", "a row a face: left and right end across the direction of the platens, position along it"};
+inline constexpr Dataset platens_top{"/platens/top", "m", "a row a face: left and right end across the direction of the platens, position along it"};
 
 inline constexpr Dataset crack_time{"/cracks/time", "s", "time at which the contact point passed its peak"};
 inline constexpr Dataset crack_step{"/cracks/step", "1", "step at which it did"};

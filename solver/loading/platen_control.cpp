@@ -17,22 +17,32 @@ constexpr std::int64_t min_steps = 20;    // between two rows: a row costs some 
 constexpr double max_transits = 0.5;      // and at most: what happens within a transit is to be seen
 constexpr double rest_transits = 400;     // that a block may take to come to rest
 constexpr double tension_load = 0.2;      // axial stress from which on it is a load for the rate, of the tensile strength:
+constexpr double bending_load = 0.3;      // the same of the nominal bending stress
 constexpr double disc_load = 0.3;         // about a fifth of what the specimen may bear. A disc bears π/2 times the tensile
 constexpr double compression_load = 3.0;  // strength as load over diameter, a rectangle some fifteen times as much
 
 }  // namespace
 
-PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, double max_strain)
+PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, const ProgramPlatens& platens)
     : height_(specimen.height),
       area_(std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0)),
       transit_time_(bar_transit_time(specimen, rock)),
       has_end_faces_(has_end_faces(specimen)),
+      span_(platens.span()),
       rock_(rock),
-      max_strain_(max_strain),
+      max_strain_(platens.max_strain),
       rate_(default_rate_tolerance, {}),
       blocks_(0, default_rest_tolerance, 0) {}
 
 RateScales PlatenControl::rate_scales(bool apart) const {
+    if (span_ > 0) {
+        // Of a beam whose lowest fibre has this stress: its deflection is stress/E S²/(6 H), its energy that of a bar under a
+        // third of the stress.
+        const double stress = bending_load * rock_.tensile_strength;
+        const double slenderness = span_ / height_;
+        return {height_, transit_time_, stress / rock_.young_modulus * slenderness * slenderness / 6,
+                0.5 * stress * stress / 9 / rock_.young_modulus * span_ * height_};
+    }
     const double load = apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
     const double stress = load * rock_.tensile_strength;
     return {height_, transit_time_, stress / rock_.young_modulus, 0.5 * stress * stress / rock_.young_modulus * area_};

@@ -21,8 +21,7 @@ struct PlatenSpeeds {
 
 class PlatenControl {
 public:
-    /// \param max_strain approach of the platens over height that ends a run
-    PlatenControl(const Specimen& specimen, const Rock& rock, double max_strain);
+    PlatenControl(const Specimen& specimen, const Rock& rock, const ProgramPlatens& platens);
 
     /// A stage's motion, from `time` on. A ramp of the speed starts at the present speed; one of the pressure at what the servo
     /// aims at or, without a servo so far, at the present pressure.
@@ -76,8 +75,9 @@ private:
     double area_;
     double transit_time_;  ///< of a bar wave through the specimen, s
     bool has_end_faces_;
+    double span_;  ///< of a test in bending, else 0
     Rock rock_;
-    double max_strain_;
+    double max_strain_;  ///< approach of the platens over height that ends a run
     PlatenMotion motion_ = TimeFunction{};
     Amplitude amplitude_;  ///< speed, or pressure with a servo
     double speed_ = 0;

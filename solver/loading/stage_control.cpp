@@ -20,7 +20,13 @@ double offset(const Condition& c, const Rows& rows) {
     return (c.probe.empty() ? rows.history.columns[c.column].back() : rows.probe(c.probe, c.column)) - c.value;
 }
 
-double max_strain_of(const Program& program) { return program.platens ? program.platens->max_strain : 0; }
+/// Platens that go nowhere if it has none.
+ProgramPlatens platens_of(const Program& program) {
+    if (program.platens) return *program.platens;
+    ProgramPlatens none;
+    none.max_strain = 0;
+    return none;
+}
 
 double value_of(const NamedNumbers& numbers, const std::string& name) {
     const auto at = std::find(numbers.names.begin(), numbers.names.end(), name);
@@ -33,7 +39,7 @@ double value_of(const NamedNumbers& numbers, const std::string& name) {
 }  // namespace
 
 StageController::StageController(const Program& program, const Specimen& specimen, const Rock& rock)
-    : program_(program), numbers_(number_amplitudes(program)), platens_(specimen, rock, max_strain_of(program)) {
+    : program_(program), numbers_(number_amplitudes(program)), platens_(specimen, rock, platens_of(program)) {
     for_each_amplitude([&](std::size_t, std::size_t action, std::size_t) {
         const bool of_velocity = is_velocity(static_cast<Action>(action));
         TimeFunction free;

@@ -47,6 +47,11 @@ Vector2 ProgramPlatens::axis() const {
     return {std::abs(axis.x) < least ? 0 : axis.x, std::abs(axis.y) < least ? 0 : axis.y};
 }
 
+double ProgramPlatens::span() const {
+    if (bottom.at.size() != 2 || top.at.size() != 1) return 0;
+    return std::abs(bottom.at[1] - bottom.at[0]);
+}
+
 const Stage& Program::stage(const std::string& stage_name) const {
     return *std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == stage_name; });
 }

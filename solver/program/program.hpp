@@ -62,6 +62,8 @@ struct ProgramPlatens {
     std::optional<double> direction;  ///< from x, rad; missing: along y
     PlatenFaces bottom, top;          ///< what is bottom moves along the direction, what is top against it
     [[nodiscard]] Vector2 axis() const;
+    /// Distance of the outermost lower faces if there are two below and one above, as in bending, m; else 0.
+    [[nodiscard]] double span() const;
 };
 
 /// Relative load increase per wave transit up to which it is quasi-static while there is damage.

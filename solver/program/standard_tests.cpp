@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/file/end_faces.hpp"
 #include "solver/model/transit_time.hpp"
 
 namespace graincrack {
@@ -67,7 +72,65 @@ PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
     return ramp(speed, start_transits * transit_time);
 }
 
+/// The node of the boundary next to a place.
+std::array<double, 2> boundary_node_near(double x, double y, const Specimen& s) {
+    const auto distance = [&](const std::array<double, 2>& p) { return std::hypot(p[0] - x, p[1] - y); };
+    std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), 0};
+    for (const auto& edge : s.boundary_edges) {
+        const auto& start = s.node_position[static_cast<std::size_t>(edge[0])];
+        if (distance(start) < distance(nearest)) nearest = start;
+    }
+    return nearest;
+}
+
+double mean_boundary_edge(const Specimen& s) {
+    double length = 0;
+    for (const auto& edge : s.boundary_edges) {
+        const auto& from = s.node_position[static_cast<std::size_t>(edge[0])];
+        const auto& to = s.node_position[static_cast<std::size_t>(edge[1])];
+        length += std::hypot(to[0] - from[0], to[1] - from[1]);
+    }
+    return length / static_cast<double>(s.n_boundary_edges());
+}
+
+/// Two rollers below and one above in the middle.
+void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlatens& platens) {
+    const double span = request.span.value_or(usual_span(s));
+    const double width = request.roller_width.value_or(mean_boundary_edge(s));
+    const auto millimetres = [](double value) { return format_number(1e3 * value, 4) + " mm"; };
+    if (span + width > s.width) {
+        throw UsageError(fmt::format("--span: {}rollers at a distance of {} have no room on a {} of {}; give at most {}",
+                                     request.span ? "" : "missing, and by default ", millimetres(span), s.shape,
+                                     millimetres(s.width), millimetres(s.width - width)));
+    }
+    if (span < 2 * width) {
+        throw UsageError(fmt::format("{}: rollers {} wide at a distance of {} leave no room between them; {} fits",
+                                     request.roller_width ? "--roller-width" : "--span", millimetres(width), millimetres(span),
+                                     request.roller_width ? "at most " + millimetres(span / 2)
+                                                          : "at least " + millimetres(2 * width)));
+    }
+    const auto place = [&](double x, double side) { return boundary_node_near(x, side * s.height / 2, s)[0]; };
+    platens.bottom.at = {place(-span / 2, -1), place(span / 2, -1)};
+    platens.top.at = {place(0, 1)};
+    platens.bottom.width = platens.top.width = width;
+}
+
+/// The tests that load a shape.
+const char* tests_of(const Specimen& specimen) {
+    const std::string& shape = specimen.shape;
+    if (shape == "disc" || shape == "ring") return "brazilian or program";
+    if (shape == "half-disc") return "bend or program";
+    if (shape != "rectangle" && !has_end_faces(specimen)) return "program";
+    return shape == "beam" ? "bend, uniaxial, triaxial, tension or program" : "uniaxial, triaxial, tension or program";
+}
+
 }  // namespace
+
+double usual_span(const Specimen& specimen) {
+    constexpr double heights_of_beam = 4;
+    constexpr double diameters_of_half_disc = 0.6;
+    return specimen.shape == "half-disc" ? diameters_of_half_disc * specimen.width : heights_of_beam * specimen.height;
+}
 
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock) {
     const double transit_time = bar_transit_time(specimen, rock);
@@ -76,6 +139,7 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     program.platens.emplace();
     program.platens->bonded = request.test == TestKind::tension;
     program.platens->max_strain = request.max_strain;
+    if (request.test == TestKind::bend) add_rollers(request, specimen, *program.platens);
     if (request.confining_pressure > 0) {
         program.boundary_conditions = {membrane()};
         program.stages = {isotropic(request.confining_pressure, pressure_rise_time(request, specimen.height, rock, transit_time),
@@ -92,17 +156,21 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
 }
 
 void require_shape(TestKind test, const Specimen& specimen, const std::string& file) {
-    if (test == TestKind::brazilian && specimen.shape == "rectangle") {
-        throw InputError(
-            fmt::format("{}: is a rectangle, and a Brazilian test loads a disc; make one by graincrack-mesh disc, or "
-                        "load the rectangle by uniaxial, triaxial, tension or program",
-                        file));
-    }
-    if (test != TestKind::brazilian && test != TestKind::program && specimen.shape == "disc") {
-        throw InputError(
-            fmt::format("{}: is a disc, and a {} test loads a rectangle; make one by graincrack-mesh rectangle, or "
-                        "load the disc by brazilian or program",
-                        file, name_of(test)));
+    const auto refuse = [&](const char* wanted, const char* command) {
+        throw InputError(fmt::format("{}: is a {}, and a {} test loads {}; make one by graincrack-mesh {}, or load this one by {}",
+                                     file, specimen.shape, name_of(test), wanted, command, tests_of(specimen)));
+    };
+    const std::string& shape = specimen.shape;
+    switch (test) {
+        case TestKind::brazilian:
+            if (shape != "disc" && shape != "ring") refuse("a disc or a ring", "disc");
+            return;
+        case TestKind::bend:
+            if (shape != "beam" && shape != "half-disc") refuse("a beam or a half-disc", "beam");
+            return;
+        case TestKind::program: return;
+        default:
+            if (shape != "rectangle" && !has_end_faces(specimen)) refuse("the faces bottom and top", "rectangle");
     }
 }
 

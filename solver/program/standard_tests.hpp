@@ -1,4 +1,4 @@
-// The four laboratory tests as programs: platens, a membrane where there is a pressure, and the stages of both.
+// The laboratory tests as programs: platens, a membrane where there is a pressure, and the stages of both.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,14 @@
 
 namespace graincrack {
 
-enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, program };
+enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, bend, program };
 constexpr std::string_view name_of(TestKind test) {
     switch (test) {
         case TestKind::uniaxial: return "uniaxial";
         case TestKind::triaxial: return "triaxial";
         case TestKind::brazilian: return "brazilian";
         case TestKind::tension: return "tension";
+        case TestKind::bend: return "bend";
         case TestKind::program: return "program";
     }
     return "?";
@@ -47,8 +48,10 @@ struct LoadingRequest {
     double confining_pressure = 0;  ///< Pa
     double platen_friction = 0;     ///< rad
     double max_strain = 0.015;
+    std::optional<double> span;          ///< bend: distance of the lower rollers, m; missing: `usual_span`
+    std::optional<double> roller_width;  ///< bend: m; missing: the mean boundary edge
     [[nodiscard]] double automatic_tolerance() const {
-        const bool is_tensile = test == TestKind::tension || test == TestKind::brazilian;
+        const bool is_tensile = test == TestKind::tension || test == TestKind::brazilian || test == TestKind::bend;
         return rate_tolerance.value_or(is_tensile ? tensile_rate_tolerance : default_rate_tolerance);
     }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
@@ -66,13 +69,22 @@ struct LoadingRequest {
 inline constexpr const char* isotropic_stage = "isotropic";
 inline constexpr const char* axial_stage = "axial";
 
-/// Uniaxial or triaxial compression, Brazilian test or direct tension. Under a confining pressure a membrane on the parts left
+/// Span of a test in bending where none is asked for, m: four heights of a beam (ASTM E399), 0.6 diameters of a half-disc (ISRM
+/// 2014: 0.5 to 0.8, Kuruppu et al.).
+double usual_span(const Specimen& specimen);
+
+/// Uniaxial or triaxial compression, Brazilian test, direct tension or bending on three rollers. Under a confining pressure a membrane on the parts left
 /// and right and the platens first load the specimen isotropically and wait for rest, then the platens move on. \param peak_drop
 /// fall below the peak that ends the test, share of it; 0: the test ends at the strain limit alone
+///
+/// A roller stands at the node of the boundary next to its place: it is met whatever its width, and one no wider than an edge
+/// meets that node alone, so that the span is known. A wider flat face meets the bent specimen at its inner end. The span of the
+/// program is the one that comes out. \throws UsageError naming --span or --roller-width if the rollers have no room
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock);
 
-/// A Brazilian test loads a disc; the other standard tests measure stress over the width of their specimen, which a disc does not
-/// have. Shapes of names that the mesher does not give, and all shapes of a program, pass.
+/// A Brazilian test loads a disc or a ring, bending a beam or a half-disc; the other standard tests measure stress over end faces,
+/// the boundary parts bottom and top: those of a rectangle, a beam, or a polygon that has them. A rectangle passes
+/// as it is; a program loads any shape.
 /// \param file of the specimen, for the message \throws InputError if the test is not made for the shape
 void require_shape(TestKind test, const Specimen& specimen, const std::string& file);
 

@@ -28,6 +28,7 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
                                                              {"--rate-tolerance", number(h.rate_tolerance)},
                                                              {"--rate-share", number(h.rate_share)},
                                                              {"the speed of the platens", number(h.platen_speed)},
+                                                             {"--span", number(h.span)},
                                                              {"--damping", number(h.damping)},
                                                              {"--damping-form", h.damping_form},
                                                              {"the time step", number(h.time_step)}};

@@ -1,10 +1,13 @@
 #include "solver/run/run_output.hpp"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
+#include "share/file/end_faces.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"
+#include "share/file/platen_faces.hpp"
 
 namespace graincrack {
 namespace {
@@ -15,6 +18,20 @@ constexpr double peak_frame_drop = 0.02;           // fall below the peak at whi
 // file.
 constexpr double flush_interval_of_frames = 0.25;
 constexpr double longest_flush_interval = 2;
+
+/// Rollers and punches; platens that are infinitely wide need not be told.
+void write_faces(H5Output& file, const Boundary& boundary, const Specimen& specimen) {
+    const double half = loaded_width(specimen) / 2;
+    PlatenFaceSet set;
+    bool any = false;
+    for (const Platen& platen : boundary.platens) {
+        const bool is_finite = std::isfinite(platen.left);
+        any = any || is_finite;
+        set.direction = std::atan2(platen.axis.y, platen.axis.x);
+        set.faces.push_back({platen.side, is_finite ? platen.left : -half, is_finite ? platen.right : half, platen.position});
+    }
+    if (any) write_platen_faces(file, set);
+}
 
 /// The file of a run, and the name of its checkpoints unless it is a stream.
 H5Output open_output(const Run& run, const std::string& output, std::string& checkpoint) {
@@ -69,6 +86,7 @@ const std::string& RunOutput::write_checkpoint() {
     writer.append_history(run_.recorder.history());
     run_.program.append(writer.file(), 0);
     run_.program.write(writer.file());
+    write_faces(writer.file(), run_.setup.boundary, run_.specimen);
     const FrameProgress frames = frames_.save(run_.setup.assemblage, run_.setup.parameters.laws, run_.state, writer);
     write_saved_state(writer.file(), run_.state, run_.program.stages().state(), run_.recorder.energy().largest_error());
     write_frame_progress(writer.file(), frames);
@@ -90,6 +108,7 @@ void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Pro
     frames_.last(run_.setup.assemblage, run_.setup.parameters.laws, run_.state);
     append_rows();
     run_.program.write(writer_.file());
+    write_faces(writer_.file(), run_.setup.boundary, run_.specimen);
     if (run_.request.save_state) {
         write_saved_state(writer_.file(), run_.state, run_.program.stages().state(), run_.recorder.energy().largest_error());
     }

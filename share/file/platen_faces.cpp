@@ -1,0 +1,66 @@
+#include "share/file/platen_faces.hpp"
+
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "share/file/end_faces.hpp"
+#include "share/file/file_checks.hpp"
+#include "share/file/schema.hpp"
+
+namespace graincrack {
+namespace {
+
+struct Side {
+    double side;
+    const schema::Dataset& dataset;
+};
+constexpr std::array<Side, 2> sides{{{-1, schema::platens_bottom}, {1, schema::platens_top}}};
+
+}  // namespace
+
+std::array<std::array<double, 2>, 4> PlatenFaceSet::bar(const PlatenFace& face, double thickness, double approach) const {
+    // Across is to the right of an axis that points upwards, and upwards from one along x, as in the solver.
+    constexpr double rounding = 1e-15;
+    const std::array<double, 2> axis{std::cos(direction), std::sin(direction)};
+    const double right = axis[1] > rounding ? 1 : -1;
+    const double inner = face.position - face.side * approach;
+    const double outer = inner + face.side * thickness;
+    const auto place = [&](double across, double along) {
+        return std::array{right * across * axis[1] + along * axis[0], -right * across * axis[0] + along * axis[1]};
+    };
+    return {place(face.left, inner), place(face.right, inner), place(face.right, outer), place(face.left, outer)};
+}
+
+void write_platen_faces(H5Output& file, const PlatenFaceSet& set) {
+    file.create_group(schema::platens_group);
+    file.quantity(schema::platens_group, "direction", set.direction, "rad");
+    for (const auto& [side, dataset] : sides) {
+        std::vector<double> rows;
+        for (const PlatenFace& face : set.faces) {
+            if (face.side == side) rows.insert(rows.end(), {face.left, face.right, face.position});
+        }
+        file.write<double>(dataset.path, std::span<const double>(rows), {rows.size() / 3, 3}, dataset.unit, dataset.description);
+    }
+}
+
+PlatenFaceSet read_platen_faces(const H5Input& file, const Specimen& specimen) {
+    PlatenFaceSet set;
+    if (!file.has(schema::platens_group)) {
+        const double half = loaded_width(specimen) / 2;
+        for (const double side : {-1.0, 1.0}) set.faces.push_back({side, -half, half, side * specimen.height / 2});
+        return set;
+    }
+    set.direction = file.attribute<double>(schema::platens_group, "direction");
+    if (!std::isfinite(set.direction)) {
+        throw InputError(fmt::format("{}: attribute direction of {} is {}; a finite number is needed", file.name(),
+                                     schema::platens_group, set.direction));
+    }
+    for (const auto& [side, dataset] : sides) {
+        const std::vector<double> rows = read_finite(file, dataset.path, {rows_of(file, dataset.path), 3});
+        for (std::size_t i = 0; i < rows.size(); i += 3) set.faces.push_back({side, rows[i], rows[i + 1], rows[i + 2]});
+    }
+    return set;
+}
+
+}  // namespace graincrack
