@@ -37,10 +37,10 @@ PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, const P
 RateScales PlatenControl::rate_scales(bool apart) const {
     if (span_ > 0) {
         // Of a beam whose lowest fibre has this stress: its deflection is stress/E S²/(6 H), its energy that of a bar under a
-        // third of the stress.
+        // third of the stress. It answers within waves along it rather than across.
         const double stress = bending_load * rock_.tensile_strength;
         const double slenderness = span_ / height_;
-        return {height_, transit_time_, stress / rock_.young_modulus * slenderness * slenderness / 6,
+        return {height_, transit_time_ * slenderness, stress / rock_.young_modulus * slenderness * slenderness / 6,
                 0.5 * stress * stress / 9 / rock_.young_modulus * span_ * height_};
     }
     const double load = apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
