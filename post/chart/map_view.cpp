@@ -144,11 +144,13 @@ void MapView::draw_small_grains(const GrainColour& colour) {
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.5, palette::rim);
 }
 
-void MapView::draw_platen(double y, bool above, double half_width) {
-    const Pixel left = pixel({-half_width, y});
-    const Pixel right = pixel({half_width, y});
-    const double outside = left.y + (above ? -platen_height : platen_height);
-    drawing_.rectangle({left.x, std::min(left.y, outside)}, {right.x, std::max(left.y, outside)}, palette::platen);
+void MapView::draw_platens(const PlatenFaceSet& set, double approach) {
+    for (const PlatenFace& face : set.faces) {
+        std::array<Pixel, 4> corners;
+        const auto places = set.bar(face, platen_height / scale_, approach);
+        std::transform(places.begin(), places.end(), corners.begin(), [&](const auto& place) { return pixel(place); });
+        drawing_.polygon(corners, palette::platen);
+    }
 }
 
 void MapView::draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width) {

@@ -11,6 +11,7 @@
 #include "post/chart/drawing.hpp"
 #include "post/chart/page.hpp"
 #include "post/chart/picture_style.hpp"
+#include "share/file/platen_faces.hpp"
 #include "share/file/run_file.hpp"
 
 namespace graincrack {
@@ -66,8 +67,8 @@ public:
     bool draw_pre_existing_cracks(double width);
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
-    /// A rigid platen on the specimen's axis: a bar from −half_width to half_width, above or below the height y; m.
-    void draw_platen(double y, bool above, double half_width);
+    /// Rigid platens, rollers or punches: a bar outside each face, all moved by `approach`; m.
+    void draw_platens(const PlatenFaceSet& set, double approach);
     /// The boundaries between grains of different colours, dark, so that they stay apart in grey.
     void draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width);
     /// Legend and a scale bar below the map, and below them lines of text.

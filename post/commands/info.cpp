@@ -11,6 +11,7 @@
 #include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
+#include "share/file/platen_faces.hpp"
 #include "share/file/probe_file.hpp"
 #include "share/file/provenance.hpp"
 #include "share/file/run_file.hpp"
@@ -106,6 +107,7 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     number("confining_pressure", Dimension::stress);
     word("rate");
     number("platen_speed", Dimension::speed);
+    number("span", Dimension::length);
     number("time_step", Dimension::time);
     write_integer(out, file, group, "steps");
     word("stop_reason");
@@ -129,6 +131,7 @@ void check_file(const H5Input& file, const std::string& path) {
     for (const std::string& probe : probe_names(file)) (void)read_probe(file, probe);
     if (path == "-") return;
     const RunReader run(path);
+    (void)read_platen_faces(file, run.specimen());
     (void)run.cracks();
     (void)run.frame_times();
     for (std::size_t i = 0; i < run.n_frames(); ++i) (void)run.frame(i);
@@ -150,8 +153,10 @@ void write_info(std::ostream& out, const std::string& path, bool check) {
     write_datasets(out, file);
     if (check) {
         line(out, "check",
-             file.kind() == "run" ? "every dataset was read; specimen and run are valid"
-                                  : "every dataset was read; the specimen is valid");
+             std::string("every dataset was read; valid are sizes, elements, grains, contacts and boundary of the specimen") +
+                 (file.kind() != "run" ? ""
+                  : path == "-"        ? "; history and probes of the run"
+                                       : "; header, history, probes, platens, cracks and frames of the run"));
     }
 }
 

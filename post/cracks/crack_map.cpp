@@ -27,7 +27,6 @@
 
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
-#include "share/file/end_faces.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack {
@@ -291,18 +290,19 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }
 
-void write_platens(const std::string& path, const Specimen& specimen, const FrameMoment& moment) {
-    const double half_width = loaded_width(specimen) / 2;
-    const double thickness = 0.05 * specimen.height;
+void write_platens(const std::string& path, const PlatenFaceSet& platens, double height, const FrameMoment& moment) {
+    constexpr double thickness = 0.05;  // of the height
     std::vector<std::array<double, 2>> corners;
     std::vector<std::array<double, 2>> moves;
     vtkNew<vtkCellArray> rectangles;
-    for (const double side : {-1.0, 1.0}) {
-        const double inner = side * specimen.height / 2;
-        const double outer = inner + side * thickness;
+    for (const PlatenFace& face : platens.faces) {
         const auto first = static_cast<vtkIdType>(corners.size());
-        corners.insert(corners.end(), {{-half_width, inner}, {half_width, inner}, {half_width, outer}, {-half_width, outer}});
-        moves.insert(moves.end(), 4, {0, inner * moment.axial_strain});
+        const auto at_start = platens.bar(face, thickness * height, 0);
+        const auto now = platens.bar(face, thickness * height, -moment.axial_strain * height / 2);
+        for (std::size_t k = 0; k < at_start.size(); ++k) {
+            corners.push_back(at_start[k]);
+            moves.push_back({now[k][0] - at_start[k][0], now[k][1] - at_start[k][1]});
+        }
         rectangles->InsertNextCell({first, first + 1, first + 2, first + 3});
     }
     vtkNew<vtkPolyData> data;
@@ -312,7 +312,8 @@ void write_platens(const std::string& path, const Specimen& specimen, const Fram
     data->SetPolys(rectangles);
     data->GetPointData()->AddArray(with_unit(vectors("displacement", moves), "m"));
     data->GetCellData()->AddArray(make_array<vtkUnsignedCharArray>(
-        "platen", 1, 2, [](std::size_t i, unsigned char* v) { *v = static_cast<unsigned char>(i); }));
+        "platen", 1, platens.faces.size(),
+        [&](std::size_t i, unsigned char* v) { *v = platens.faces[i].side > 0 ? 1 : 0; }));
     add_moment(data, moment);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }

@@ -6,6 +6,7 @@
 
 #include "post/cracks/fragments.hpp"
 #include "post/run/crack_label.hpp"
+#include "share/file/platen_faces.hpp"
 #include "share/file/run_file.hpp"
 
 namespace graincrack {
@@ -44,9 +45,9 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
                   const Frame& frame, const CrackLabel& label, const std::vector<ContactParameters>& contacts,
                   const FrameMoment& moment);
 
-/// Both platens as .vtp: rectangles that touch the specimen at the start. Cell data: platen (0 below, 1 above). Point data:
+/// Platens or rollers as .vtp: rectangles that touch the specimen at the start. \param height of the specimen, m Cell data: platen (0 below, 1 above). Point data:
 /// displacement (m). \throws OutputError
-void write_platens(const std::string& path, const Specimen& specimen, const FrameMoment& moment);
+void write_platens(const std::string& path, const PlatenFaceSet& platens, double height, const FrameMoment& moment);
 
 /// "VTK 9.1.0".
 std::string vtk_library_version();

@@ -75,6 +75,7 @@ struct Series {
     const std::vector<Crack>& cracks;
     const CrackLabel& label;
     std::string folder;
+    PlatenFaceSet platens;
     /// Platens press on the specimen, and move as the history says; those of direct tension are its own ends.
     [[nodiscard]] bool has_platens() const { return data.header.test != "tension" && data.header.max_strain > 0; }
 };
@@ -103,7 +104,7 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
         write_cracks(file("cracks", "vtp"), series.specimen, series.cracks, frame, series.label,
                      series.data.header.fabric.contacts, moment);
-        if (series.has_platens()) write_platens(file("platens", "vtp"), series.specimen, moment);
+        if (series.has_platens()) write_platens(file("platens", "vtp"), series.platens, series.specimen.height, moment);
         write_grains(file("grains", "vtu"), series.specimen, std::move(frame), breakup.last, moment);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(n), fmt::format("frame {}", i + 1));
     }
@@ -177,7 +178,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     const OutputLock lock(folder + "/cracks");
     // The lists of files come last: a folder without them is not whole.
     for (const char* list : {"/grains.pvd", "/cracks.pvd"}) remove_file(folder + list);
-    const Series series{run, specimen, data, shown, label, folder};
+    const Series series{run, specimen, data, shown, label, folder, read_platen_faces(run.file(), specimen)};
     const Breakup breakup = write_frames(series, frames, verbosity);
     const std::vector<EmissionEvent> events = emission_of(run, specimen, options.events);
     const std::vector<Crack> log = read_cracks(run, specimen);

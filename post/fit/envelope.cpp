@@ -10,6 +10,7 @@
 #include <set>
 
 #include "post/run/comparable.hpp"
+#include "post/run/test_label.hpp"
 #include "post/statistics/regression.hpp"
 #include "share/base/error.hpp"
 
@@ -155,6 +156,10 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
             throw InputError(
                 run.name +
                 ": the confining pressure at the peak of a program is not known; an envelope needs uniaxial and triaxial tests");
+        }
+        if (!distinct_shape(run).empty()) {
+            throw InputError(run.name + ": a test of a " + run.specimen.shape +
+                             " gives no point of an envelope; it needs uniaxial and triaxial tests, and takes direct tension and discs");
         }
         const Strength strength = measure_strength(run);
         if (is_compression(run.header)) {

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "post/cracks/crack_network.hpp"
 #include "post/run/crack_label.hpp"
+#include "share/base/error.hpp"
+#include "share/file/end_faces.hpp"
 
 namespace graincrack {
 
@@ -39,8 +42,15 @@ std::optional<double> radius_of_first(const Specimen& specimen, const std::vecto
     return sum / static_cast<double>(n) / (specimen.width / 2);
 }
 
-std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak) {
+std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak, const Specimen& specimen) {
     std::vector<Caveat> found;
+    if (width_of_part(specimen, BoundaryPart::top) > 0) {
+        const double angle = 2 * std::acos(std::min(1.0, specimen.height / specimen.width));
+        const double degrees = 180 / std::numbers::pi;
+        found.push_back({"flat poles", fmt::format("with flat poles of {:.3g} degrees the tensile strength is {:.2f} times 2F/(πtD) (Wang "
+                                                   "et al. 2004)",
+                                                   angle * degrees, strength_share_of_arcs(angle))});
+    }
     if (!split.spanning_stress) {
         found.push_back(
             {fmt::format("open cracks never span {:.2g} D", spanning_share),
@@ -63,6 +73,25 @@ std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak) {
 
 }  // namespace
 
+bool splits(const RunData& run) { return run.header.test == "brazilian" && run.specimen.shape != "ring"; }
+
+double strength_share_of_arcs(double angle) { return angle > 0 ? std::pow(std::sin(angle) / angle, 2) : 1; }
+
+double ring_stress(double disc, double ratio) { return disc * (6 + 38 * ratio * ratio); }
+
+double hole_ratio(const Specimen& specimen, const std::string& file) {
+    double sum = 0;
+    double nodes = 0;
+    for (std::size_t e = 0; e < specimen.n_boundary_edges(); ++e) {
+        if (specimen.part_names[specimen.boundary_part[e]] != "inner") continue;
+        const auto& [x, y] = specimen.node_position[static_cast<std::size_t>(specimen.boundary_edges[e][0])];
+        sum += std::hypot(x, y);
+        nodes += 1;
+    }
+    if (nodes == 0) throw InputError(file + ": the ring has no boundary part inner; graincrack-mesh ring makes one with it");
+    return 2 * sum / nodes / specimen.width;
+}
+
 std::string BrazilianSplit::warning() const {
     std::string label;
     for (const Caveat& caveat : caveats) label += (label.empty() ? "" : "; ") + caveat.text;
@@ -78,7 +107,7 @@ BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const S
     if (const auto time = time_of_span(specimen, cracks)) split.spanning_stress = at_time(times, curve.stress, *time);
     std::erase_if(cracks, [](const Crack& c) { return c.mode != CrackMode::tensile; });
     split.first_crack_radius = radius_of_first(specimen, cracks, times[curve.peak]);
-    split.caveats = find_caveats(split, curve.peak_stress());
+    split.caveats = find_caveats(split, curve.peak_stress(), specimen);
     return split;
 }
 

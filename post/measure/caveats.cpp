@@ -43,7 +43,7 @@ std::vector<Caveat> caveats_of(const RunData& run, const std::optional<Brazilian
 }
 
 std::vector<Caveat> caveats_of(const RunReader& reader, const RunData& run) {
-    if (run.header.test != "brazilian") return caveats_of(run, std::nullopt);
+    if (!splits(run)) return caveats_of(run, std::nullopt);
     const Specimen specimen = reader.specimen();
     return caveats_of(run, measure_split(run, load_curve(run), specimen, read_cracks(reader, specimen)));
 }
@@ -53,8 +53,8 @@ std::string note_line(const Caveat& caveat) {
     return "caveat: " + (caveat.text.size() <= room ? caveat.text : caveat.kind);
 }
 
-CaveatCount::Group& CaveatCount::group(const RunHeader& header) {
-    const std::string label = series_label(header.test, header.confining_pressure);
+CaveatCount::Group& CaveatCount::group(const RunData& run) {
+    const std::string label = series_label(run);
     const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
     if (found != groups_.end()) return *found;
     groups_.push_back({label, 0, {}, 0});
@@ -62,7 +62,7 @@ CaveatCount::Group& CaveatCount::group(const RunHeader& header) {
 }
 
 void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
-    Group& own = group(run.header);
+    Group& own = group(run);
     ++own.runs;
     own.sum += load_curve(run).peak_stress();
     for (const Caveat& caveat : caveats) {

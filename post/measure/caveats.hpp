@@ -38,7 +38,7 @@ private:
         std::vector<std::pair<std::string, std::size_t>> kinds;  ///< with the number of runs, in their order
         double sum = 0;                                          ///< of the largest stresses, Pa
     };
-    Group& group(const RunHeader& header);
+    Group& group(const RunData& run);
     [[nodiscard]] std::optional<double> mean_of(const std::string& test) const;
     std::vector<Group> groups_;
     std::vector<RunHeader> headers_;  ///< the first of each material

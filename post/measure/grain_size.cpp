@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "post/run/test_label.hpp"
+
 namespace graincrack {
 
 namespace {
 
-bool belongs(const RunHeader& header, const StrengthGroup& group) {
-    return header.test == group.test && header.confining_pressure == group.confining_pressure;
+bool belongs(const RunData& run, const StrengthGroup& group) {
+    return run.header.test == group.test && run.header.confining_pressure == group.confining_pressure &&
+           distinct_shape(run) == group.shape;
 }
 
 std::vector<RunData> chosen(const std::vector<RunData>& runs, const std::vector<std::size_t>& indices) {
@@ -52,10 +55,10 @@ std::vector<SizedStrengths> group_strengths_by_size(const std::vector<RunData>& 
     for (const StrengthGroup& test : group_strengths(runs)) {
         for (const GrainSize& size : sizes) {
             for (const StrengthGroup& group : group_strengths(chosen(runs, size.runs))) {
-                if (group.test != test.test || group.confining_pressure != test.confining_pressure) continue;
+                if (!group.is_as(test)) continue;
                 SizedStrengths row{group, sizes.size() > 1 ? size.label : "", {}};
                 for (const std::size_t i : size.runs) {
-                    if (belongs(runs[i].header, group)) row.runs.push_back(i);
+                    if (belongs(runs[i], group)) row.runs.push_back(i);
                 }
                 rows.push_back(std::move(row));
             }

@@ -211,7 +211,7 @@ std::optional<double> post_peak_slope(const RunData& run, const LoadCurve& curve
 }  // namespace
 
 std::optional<Moduli> measure_moduli(const RunData& run) {
-    if (run.header.test == "brazilian") return std::nullopt;
+    if (run.header.test == "brazilian" || run.header.test == "bend") return std::nullopt;
     const LoadCurve curve = load_curve(run);
     const CurvePoint half = half_peak(curve);
     const auto grows = [&](const std::vector<double>& strain) { return half.of(strain) > strain[curve.start]; };

@@ -39,7 +39,7 @@ struct Moduli {
 /// rectangles of 1,122 grains); a stress wave that still travels through the specimen makes them differ.
 inline constexpr double gauge_tolerance = 0.03;
 
-/// Empty for a brazilian test, whose stress is not uniform. \throws InputError if the curve has no elastic part
+/// Empty for Brazilian tests and bending, whose stress is not uniform. \throws InputError if the curve has no elastic part
 std::optional<Moduli> measure_moduli(const RunData& run);
 
 /// E and ν of the grains alone, without their contacts, from those of the phases by area.

@@ -13,6 +13,7 @@
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
+#include "share/file/notch.hpp"
 
 namespace graincrack {
 
@@ -24,6 +25,8 @@ struct StrengthRow {
     Strength strength;
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
+    std::optional<double> ring_strength;      ///< of a ring: the stress at its hole, Pa
+    std::optional<double> flexural_strength;  ///< of a beam without a notch: the nominal bending stress, Pa
     OtherCounts cracks;                   ///< at the peak
     [[nodiscard]] const RunHeader& header() const { return run.header; }
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
@@ -43,10 +46,15 @@ struct StrengthRow {
 
 StrengthRow read_row(const std::string& path) {
     const RunReader reader(path);
-    StrengthRow row{run_data(reader), {}, std::nullopt, 0, {}};
+    StrengthRow row{run_data(reader), {}, std::nullopt, 0, std::nullopt, std::nullopt, {}};
     row.strength = measure_strength(row.run);
     const LoadCurve curve = load_curve(row.run);
-    if (row.header().test == "brazilian") {
+    const std::string& shape = row.run.specimen.shape;
+    if (row.header().test == "brazilian" && shape == "ring") {
+        row.ring_strength = ring_stress(row.strength.value(), hole_ratio(reader.specimen(), reader.name()));
+    } else if (row.header().test == "bend" && shape == "beam") {
+        if (!edge_notch(reader.specimen())) row.flexural_strength = row.strength.value();
+    } else if (splits(row.run)) {
         const Specimen specimen = reader.specimen();
         row.split = measure_split(row.run, curve, specimen, read_cracks(reader, specimen));
         row.loading_arc = specimen.loading_arc;
@@ -106,6 +114,10 @@ const Columns<R>& columns() {
             {"rate_tolerance", none, [](const R& r) { return r.header().rate_tolerance; }}};
         append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.cracks; });
         list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }});
+        list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
+        list.push_back({"flexural_strength", megapascal, [](const R& r) { return r.flexural_strength; }});
+        list.push_back({"ring_strength", megapascal, [](const R& r) { return r.ring_strength; }});
+        list.push_back({"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }});
         return list;
     }();
     return all;
@@ -131,20 +143,36 @@ const Columns<R>& terminal_columns() {
     return all;
 }
 
+/// The same with what belongs to rings and to bending, where there are such runs.
+Columns<R> terminal_columns(const std::vector<R>& rows) {
+    using namespace unit;
+    Columns<R> columns = terminal_columns();
+    const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
+    if (any([](const R& r) { return r.header().test == "bend"; })) {
+        columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
+        columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.flexural_strength; }});
+    }
+    if (any([](const R& r) { return r.ring_strength.has_value(); })) {
+        columns.push_back({"at the hole", megapascal, [](const R& r) { return r.ring_strength; }});
+    }
+    return columns;
+}
+
 /// Runs of one test under a title, in the order in which the tests first come, with their mean.
 void write_to_terminal(std::ostream& out, const std::vector<R>& rows) {
-    TerminalTable table(terminal_columns());
-    const auto title = [](const R& r) { return series_label(r.header()) + ", plane " + std::string(name_of(r.header().plane)); };
+    const Columns<R> columns = terminal_columns(rows);
+    TerminalTable table(columns);
+    const auto title = [](const R& r) { return series_label(r.run) + ", plane " + std::string(name_of(r.header().plane)); };
     for (const auto& [name, members] : grouped<R>(rows, title)) {
         table.group(name);
         std::vector<double> strengths;
         for (const R* r : members) {
             strengths.push_back(r->strength.value());
-            table.row(cells_of(terminal_columns(), *r));
+            table.row(cells_of(columns, *r));
         }
         if (strengths.size() < 2) continue;
         const Sample all = sample(strengths);
-        std::vector<Cell> mean(terminal_columns().size(), " ");
+        std::vector<Cell> mean(columns.size(), " ");
         mean[0] = fmt::format("mean of {}, s.d. {}", all.n, Cell(all.deviation).times(unit::megapascal.factor).text(2));
         mean[4] = all.mean.value * unit::megapascal.factor;
         table.row(mean);
@@ -171,8 +199,13 @@ std::optional<double> Strength::value(StrengthKind kind) const {
 Strength measure_strength(const RunData& run) {
     const LoadCurve curve = load_curve(run);
     Strength strength;
-    (is_compression(run.header) || run.header.test == "program" ? strength.peak_compressive_stress : strength.tensile_strength) =
-        curve.peak_stress();
+    strength.peak_stress = curve.peak_stress();
+    strength.peak_load = load_at(run, curve.peak);
+    if (is_compression(run.header) || run.header.test == "program") {
+        strength.peak_compressive_stress = strength.peak_stress;
+    } else if (run.header.test != "bend") {
+        strength.tensile_strength = strength.peak_stress;
+    }
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);

@@ -21,11 +21,12 @@ struct Members {
     std::size_t without_peak = 0;
 };
 
-using Key = std::tuple<int, double, std::string>;  // order, confining pressure, test
+using Key = std::tuple<int, double, std::string, std::string>;  // order, confining pressure, test, shape
 
-Key key_of(const RunHeader& header) {
+Key key_of(const RunData& run) {
+    const RunHeader& header = run.header;
     const int order = header.test == "brazilian" ? 0 : is_compression(header) ? 2 : 1;
-    return {order, header.confining_pressure, header.test};
+    return {order, header.confining_pressure, header.test, distinct_shape(run)};
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a mean over runs");
         const Strength strength = measure_strength(run);
-        Members& members = sets[key_of(run.header)];
+        Members& members = sets[key_of(run)];
         members.plane = run.header.plane;  // the same in all, as settings are
         members.strengths.push_back(strength.value());
         if (strength.peak_kind != "drop") ++members.without_peak;
@@ -44,9 +45,9 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
     std::vector<StrengthGroup> groups;
     std::optional<double> brazilian;
     for (const auto& [key, members] : sets) {
-        StrengthGroup group{std::get<2>(key),          std::get<1>(key),     members.plane,
+        StrengthGroup group{std::get<2>(key),          std::get<3>(key),     std::get<1>(key), members.plane,
                             sample(members.strengths), members.without_peak, std::nullopt};
-        if (group.test == "brazilian") {
+        if (group.is_brazilian()) {
             brazilian = group.strength.mean.value;
         } else if (brazilian) {
             group.ratio_to_brazilian = group.strength.mean.value / *brazilian;
@@ -77,14 +78,15 @@ const Columns<R>& columns() {
                                 {"strength_high", megapascal, [](const R& r) { return r.group.strength.mean.high; }},
                                 {"ratio_to_brazilian", none, [](const R& r) { return r.group.ratio_to_brazilian; }},
                                 {"plane", none, [](const R& r) { return name_of(r.group.plane); }},
-                                {"mean_edge", millimetre, [](const R& r) { return r.mean_edge; }}};
+                                {"mean_edge", millimetre, [](const R& r) { return r.mean_edge; }},
+                                {"shape", none, [](const R& r) { return r.group.shape; }}};
     return all;
 }
 
 const Columns<R>& terminal_columns() {
     using namespace unit;
     static const Columns<R> all{
-        {"test", none, [](const R& r) { return series_label(r.group.test, r.group.confining_pressure); }},
+        {"test", none, [](const R& r) { return series_label(r.group.test, r.group.confining_pressure, r.group.shape); }},
         {"plane", none, [](const R& r) { return name_of(r.group.plane); }},
         {"edge", millimetre, [](const R& r) { return r.mean_edge; }},
         {"runs", none, [](const R& r) { return r.group.strength.n; }},

@@ -15,12 +15,19 @@ namespace graincrack {
 /// Runs of one test at one confining pressure.
 struct StrengthGroup {
     std::string test;
+    std::string shape;              ///< where strengths of a test are told apart by it (`distinct_shape`), else ""
     double confining_pressure = 0;  ///< Pa
     PlaneCondition plane{};
     Sample strength;               ///< Pa; largest stresses, also of runs without a peak
     std::size_t without_peak = 0;  ///< number of runs
     /// Mean strength over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
     std::optional<double> ratio_to_brazilian;
+    /// Whether two groups are of one test.
+    [[nodiscard]] bool is_as(const StrengthGroup& other) const {
+        return test == other.test && shape == other.shape && confining_pressure == other.confining_pressure;
+    }
+    /// Of discs.
+    [[nodiscard]] bool is_brazilian() const { return test == "brazilian" && shape.empty(); }
 };
 
 /// Groups in the order brazilian, tension, then compression by rising pressure.

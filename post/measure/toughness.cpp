@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <string_view>
 
+#include "post/measure/bending.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
 #include "post/table/column.hpp"
@@ -24,13 +26,14 @@ constexpr double central = 0.1;
 
 /// The notch that the mesher was asked for, m; empty if the run does not say, or not so that it can be read.
 std::optional<double> requested_notch(const RunReader& reader) {
-    const std::string key = "notch = \"";
     try {
         std::istringstream lines(reader.file().attribute_or<std::string>(schema::provenance_group, "specimen_configuration", ""));
         for (std::string line; std::getline(lines, line);) {
-            if (!line.starts_with(key)) continue;
-            const std::string value = line.substr(key.size(), line.find('"', key.size()) - key.size());
-            return parse_quantity(value, quantity::notch, "notch");
+            for (const std::string_view key : {"notch = \"", "slit = \""}) {
+                if (!line.starts_with(key)) continue;
+                const std::string value = line.substr(key.size(), line.find('"', key.size()) - key.size());
+                return parse_quantity(value, quantity::notch, "notch");
+            }
         }
     } catch (const Error&) {
         return std::nullopt;
@@ -38,8 +41,66 @@ std::optional<double> requested_notch(const RunReader& reader) {
     return std::nullopt;
 }
 
+/// Notch, ligament and stress intensity at the largest load of a plate in tension.
+Toughness of_plate(const RunData& run, const Specimen& specimen, const Strength& strength) {
+    const auto ends = notch_ends(specimen);
+    if (!ends || std::abs((*ends)[0] + (*ends)[1]) > 2 * central * specimen.width) {
+        throw InputError(run.name +
+                         ": toughness needs a tension test of a rectangle with a notch through its middle "
+                         "(graincrack-mesh rectangle --notch)");
+    }
+    Toughness toughness;
+    toughness.notch_length = (*ends)[1] - (*ends)[0];
+    if (!(toughness.notch_length < (1 - 1e-9) * specimen.width)) {
+        throw InputError(run.name + ": a joint through the whole width has no toughness; a shorter --notch has one");
+    }
+    toughness.crack_length = toughness.notch_length / 2;
+    toughness.ligament = (specimen.width - toughness.notch_length) / 2;
+    toughness.mode_i_toughness = centre_crack_intensity(strength.value(), toughness.notch_length, specimen.width);
+    return toughness;
+}
+
+/// The same of a beam or half-disc in bending.
+Toughness of_bending(const RunData& run, const Specimen& specimen, const Strength& strength) {
+    const bool is_beam = specimen.shape == "beam";
+    const auto notch = edge_notch(specimen);
+    if (!notch || std::abs(notch->mouth[0]) > central * specimen.height ||
+        std::abs(notch->tip[0] - notch->mouth[0]) > central * specimen.height) {
+        throw InputError(fmt::format("{}: toughness needs a {} with a notch from the middle of its lower side (graincrack-mesh {} {})",
+                                     run.name, specimen.shape, specimen.shape, is_beam ? "--notch" : "--slit"));
+    }
+    Toughness toughness;
+    toughness.notch_length = toughness.crack_length = notch->length();
+    toughness.ligament = specimen.height - toughness.notch_length;
+    if (!(toughness.ligament > 1e-9 * specimen.height)) {
+        throw InputError(run.name + ": a joint through the whole height has no toughness; a shorter notch has one");
+    }
+    const double span = run.header.span;
+    if (is_beam) {
+        toughness.mode_i_toughness = notched_beam_intensity(strength.peak_load, toughness.notch_length, span, specimen.height);
+        if (span < least_span_of_beam * specimen.height) {
+            toughness.outside = fmt::format("the span is {:.2g} heights; the formula is for {:g} at least", span / specimen.height,
+                                            least_span_of_beam);
+        }
+        return toughness;
+    }
+    const double radius = specimen.width / 2;
+    toughness.mode_i_toughness = half_disc_intensity(strength.peak_load, toughness.notch_length, span, radius);
+    const double share = span / (2 * radius);
+    const double notch_share = toughness.notch_length / radius;
+    const auto is_within = [](double value, double low, double high) { return value > low - 0.01 && value < high + 0.01; };
+    if (!is_within(share, least_span_of_half_disc, largest_span_of_half_disc) ||
+        !is_within(notch_share, least_notch_of_half_disc, largest_notch_of_half_disc)) {
+        toughness.outside =
+            fmt::format("span/2R is {:.2f} and a/R {:.2f}; the suggested method has {:g} to {:g} and {:g} to {:g}", share, notch_share,
+                        least_span_of_half_disc, largest_span_of_half_disc, least_notch_of_half_disc, largest_notch_of_half_disc);
+    }
+    return toughness;
+}
+
 struct ToughnessRow {
     RunData run;
+    double peak_load = 0;  ///< N per metre of thickness
     Toughness toughness;
 };
 
@@ -60,7 +121,12 @@ const Columns<R>& columns() {
         {"characteristic_length", millimetre, [](const R& r) { return r.toughness.characteristic_length; }},
         {"half_notch_over_characteristic_length", none, [](const R& r) { return r.toughness.notch_ratio(); }},
         {"warning", none, [](const R& r) { return r.toughness.warning(); }},
-        {"plane", none, [](const R& r) { return name_of(r.run.header.plane); }}};
+        {"plane", none, [](const R& r) { return name_of(r.run.header.plane); }},
+        {"test", none, [](const R& r) { return r.run.header.test; }},
+        {"shape", none, [](const R& r) { return r.run.specimen.shape; }},
+        {"peak_load", kilonewton_per_metre, [](const R& r) { return r.peak_load; }},
+        {"span", millimetre, [](const R& r) { return r.run.header.span > 0 ? Cell(r.run.header.span) : Cell(); }},
+        {"ligament_over_characteristic_length", none, [](const R& r) { return r.toughness.ligament_ratio(); }}};
     return all;
 }
 
@@ -72,21 +138,15 @@ double centre_crack_intensity(double stress, double length, double width) {
 }
 
 Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
-    const auto ends = notch_ends(specimen);
-    if (run.header.test != "tension" || !ends || std::abs((*ends)[0] + (*ends)[1]) > 2 * central * specimen.width) {
-        throw InputError(run.name +
-                         ": toughness needs a tension test of a rectangle with a notch through its middle "
-                         "(graincrack-mesh rectangle --notch)");
-    }
-    if (!((*ends)[1] - (*ends)[0] < (1 - 1e-9) * specimen.width)) {
-        throw InputError(run.name + ": a joint through the whole width has no toughness; a shorter --notch has one");
+    const bool is_bent = run.header.test == "bend";
+    if (!is_bent && run.header.test != "tension") {
+        throw InputError(run.name + ": toughness needs a tension test of a rectangle with a notch through its middle, or bending of a "
+                                    "beam or half-disc with a notch from below");
     }
     const Strength strength = measure_strength(run);
+    Toughness toughness = (is_bent ? of_bending : of_plate)(run, specimen, strength);
     stopped_at_strain_limit(run, strength, StrainLimitRuns::refuse, "a toughness");
-    Toughness toughness;
-    toughness.notch_length = (*ends)[1] - (*ends)[0];
     toughness.strength = strength.value();
-    toughness.mode_i_toughness = centre_crack_intensity(toughness.strength, toughness.notch_length, specimen.width);
     toughness.predicted =
         std::sqrt(predict_moduli(run.header, specimen).plane_young_modulus * run.header.contact.fracture_energy);
     toughness.characteristic_length = std::pow(toughness.predicted / run.header.contact.tensile_strength, 2);
@@ -108,6 +168,12 @@ std::string Toughness::warning() const {
                         "toughness is not K_IC; use a longer notch or a smaller fracture energy",
                         notch_ratio(), min_notch_ratio));
     }
+    if (!(ligament_ratio() >= min_notch_ratio)) {
+        add(fmt::format("the ligament is {:.2g} l_ch long, less than {:g}: the process zone is not small against it; use a larger "
+                        "specimen",
+                        ligament_ratio(), min_notch_ratio));
+    }
+    if (!outside.empty()) add(outside);
     if (requested_notch_length && std::abs(notch_length / *requested_notch_length - 1) > notch_tolerance) {
         add(fmt::format("the notch is {:.1f} mm long, where {:.1f} mm was requested; K_IC is computed with {:.1f} mm",
                         notch_length * 1e3, *requested_notch_length * 1e3, notch_length * 1e3));
@@ -120,8 +186,9 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
     std::vector<ToughnessRow> rows;
     for (const std::string& path : runs) {
         const RunReader reader(path);
-        ToughnessRow& row = rows.emplace_back(ToughnessRow{run_data(reader), {}});
+        ToughnessRow& row = rows.emplace_back(ToughnessRow{run_data(reader), 0, {}});
         row.toughness = measure_toughness(reader, row.run);
+        row.peak_load = measure_strength(row.run).peak_load;
     }
     write_table(out, columns(), rows, format);
     out.flush();

@@ -1,4 +1,5 @@
-// Fracture toughness from direct tension of plates with a notch through the middle.
+// Fracture toughness from direct tension of plates with a notch through the middle, and from bending of beams and half-discs with a
+// notch from below.
 #pragma once
 
 #include <optional>
@@ -15,17 +16,22 @@ namespace graincrack {
 struct Toughness {
     double notch_length = 0;  ///< m, between the ends of the grain boundaries that were broken from the start
     std::optional<double> requested_notch_length;  ///< m; empty if the run does not say
-    double strength = 0;                           ///< Pa, largest load over the whole width
-    double mode_i_toughness = 0;                   ///< Pa √m
+    double crack_length = 0;                       ///< a: half the notch of a plate, that of a beam or half-disc, m
+    double ligament = 0;                           ///< uncracked length before a tip, m
+    double strength = 0;          ///< Pa, largest load over the whole width of a plate; in bending the nominal stress
+    double mode_i_toughness = 0;  ///< Pa √m
     double predicted =
         0;  ///< Pa √m: √(E' Gf) of a straight crack along a contact, E' of the assemblage, E/(1 − ν²) in plane strain
     double characteristic_length = 0;  ///< l_ch = E' Gf/tc² (Hillerborg et al. 1976), m: the scale of the process zone
-    /// a/l_ch, a half the notch: small-scale yielding, on which K_IC rests, needs it large.
-    [[nodiscard]] double notch_ratio() const { return 0.5 * notch_length / characteristic_length; }
+    std::string outside;               ///< where the formula is used beyond what it was made for; else empty
+    /// a/l_ch: small-scale yielding, on which K_IC rests, needs it large.
+    [[nodiscard]] double notch_ratio() const { return crack_length / characteristic_length; }
+    [[nodiscard]] double ligament_ratio() const { return ligament / characteristic_length; }
     /// Why the measured toughness may not be K_IC; empty if there is no caveat.
     [[nodiscard]] std::string warning() const;
 };
-/// a/l_ch below which the process zone is no small part of the notch, and the measured toughness is too low.
+/// a/l_ch below which the process zone is no small part of the notch, and the measured toughness is too low. The ligament has the
+/// same limit.
 inline constexpr double min_notch_ratio = 5;
 /// Relative difference of the notch from the requested one from which it is said.
 inline constexpr double notch_tolerance = 0.05;
@@ -34,7 +40,8 @@ inline constexpr double notch_tolerance = 0.05;
 /// middle: σ √(π a) √sec(π a/W), a half the length (Feddersen 1966; within 0.3 % for 2a ≤ 0.7 W in a long plate).
 double centre_crack_intensity(double stress, double length, double width);
 
-/// \throws InputError if the run is no tension test of a rectangle with a notch in its middle, or has no peak
+/// \throws InputError if the run is neither a tension test of a rectangle with a notch in its middle nor bending of a beam or
+/// half-disc with a notch from the middle of its lower side, or has no peak
 Toughness measure_toughness(const RunData& run, const Specimen& specimen);
 /// The same, with the requested notch, which the run records. \param run the data of `reader`
 Toughness measure_toughness(const RunReader& reader, const RunData& run);

@@ -14,7 +14,7 @@
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
-#include "share/file/end_faces.hpp"
+#include "share/file/platen_faces.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {
@@ -49,8 +49,9 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
             peak_label(run)};
 }
 
-std::string standing_label(const Standing& now, bool disc, double magnification) {
-    std::string label = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, disc ? "2F/(πtD)" : "stress",
+/// \param stress what the stress is called
+std::string standing_label(const Standing& now, const std::string& stress, double magnification) {
+    std::string label = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, stress == "axial stress" ? "stress" : stress,
                                     now.stress * 1e-6, now.at_peak() ? now.peak : now.share_label() + " of the " + now.peak);
     if (magnification != 1) label += fmt::format("; displacements × {:.3g}", magnification);
     return label;
@@ -110,10 +111,8 @@ bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     const Specimen& specimen = scene.specimen;
     map.draw_grains();
     if (scene.data.header.test != "tension") {
-        const double y = specimen.height / 2 * (1 + scene.options.magnification * now.axial_strain);
-        const double half_width = loaded_width(specimen) / 2;
-        map.draw_platen(y, true, half_width);
-        map.draw_platen(-y, false, half_width);
+        map.draw_platens(read_platen_faces(scene.run.file(), specimen),
+                         -scene.options.magnification * now.axial_strain * specimen.height / 2);
     }
     const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
     const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
@@ -146,7 +145,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
                    {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed, specimen.n_grains(),
                                 specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
                     fmt::format("law {}, fracture energy {}", header.contact_law, header.fracture_energy_choice),
-                    standing_label(now, header.test == "brazilian", scene.options.magnification)}};
+                    standing_label(now, stress_name(scene.data), scene.options.magnification)}};
     MapView map(specimen, std::move(shot.places), text, {scene.style});
     std::vector<LegendEntry> legend{
         {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},

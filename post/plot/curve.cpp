@@ -35,14 +35,17 @@ struct Run {
     [[nodiscard]] bool has_residual() const { return first_peak && first_peak->residual_strength(); }
 };
 
-std::string kind_of(const RunData& run) { return is_compression(run.header) ? "compression" : run.header.test; }
+std::string kind_of(const RunData& run) {
+    return is_compression(run.header) ? "compression" : run.header.test + distinct_shape(run);
+}
 
 std::vector<Run> prepare(const std::vector<RunData>& data) {
     std::vector<Run> runs;
     for (const RunData& run : data) {
         if (kind_of(run) != kind_of(data.front())) {
             throw InputError(run.name + ": a " + run.header.test + " test cannot share a plot with " + data.front().name +
-                             ", a " + data.front().header.test + " test; plot them apart");
+                             ", a " + data.front().header.test +
+                             (run.header.test == data.front().header.test ? " test of another shape" : " test") + "; plot them apart");
         }
         Run prepared{&run, load_curve(run), {}, {}};
         prepared.first_peak = measure_first_peak(run, prepared.curve);
@@ -92,7 +95,7 @@ double drawn_lateral(const Extent& extent) { return std::max(extent.lateral, -0.
 Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
            const std::vector<std::string>& caveats, const PictureStyle& style) {
     const double lateral = drawn_lateral(extent);
-    const std::string stress = runs[0].data->header.test == "brazilian" ? "2F/(πtD), MPa" : "axial stress, MPa";
+    const std::string stress = stress_name(*runs[0].data) + ", MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};

@@ -27,7 +27,7 @@ const Stroke laboratory_stroke{palette::tensile, 3.5, Dash::dashed};
 constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distances between tests
 
 std::optional<double> laboratory_of(const StrengthGroup& group, const std::optional<Material>& material) {
-    const char* key = group.test == "brazilian" ? "tensile_strength" : group.test == "uniaxial" ? "compressive_strength" : "";
+    const char* key = group.is_brazilian() ? "tensile_strength" : group.test == "uniaxial" ? "compressive_strength" : "";
     if (!material || material->laboratory.count(key) == 0) return std::nullopt;
     return material->laboratory.at(key) * mega;
 }
@@ -70,7 +70,7 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
         std::string tests;
         for (const StrengthGroup& group : groups) {
             if (group.plane != plane) continue;
-            tests += (tests.empty() ? "" : ", ") + series_label(group.test, group.confining_pressure);
+            tests += (tests.empty() ? "" : ", ") + series_label(group.test, group.confining_pressure, group.shape);
         }
         if (!tests.empty()) lines.push_back(fmt::format("plane {}: {}", name_of(plane), tests));
     }
@@ -95,7 +95,7 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
         const StrengthGroup& group = rows[i].group;
         const double x = static_cast<double>(i) + 1;
         names.emplace_back(
-            x, series_label(group.test, group.confining_pressure) + (rows[i].size.empty() ? "" : ",\n" + rows[i].size));
+            x, series_label(group.test, group.confining_pressure, group.shape) + (rows[i].size.empty() ? "" : ",\n" + rows[i].size));
         draw_row(chart, runs, rows[i], x, material, strength.low);
         without_peak += group.without_peak;
         mean = mean || rows[i].runs.size() > 1;

@@ -91,9 +91,10 @@ void add_moduli(std::vector<Property>& properties, const std::vector<RunData>& r
 /// In the order of group_strengths: Brazilian, tension, compression by rising pressure.
 void add_strengths(std::vector<Property>& properties, const std::vector<RunData>& runs, const Known& known) {
     for (const StrengthGroup& group : group_strengths(runs)) {
+        if (!group.shape.empty()) continue;  // neither a ring nor bending measures a property of the rock
         Property property;
         property.without_peak = group.without_peak;
-        if (group.test == "brazilian") {
+        if (group.is_brazilian()) {
             property.name = "tensile_strength_MPa";
             property.laboratory = scaled(known.laboratory("tensile_strength"), mega);
             property.published = known.published(&PaperModel::tensile_strength);

@@ -54,7 +54,7 @@ struct Content {
 
 /// A test, its confining pressure and, where there are several, its grain size.
 std::string name_of_row(const SizedStrengths& row) {
-    return series_label(row.group.test, row.group.confining_pressure) + (row.size.empty() ? "" : ", " + row.size);
+    return series_label(row.group.test, row.group.confining_pressure, row.group.shape) + (row.size.empty() ? "" : ", " + row.size);
 }
 
 /// Pictures of one run of a kind, two by two.
@@ -176,7 +176,7 @@ std::string run_table(const Content& content) {
     html::Table table(columns);
     for (const TestReport& t : content.tests) {
         std::vector<std::string> row{t.data.name,
-                                     series_label(t.data.header.test, t.data.header.confining_pressure),
+                                     series_label(t.data),
                                      std::to_string(t.data.specimen.seed),
                                      std::to_string(t.data.specimen.grains),
                                      number(t.data.specimen.mean_edge * 1e3, 3),
@@ -195,16 +195,16 @@ std::string run_table(const Content& content) {
 }
 
 /// Caveats of the strengths of runs, a line each. \param wanted which runs
-std::vector<std::string> caveat_lines(const Content& content, const std::function<bool(const RunHeader&)>& wanted) {
+std::vector<std::string> caveat_lines(const Content& content, const std::function<bool(const RunData&)>& wanted) {
     CaveatCount doubts;
     for (const TestReport& t : content.tests) {
-        if (wanted(t.data.header)) doubts.add(t.data, t.caveats);
+        if (wanted(t.data)) doubts.add(t.data, t.caveats);
     }
     return doubts.lines();
 }
 
 std::vector<std::string> caveat_lines(const Content& content) {
-    return caveat_lines(content, [](const RunHeader&) { return true; });
+    return caveat_lines(content, [](const RunData&) { return true; });
 }
 
 /// Beside the key figures, their caveats.
@@ -216,7 +216,9 @@ std::string caveat_paragraphs(const Content& content) {
     return paragraphs;
 }
 
-std::string kind_of(const RunHeader& header) { return is_compression(header) ? "compression" : header.test; }
+std::string kind_of(const RunData& run) {
+    return is_compression(run.header) ? "compression" : run.header.test + (distinct_shape(run).empty() ? "" : " " + distinct_shape(run));
+}
 
 /// Strengths and curves; tests whose stresses mean the same share a chart.
 std::string curve_figures(const Content& content, const ReportOptions& options) {
@@ -225,12 +227,12 @@ std::string curve_figures(const Content& content, const ReportOptions& options) 
         return draw_strengths(data_of(content), options.material, caveat_lines(content), style);
     });
     std::map<std::string, std::vector<RunData>> kinds;
-    for (const RunData& run : content.curves) kinds[kind_of(run.header)].push_back(run);
+    for (const RunData& run : content.curves) kinds[kind_of(run)].push_back(run);
     for (const auto& each : kinds) {
         const std::string& kind = each.first;
         const std::vector<RunData>& runs = each.second;
         figures.add("stress and strain: " + kind, [&](const PictureStyle& style) {
-            const auto lines = caveat_lines(content, [&](const RunHeader& h) { return kind_of(h) == kind; });
+            const auto lines = caveat_lines(content, [&](const RunData& run) { return kind_of(run) == kind; });
             return draw_curves(runs, {}, definition_of(options.label.of(runs.front().header)), lines, style);
         });
     }

@@ -69,7 +69,7 @@ TestReport read_test_report(const RunReader& run) {
         report.initiation_by_damage = initiation_by_damage(report.data, report.curve, log);
     }
     std::optional<BrazilianSplit> split;
-    if (header.test == "brazilian") split = measure_split(report.data, report.curve, specimen, log);
+    if (splits(report.data)) split = measure_split(report.data, report.curve, specimen, log);
     report.caveats = caveats_of(report.data, split);
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);

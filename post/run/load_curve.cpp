@@ -33,6 +33,13 @@ std::vector<double> brazilian_stress(const History& history, double diameter) {
     return stress;
 }
 
+/// Stress in bending over the axial stress of the history, which is the load over the extent along x.
+double bending_factor(const RunData& run) {
+    const SpecimenSummary& s = run.specimen;
+    if (run.header.test != "bend" || s.shape != "beam") return 1;
+    return 1.5 * s.width * run.header.span / (s.height * s.height);
+}
+
 /// A NaN in the stress would make the search for the largest stress end there. \throws InputError
 void require_numbers(const LoadCurve& curve, const std::string& name) {
     for (std::size_t row = 0; row < curve.stress.size(); ++row) {
@@ -47,6 +54,7 @@ void require_numbers(const LoadCurve& curve, const std::string& name) {
 SpecimenSummary specimen_summary(const H5Input& file) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     SpecimenSummary summary;
+    summary.shape = file.attribute_or<std::string>(schema::specimen_group, "shape", "");
     summary.width = file.attribute<double>(schema::specimen_group, "width");
     summary.height = file.attribute<double>(schema::specimen_group, "height");
     summary.seed = file.attribute_or<std::int64_t>(schema::specimen_group, "seed", 0);
@@ -81,8 +89,8 @@ LoadCurve load_curve(const RunData& run) {
     curve.gauge_axial_strain = scaled(history[gauge_axial_strain], sense);
     curve.lateral_strain = history[lateral_strain];
     curve.gauge_lateral_strain = history[gauge_lateral_strain];
-    curve.stress =
-        run.header.test == "brazilian" ? brazilian_stress(history, run.specimen.width) : scaled(history[axial_stress], sense);
+    curve.stress = run.header.test == "brazilian" ? brazilian_stress(history, run.specimen.width)
+                                                  : scaled(history[axial_stress], sense * bending_factor(run));
 
     require_numbers(curve, run.name);
 
@@ -152,6 +160,17 @@ std::optional<double> stress_at_strain(const LoadCurve& curve, double strain) {
         return CurvePoint{row - 1, (strain - before) / (now - before)}.of(curve.stress);
     }
     return std::nullopt;
+}
+
+std::string stress_name(const RunData& run) {
+    if (run.header.test == "brazilian") return "2F/(πtD)";
+    if (run.header.test == "bend") return run.specimen.shape == "beam" ? "3FS/(2tH²)" : "F/(tD)";
+    return "axial stress";
+}
+
+double load_at(const RunData& run, std::size_t row) {
+    const double mean = (run.history[force_top][row] + run.history[force_bottom][row]) / 2;
+    return run.header.test == "tension" ? mean : -mean;
 }
 
 bool is_compression(const RunHeader& header) { return header.test == "uniaxial" || header.test == "triaxial"; }

@@ -1,8 +1,9 @@
 // The stress–strain curve of a test with signs in the sense of its loading, and the points that all tables take from it.
 //
 // Here, unlike in files, stress and axial strain are positive in the sense of the test: compression for uniaxial,
-// triaxial and brazilian, tension for tension. For brazilian the stress is 2 F/(π t D) (Eq 18), t = 1 m, F the mean of
-// the two platen forces; for the others it is the axial stress of the history.
+// triaxial, brazilian and bend, tension for tension. For brazilian the stress is 2 F/(π t D) (Eq 18), t = 1 m, F the mean of
+// the two platen forces; for bend the nominal bending stress of a beam, 3 F S/(2 t H²), or F/(t D) of a half-disc; for the
+// others it is the axial stress of the history.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +18,7 @@ namespace graincrack {
 
 /// Attributes of the specimen that tables need, without its arrays; NaN for those that the file does not hold.
 struct SpecimenSummary {
+    std::string shape;
     double width = 0;   ///< m
     double height = 0;  ///< m
     std::int64_t seed = 0;
@@ -81,6 +83,11 @@ inline constexpr double yield_offset = 1e-4;
 
 /// Stress where the platen strain first reaches a strain, before or after the peak, Pa. Empty if the test ended before.
 std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
+
+/// What the stress of a load curve is called: "axial stress", "2F/(πtD)", "3FS/(2tH²)" of a beam in bending, "F/(tD)" of a half-disc.
+std::string stress_name(const RunData& run);
+/// Load in a row of the history, N per metre of thickness: the mean of the platen forces, positive in the sense of the test.
+double load_at(const RunData& run, std::size_t row);
 
 /// Uniaxial or triaxial.
 bool is_compression(const RunHeader& header);

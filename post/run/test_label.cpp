@@ -16,14 +16,22 @@ std::string test_title(const RunHeader& header) {
     if (test == "triaxial") test = fmt::format("Compression under {:.4g} MPa", header.confining_pressure * 1e-6);
     if (test == "brazilian") test = "Brazilian test";
     if (test == "tension") test = "Direct tension";
+    if (test == "bend") test = "Three-point bending";
     return header.material.empty() ? test : test + ", " + header.material;
 }
 
-std::string series_label(const std::string& test, double confining_pressure) {
-    if (test == "triaxial") return fmt::format("σ3 = {:.4g} MPa", confining_pressure * 1e-6);
-    if (test == "brazilian") return "Brazilian";
-    if (test == "tension") return "direct tension";
-    return test;
+std::string series_label(const std::string& test, double confining_pressure, const std::string& shape) {
+    std::string label = test;
+    if (test == "triaxial") label = fmt::format("σ3 = {:.4g} MPa", confining_pressure * 1e-6);
+    if (test == "brazilian") label = "Brazilian";
+    if (test == "tension") label = "direct tension";
+    if (test == "bend") label = "bending";
+    return shape.empty() ? label : label + ", " + shape;
+}
+
+std::string distinct_shape(const RunData& run) {
+    const std::string& shape = run.specimen.shape;
+    return shape == "ring" || run.header.test == "bend" ? shape : "";
 }
 
 std::vector<std::string> names_apart(const std::vector<RunData>& runs) {
@@ -38,7 +46,7 @@ std::vector<std::string> names_apart(const std::vector<RunData>& runs) {
         [](const RunData& run) { return fmt::format("seed {}", run.specimen.seed); },
         [](const RunData& run) { return std::filesystem::path(run.name).filename().string(); }};
     std::vector<std::string> names;
-    for (const RunData& run : runs) names.push_back(series_label(run.header.test, run.header.confining_pressure));
+    for (const RunData& run : runs) names.push_back(series_label(run));
     // A trait is added to runs of one name that it tells apart.
     for (const Trait& trait : traits) {
         std::map<std::string, std::vector<std::size_t>> same;

@@ -12,9 +12,14 @@ namespace graincrack {
 /// "Uniaxial compression, Augig granite"; triaxial names its confinement.
 std::string test_title(const RunHeader& header);
 
-/// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension".
-std::string series_label(const std::string& test, double confining_pressure);
-inline std::string series_label(const RunHeader& run) { return series_label(run.test, run.confining_pressure); }
+/// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension", "bending". Rings, and what is bent, are told apart by their shape, which
+/// is "" or "disc" otherwise: "Brazilian, ring".
+std::string series_label(const std::string& test, double confining_pressure, const std::string& shape = "");
+/// The shape by which the strengths of a run are told apart from others of its test; "" for most.
+std::string distinct_shape(const RunData& run);
+inline std::string series_label(const RunData& run) {
+    return series_label(run.header.test, run.header.confining_pressure, distinct_shape(run));
+}
 
 /// "peak", or for a run without one "largest stress".
 std::string peak_label(const RunData& run);

@@ -22,8 +22,9 @@ constexpr std::array<Side, 2> sides{{{-1, schema::platens_bottom}, {1, schema::p
 std::array<std::array<double, 2>, 4> PlatenFaceSet::bar(const PlatenFace& face, double thickness, double approach) const {
     // Across is to the right of an axis that points upwards, and upwards from one along x, as in the solver.
     constexpr double rounding = 1e-15;
-    const std::array<double, 2> axis{std::cos(direction), std::sin(direction)};
-    const double right = axis[1] > rounding ? 1 : -1;
+    const auto rounded = [](double value) { return std::abs(value) < rounding ? 0 : value; };
+    const std::array<double, 2> axis{rounded(std::cos(direction)), rounded(std::sin(direction))};
+    const double right = axis[1] > 0 ? 1 : -1;
     const double inner = face.position - face.side * approach;
     const double outer = inner + face.side * thickness;
     const auto place = [&](double across, double along) {
