@@ -49,9 +49,10 @@ void print_program(const SolveOptions& options, const Specimen& specimen) {
     fmt::print(
         "# The {} test that graincrack-solve makes of {}. With the same contact, platen and method options this runs it:\n"
         "#\n"
-        "#   graincrack-solve program {} --program FILE.toml --material {} --plane {} -o run.h5\n{}",
+        "#   graincrack-solve program {} --program FILE.toml --material {} --plane {}{} -o run.h5\n{}",
         name_of(options.request.loading.test), options.specimen, options.specimen, options.request.material.name,
-        name_of(options.request.plane), program_text(program));
+        name_of(options.request.plane), options.request.loading.test == TestKind::bend ? " --platen-friction 0" : "",
+        program_text(program));
 }
 
 /// The strength a test is made for, from its largest axial stress (brazilian: load over D t); of bending the largest load.

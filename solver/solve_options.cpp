@@ -154,7 +154,8 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
             ->required();
     }
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
-                 "friction angle between rock and platens; default: the material's");
+                 test == TestKind::bend ? "friction angle between rock and rollers; default: 0, since they roll"
+                                        : "friction angle between rock and platens; default: the material's");
     add_rate_options(command, loading, raw);
     add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
                     "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3");
@@ -258,7 +259,9 @@ void complete_mass_scaling(SimulationRequest& request, const RawOptions& raw) {
 void complete_request(SimulationRequest& request, const RawOptions& raw) {
     apply_contact_options(raw.contact, request);
     complete_rate(request.loading, raw);
-    request.loading.platen_friction = raw.platen_friction.value_or(request.material.platen_friction_angle);
+    // Rollers are free to roll, as ASTM E399 and ISRM 2014 ask: friction would carry part of the moment as a thrust.
+    const bool rolls = request.loading.test == TestKind::bend;
+    request.loading.platen_friction = raw.platen_friction.value_or(rolls ? 0 : request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
     if (request.vector_target && !is_available(*request.vector_target)) {
         throw UsageError(fmt::format("--vector: this processor has no {}; auto takes the widest it has, {}",

@@ -13,7 +13,6 @@
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
-#include "share/file/notch.hpp"
 
 namespace graincrack {
 
@@ -25,8 +24,7 @@ struct StrengthRow {
     Strength strength;
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
-    std::optional<double> ring_strength;      ///< of a ring: the stress at its hole, Pa
-    std::optional<double> flexural_strength;  ///< of a beam without a notch: the nominal bending stress, Pa
+    std::optional<double> ring_strength;  ///< of a ring: the stress at its hole, Pa
     OtherCounts cracks;                   ///< at the peak
     [[nodiscard]] const RunHeader& header() const { return run.header; }
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
@@ -46,14 +44,11 @@ struct StrengthRow {
 
 StrengthRow read_row(const std::string& path) {
     const RunReader reader(path);
-    StrengthRow row{run_data(reader), {}, std::nullopt, 0, std::nullopt, std::nullopt, {}};
+    StrengthRow row{run_data(reader), {}, std::nullopt, 0, std::nullopt, {}};
     row.strength = measure_strength(row.run);
     const LoadCurve curve = load_curve(row.run);
-    const std::string& shape = row.run.specimen.shape;
-    if (row.header().test == "brazilian" && shape == "ring") {
+    if (row.header().test == "brazilian" && row.run.specimen.shape == "ring") {
         row.ring_strength = ring_stress(row.strength.value(), hole_ratio(reader.specimen(), reader.name()));
-    } else if (row.header().test == "bend" && shape == "beam") {
-        if (!edge_notch(reader.specimen())) row.flexural_strength = row.strength.value();
     } else if (splits(row.run)) {
         const Specimen specimen = reader.specimen();
         row.split = measure_split(row.run, curve, specimen, read_cracks(reader, specimen));
@@ -115,7 +110,7 @@ const Columns<R>& columns() {
         append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.cracks; });
         list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }});
         list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
-        list.push_back({"flexural_strength", megapascal, [](const R& r) { return r.flexural_strength; }});
+        list.push_back({"flexural_strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
         list.push_back({"ring_strength", megapascal, [](const R& r) { return r.ring_strength; }});
         list.push_back({"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }});
         return list;
@@ -150,7 +145,7 @@ Columns<R> terminal_columns(const std::vector<R>& rows) {
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
     if (any([](const R& r) { return r.header().test == "bend"; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
-        columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.flexural_strength; }});
+        columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
     }
     if (any([](const R& r) { return r.ring_strength.has_value(); })) {
         columns.push_back({"at the hole", megapascal, [](const R& r) { return r.ring_strength; }});
@@ -205,6 +200,8 @@ Strength measure_strength(const RunData& run) {
         strength.peak_compressive_stress = strength.peak_stress;
     } else if (run.header.test != "bend") {
         strength.tensile_strength = strength.peak_stress;
+    } else if (distinct_shape(run) == "beam") {
+        strength.flexural_strength = strength.peak_stress;
     }
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.peak_kind = peak_kind(run, curve);

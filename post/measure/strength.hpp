@@ -22,6 +22,7 @@ std::string name_of(StrengthKind kind);
 struct Strength {
     std::optional<double> peak_compressive_stress;  ///< uniaxial, triaxial: σ1 at the peak, confinement included
     std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
+    std::optional<double> flexural_strength;        ///< bending of a beam without cracks: the nominal bending stress
     double peak_stress = 0;  ///< largest stress of the load curve, in bending the nominal one; of the other tests one of the above
     double peak_load = 0;    ///< largest load, N per metre of thickness
     [[nodiscard]] double value() const { return peak_stress; }

@@ -55,6 +55,9 @@ SpecimenSummary specimen_summary(const H5Input& file) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     SpecimenSummary summary;
     summary.shape = file.attribute_or<std::string>(schema::specimen_group, "shape", "");
+    const std::vector<std::uint8_t> kinds = file.read<std::uint8_t>(schema::contact_kind.path);
+    const auto cracked = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+    summary.is_cracked = std::find(kinds.begin(), kinds.end(), cracked) != kinds.end();
     summary.width = file.attribute<double>(schema::specimen_group, "width");
     summary.height = file.attribute<double>(schema::specimen_group, "height");
     summary.seed = file.attribute_or<std::int64_t>(schema::specimen_group, "seed", 0);

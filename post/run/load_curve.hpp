@@ -18,12 +18,13 @@ namespace graincrack {
 
 /// Attributes of the specimen that tables need, without its arrays; NaN for those that the file does not hold.
 struct SpecimenSummary {
-    std::string shape;
     double width = 0;   ///< m
     double height = 0;  ///< m
     std::int64_t seed = 0;
     std::int64_t grains = 0;
     double mean_edge = 0;  ///< m
+    std::string shape = {};
+    bool is_cracked = false;  ///< some contacts are broken from the start
 };
 SpecimenSummary specimen_summary(const H5Input& file);
 

@@ -31,7 +31,9 @@ std::string series_label(const std::string& test, double confining_pressure, con
 
 std::string distinct_shape(const RunData& run) {
     const std::string& shape = run.specimen.shape;
-    return shape == "ring" || run.header.test == "bend" ? shape : "";
+    if (run.header.test == "bend") return shape == "beam" && run.specimen.is_cracked ? "notched beam" : shape;
+    if (run.header.test != "brazilian") return "";
+    return shape == "ring" ? shape : run.specimen.is_cracked ? "cracked disc" : "";
 }
 
 std::vector<std::string> names_apart(const std::vector<RunData>& runs) {

@@ -56,9 +56,7 @@ inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>
 class TestPlatens {
 public:
     TestPlatens(const LoadingRequest& request, const Specimen& specimen)
-        : platens_(specimen, augig_granite().rock, request.max_strain) {
-        platens_.set(*standard_test(request, 0.3, specimen, augig_granite().rock).stages.back().platens, 0);
-    }
+        : TestPlatens(standard_test(request, 0.3, specimen, augig_granite().rock), specimen) {}
     IntervalLoading next(double time, double duration) {
         Feedback feedback;
         feedback.time = time;
@@ -67,6 +65,9 @@ public:
     }
 
 private:
+    TestPlatens(const Program& test, const Specimen& specimen) : platens_(specimen, augig_granite().rock, *test.platens) {
+        platens_.set(*test.stages.back().platens, 0);
+    }
     PlatenControl platens_;
 };
 
