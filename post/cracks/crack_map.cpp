@@ -297,12 +297,9 @@ void write_platens(const std::string& path, const PlatenFaceSet& platens, double
     vtkNew<vtkCellArray> rectangles;
     for (const PlatenFace& face : platens.faces) {
         const auto first = static_cast<vtkIdType>(corners.size());
-        const auto at_start = platens.bar(face, thickness * height, 0);
-        const auto now = platens.bar(face, thickness * height, -moment.axial_strain * height / 2);
-        for (std::size_t k = 0; k < at_start.size(); ++k) {
-            corners.push_back(at_start[k]);
-            moves.push_back({now[k][0] - at_start[k][0], now[k][1] - at_start[k][1]});
-        }
+        const auto bar = platens.bar(face, thickness * height, 0);
+        corners.insert(corners.end(), bar.begin(), bar.end());
+        moves.insert(moves.end(), bar.size(), platens.displacement(face, -height / 2 * moment.axial_strain));
         rectangles->InsertNextCell({first, first + 1, first + 2, first + 3});
     }
     vtkNew<vtkPolyData> data;

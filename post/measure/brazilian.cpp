@@ -44,7 +44,7 @@ std::optional<double> radius_of_first(const Specimen& specimen, const std::vecto
 
 std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak, const Specimen& specimen) {
     std::vector<Caveat> found;
-    if (width_of_part(specimen, BoundaryPart::top) > 0) {
+    if (specimen.shape == "disc" && width_of_part(specimen, BoundaryPart::top) > 0) {
         const double angle = 2 * std::acos(std::min(1.0, specimen.height / specimen.width));
         const double degrees = 180 / std::numbers::pi;
         found.push_back({"flat poles", fmt::format("with flat poles of {:.3g} degrees the tensile strength is {:.2f} times 2F/(πtD) (Wang "

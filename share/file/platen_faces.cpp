@@ -17,13 +17,22 @@ struct Side {
 };
 constexpr std::array<Side, 2> sides{{{-1, schema::platens_bottom}, {1, schema::platens_top}}};
 
+/// Unit vector of a direction, without components of rounding.
+std::array<double, 2> axis_of(double direction) {
+    const auto rounded = [](double value) { return std::abs(value) < 1e-15 ? 0 : value; };
+    return {rounded(std::cos(direction)), rounded(std::sin(direction))};
+}
+
 }  // namespace
 
+std::array<double, 2> PlatenFaceSet::displacement(const PlatenFace& face, double approach) const {
+    const std::array<double, 2> axis = axis_of(direction);
+    return {-face.side * approach * axis[0], -face.side * approach * axis[1]};
+}
+
 std::array<std::array<double, 2>, 4> PlatenFaceSet::bar(const PlatenFace& face, double thickness, double approach) const {
+    const std::array<double, 2> axis = axis_of(direction);
     // Across is to the right of an axis that points upwards, and upwards from one along x, as in the solver.
-    constexpr double rounding = 1e-15;
-    const auto rounded = [](double value) { return std::abs(value) < rounding ? 0 : value; };
-    const std::array<double, 2> axis{rounded(std::cos(direction)), rounded(std::sin(direction))};
     const double right = axis[1] > 0 ? 1 : -1;
     const double inner = face.position - face.side * approach;
     const double outer = inner + face.side * thickness;

@@ -23,8 +23,9 @@ struct PlatenFace {
 struct PlatenFaceSet {
     double direction = std::numbers::pi / 2;  ///< along which the platens move, from x, rad
     std::vector<PlatenFace> faces;
-    /// Corners of a bar of some thickness outside a face, which has moved by the approach of its platen; m. The first two lie on
-    /// the face.
+    /// Displacement of a face whose platen has approached the specimen, m.
+    [[nodiscard]] std::array<double, 2> displacement(const PlatenFace& face, double approach) const;
+    /// Corners of a bar of some thickness outside a face, whose platen has approached; m. The first two lie on the face.
     [[nodiscard]] std::array<std::array<double, 2>, 4> bar(const PlatenFace& face, double thickness, double approach) const;
 };
 

@@ -158,7 +158,7 @@ class Run:
 
     @property
     def test(self) -> str:
-        """uniaxial, triaxial, brazilian, tension or program."""
+        """uniaxial, triaxial, brazilian, tension, bend or program."""
         return self["test"]
 
     @property

@@ -30,6 +30,9 @@ void lay_out(const Shell& shell, const std::string& command) {
     if (command.find("rectangle.h5") != std::string::npos) {
         lines += "graincrack-mesh rectangle --width 20mm --height 40mm --grains 60 --quiet -o rectangle.h5\n";
     }
+    if (command.find("beam.h5") != std::string::npos) {
+        lines += "graincrack-mesh beam --length 30mm --height 10mm --edge 5mm --quiet -o beam.h5\n";
+    }
     if (command.find("run.h5") != std::string::npos) {
         lines += "graincrack-solve brazilian disc.h5 -o run.h5" + elastic + "\n";
         lines += "size=$(stat -c %s run.h5)\nhead -c $((size * 3 / 4)) run.h5 >truncated-run.h5\n";
@@ -177,6 +180,14 @@ const std::vector<BadInput> solver{
     {"DiscInTension", "graincrack-solve tension disc.h5 --material augig-granite --dry-run", 3, "disc.h5: is a disc"},
     {"DiscUnderPressure", "graincrack-solve triaxial disc.h5 --material augig-granite --confining-pressure 4MPa --print-program",
      3, "disc.h5: is a disc"},
+    {"RectangleThatIsBent", "graincrack-solve bend rectangle.h5 --material augig-granite -o out.h5", 3,
+     "a bend test loads a beam or a half-disc"},
+    {"SpanBeyondABeam",
+     "graincrack-solve bend beam.h5 --span 30mm --material augig-granite -o out.h5", 2,
+     "--span: rollers at a distance of 30 mm have no room on a beam of 30 mm"},
+    {"ShortBeamWithoutSpan",
+     "graincrack-solve bend beam.h5 --material augig-granite -o out.h5", 2, "--span: missing"},
+    {"SpanOfAnotherTest", "graincrack-solve brazilian disc.h5 --span 10mm --material augig-granite -o out.h5", 2, "--span"},
     {"Variable", "GRAINCRACK_RATE=5kg graincrack-solve brazilian disc.h5 --material augig-granite -o out.h5", 2,
      "GRAINCRACK_RATE"},
 };

@@ -199,6 +199,34 @@ TEST(Pipeline, ToughnessOfANotchedPlate) {
     EXPECT_LT(ratio, 1.4);
 }
 
+// Spans are those between nodes of the boundary. K_IC of a crack along grains is larger than that of a straight one, less so where
+// the process zone is no small part of the ligament.
+TEST(Pipeline, BendingOfABeamAndAHalfDisc) {
+    const Shell shell;
+    const std::string bend = "graincrack-solve bend - --material augig-granite --rate-tolerance 0.01 --frames 2 --quiet -o ";
+    shell.must("graincrack-mesh beam --length 50mm --height 10mm --edge 2.5mm --quiet -o - | " + bend + "beam.h5\n" +
+               "graincrack-mesh half-disc --diameter 60mm --edge 3mm --slit 15mm --quiet -o - | " + bend + "half-disc.h5");
+    const std::string beam = shell.must("graincrack-post strength beam.h5");
+    EXPECT_EQ(cell(beam, "test"), "bend");
+    EXPECT_EQ(cell(beam, "peak_kind"), "drop");
+    const double span = std::atof(cell(beam, "span_mm").c_str());
+    EXPECT_NEAR(span, 40, 2.5);
+    const double load = std::atof(cell(beam, "peak_load_kN/m").c_str());
+    EXPECT_NEAR(std::atof(cell(beam, "flexural_strength_MPa").c_str()), 1.5 * load * span / 100, 1e-3);  // 3 F S/(2 H²)
+    EXPECT_EQ(cell(beam, "tensile_strength_MPa"), "");
+    const std::string half_disc = shell.must("graincrack-post strength half-disc.h5 && graincrack-post info --check half-disc.h5");
+    EXPECT_EQ(cell(half_disc, "flexural_strength_MPa"), "");
+    EXPECT_NE(half_disc.find("platens"), std::string::npos);
+    const std::string toughness = shell.must("graincrack-post toughness half-disc.h5");
+    EXPECT_NEAR(std::atof(cell(toughness, "notch_mm").c_str()), 15, 1e-3);
+    const double ratio = std::atof(cell(toughness, "mode_i_toughness_MPa.m^0.5").c_str()) /
+                         std::atof(cell(toughness, "predicted_mode_i_toughness_MPa.m^0.5").c_str());
+    EXPECT_GT(ratio, 0.8);
+    EXPECT_LT(ratio, 1.4);
+    const std::string map = shell.must("graincrack-post plot cracks half-disc.h5 -o map.svg && cat map.svg");
+    EXPECT_NE(map.find("Three-point bending"), std::string::npos);
+}
+
 TEST(Threads, SameContentForAnyNumberPastThePeak) {
     const Shell shell;
     // large enough for three threads

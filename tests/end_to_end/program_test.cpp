@@ -53,7 +53,8 @@ TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
     const Shell shell;
     shell.must(
         "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n"
-        "graincrack-mesh disc --diameter 30mm --edge 5mm --quiet -o disc.h5");
+        "graincrack-mesh disc --diameter 30mm --edge 5mm --quiet -o disc.h5\n"
+        "graincrack-mesh half-disc --diameter 40mm --edge 4mm --slit 10mm --quiet -o half-disc.h5");
     const std::string options = " --material augig-granite --quiet ";
     const auto compare = [&](const std::string& test, const std::string& specimen, const std::string& own,
                              const std::string& common) {
@@ -74,6 +75,7 @@ TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
     compare("tension", "rectangle.h5", " --rate 100mm/s --max-strain 0.002", " --frames 4 ");
     compare("brazilian", "disc.h5", " --rate blocks --block-speed 100mm/s --block-steps 1000 --max-strain 0.004",
             " --plane stress --frames 4 ");
+    compare("bend", "half-disc.h5", " --span 25mm --max-strain 0.001 --rate-tolerance 0.02", " --platen-friction 0 --frames 4 ");
 }
 
 // Masses are scaled unless something is dynamic, or the user wants otherwise.

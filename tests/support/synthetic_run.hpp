@@ -108,6 +108,7 @@ struct Recipe {
     int rows = 101;
     CrackEvent crack_event = CrackEvent::failed;
     double platen_speed = 0.005;  ///< m/s
+    double span = 0;              ///< of a test in bending, m
 };
 
 /// Elastic loading in equal steps of stress up to the peak at time 1 s, then a straight fall until 1.25 s. A triaxial
@@ -179,6 +180,7 @@ inline RunHeader synthetic_header(const Recipe& r) {
     header.contact.fracture_energy = 82.6;
     header.confining_pressure = r.confining_pressure;
     header.platen_speed = r.platen_speed;
+    header.span = r.span;
     header.peak_drop = 0.3;
     header.max_strain = 0.015;
     header.time_step = 5e-8;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -10,6 +12,7 @@
 #include "post/cracks/crack_network.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "share/base/error.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -195,6 +198,47 @@ TEST(StrengthSummary, GrainSizesAreNotPooled) {
     EXPECT_EQ(field(table, "mean_edge_mm", 1), "4.05");
     EXPECT_EQ(field(table, "strength_MPa", 2), "140");
     EXPECT_EQ(field(table, "mean_edge_mm", 2), "7");
+}
+
+// A small hole in the middle of a disc, where 2F/(πtD) pulls and three times as much presses: Kirsch has 3 + 3.
+TEST(Ring, StressAtItsHole) {
+    EXPECT_EQ(ring_stress(1, 0), 6);
+    EXPECT_NEAR(ring_stress(10e6, 0.5), 155e6, 1);
+}
+
+TEST(Ring, StrengthStandsBesideThatOfADisc) {
+    const test::TemporaryFolder folder;
+    Recipe recipe = disc();
+    recipe.specimen.shape = "ring";
+    recipe.specimen.part_names.emplace_back("inner");
+    // The outline of the square stands for the hole: its mean distance from the centre makes the ratio.
+    recipe.specimen.boundary_part.assign(recipe.specimen.n_boundary_edges(), 5);
+    test::write_run(folder.file("run.h5"), recipe);
+    std::ostringstream table, notes;
+    write_strength_table(table, {folder.file("run.h5")}, TableFormat::tsv, notes);
+    const double ratio = hole_ratio(recipe.specimen, "run.h5");
+    EXPECT_GT(ratio, 1);
+    EXPECT_NEAR(std::stod(field(table.str(), "tensile_strength_MPa")), 10, 1e-4);
+    EXPECT_NEAR(std::stod(field(table.str(), "ring_strength_MPa")), 10 * (6 + 38 * ratio * ratio), 1e-3);
+    EXPECT_EQ(field(table.str(), "warning"), "");  // a ring does not split as a disc does
+    recipe.specimen.boundary_part.assign(recipe.specimen.n_boundary_edges(), 4);
+    EXPECT_THROW(hole_ratio(recipe.specimen, "run.h5"), InputError);
+}
+
+TEST(Brazilian, FlatPolesAreACaveat) {
+    EXPECT_EQ(strength_share_of_arcs(0), 1);
+    EXPECT_NEAR(strength_share_of_arcs(20 * std::numbers::pi / 180), 0.96, 1e-3);
+    Recipe recipe = disc();
+    recipe.specimen.shape = "disc";
+    recipe.specimen.height = recipe.specimen.width * std::cos(10 * std::numbers::pi / 180);
+    RunData run{"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {}, 1};
+    run.specimen.width = recipe.specimen.width;
+    run.specimen.height = recipe.specimen.height;
+    const BrazilianSplit split = measure_split(run, load_curve(run), recipe.specimen, {});
+    ASSERT_FALSE(split.caveats.empty());
+    EXPECT_EQ(split.caveats.front().kind, "flat poles");
+    EXPECT_NE(split.warning().find("with flat poles of 20 degrees the tensile strength is 0.96 times"), std::string::npos)
+        << split.warning();
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\tgrain_young_modulus_GPa\tgrain_poisson_ratio\t"
               "max_strain\trate_tolerance\t"
               "tensile_cracks_by_sign\tshear_cracks_by_sign\ttensile_cracks_broken\tshear_cracks_broken\t"
-              "tensile_cracks_broken_by_sign\tshear_cracks_broken_by_sign\tplane");
+              "tensile_cracks_broken_by_sign\tshear_cracks_broken_by_sign\tplane\t"
+              "peak_load_kN/m\tflexural_strength_MPa\tring_strength_MPa\tspan_mm");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {
@@ -65,6 +66,24 @@ TEST_F(StrengthTable, UniaxialRow) {
     EXPECT_EQ(field(table, "contact_cohesion_MPa"), "74.57");
     EXPECT_NEAR(std::stod(field(table, "contact_friction_angle_deg")), 0.851 * 180 / std::numbers::pi, 1e-5);
     EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
+}
+
+// 2 kN/m on rollers at 80 mm: 3 F S/(2 H²) = 0.6 MPa for H = 20 mm. A notch makes it a nominal stress, no strength.
+TEST_F(StrengthTable, BendingHasALoadAndThatOfABeamAFlexuralStrength) {
+    Recipe recipe;
+    recipe.test = "bend";
+    recipe.span = 0.08;
+    recipe.specimen = test::grid_specimen(18, 4, 0.09, 0.02);
+    recipe.specimen.shape = "beam";
+    recipe.peak = 2e3 / 0.09;  // load over length
+    const std::string beam = table_of(recipe);
+    EXPECT_NEAR(std::stod(field(beam, "peak_load_kN/m")), 2, 1e-4);
+    EXPECT_NEAR(std::stod(field(beam, "flexural_strength_MPa")), 0.6, 1e-5);
+    EXPECT_EQ(field(beam, "span_mm"), "80");
+    EXPECT_EQ(field(beam, "tensile_strength_MPa") + field(beam, "peak_compressive_stress_MPa"), "");
+    recipe.specimen.contact_kind[0] = 1;
+    EXPECT_EQ(field(table_of(recipe), "flexural_strength_MPa"), "");
+    EXPECT_EQ(field(table_of({}), "span_mm"), "");
 }
 
 TEST_F(StrengthTable, StressAtEqualStrainsIsInterpolatedAndEmptyPastTheEnd) {

@@ -71,6 +71,45 @@ TEST(Toughness, IntensityIsThatOfFiniteElements) {
     EXPECT_NEAR(centre_crack_intensity(1, 0.032, 0.08) / std::sqrt(std::numbers::pi * 0.016), 1.104, 0.01);
 }
 
+/// Bending of 90 mm × 20 mm on rollers at 80 mm; the contacts at x = 0 up to a height are broken. The largest load is 2 kN/m.
+Recipe bent(const std::string& shape, double notch) {
+    Recipe recipe;
+    recipe.test = "bend";
+    recipe.span = 0.08;
+    recipe.specimen = test::grid_specimen(18, 10, 0.09, 0.02);
+    recipe.peak = 2e3 / 0.09;  // load over length
+    Specimen& s = recipe.specimen;
+    s.shape = shape;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& a = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& b = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        const bool upright = std::abs(a[0]) < 1e-9 && std::abs(b[0]) < 1e-9;
+        if (upright && std::max(a[1], b[1]) < notch - 0.01 + 1e-9) s.contact_kind[c] = 1;
+    }
+    return recipe;
+}
+
+TEST_F(ToughnessTable, OfANotchedBeam) {
+    const std::string table = table_of(bent("beam", 0.01));
+    EXPECT_NEAR(std::stod(field(table, "notch_mm")), 10, 1e-4);
+    EXPECT_NEAR(std::stod(field(table, "peak_load_kN/m")), 2, 1e-4);
+    EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 0.6, 1e-5);  // 3 F S/(2 H²)
+    // ASTM E399: F S/H^1.5 f(1/2), f = 2.6625; the formula of any span is 0.15 % lower
+    EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 1e-6 * 2e3 * 0.08 / std::pow(0.02, 1.5) * 2.6625, 3e-4);
+    EXPECT_NE(field(table, "warning").find("a/l_ch is "), std::string::npos);
+    EXPECT_NE(field(table, "warning").find("the ligament is "), std::string::npos);
+    EXPECT_EQ(field(table, "warning").find("heights"), std::string::npos);
+    Recipe squat = bent("beam", 0.01);
+    squat.span = 0.04;
+    EXPECT_NE(field(table_of(squat), "warning").find("the span is 2 heights; the formula is for 2.5 at least"), std::string::npos);
+}
+
+TEST_F(ToughnessTable, OfAHalfDiscSaysWhereTheSuggestedMethodEnds) {
+    const std::string table = table_of(bent("half-disc", 0.01));
+    EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 2e-3 / 0.09, 1e-6);
+    EXPECT_NE(field(table, "warning").find("span/2R is 0.89 and a/R 0.22"), std::string::npos) << field(table, "warning");
+}
+
 TEST_F(ToughnessTable, OtherRunsAreRefused) {
     const auto refused = [&](const Recipe& recipe) {
         try {
@@ -83,6 +122,8 @@ TEST_F(ToughnessTable, OtherRunsAreRefused) {
     Recipe whole = notched_tension(1, 1);
     EXPECT_NE(refused(whole).find("run.h5: toughness needs a tension test"), std::string::npos);
     EXPECT_NE(refused(notched_tension(-0.04, 0)).find("through its middle"), std::string::npos);
+    EXPECT_NE(refused(bent("beam", 0)).find("toughness needs a beam with a notch from the middle of its lower side"), std::string::npos);
+    EXPECT_NE(refused(bent("beam", 0.02)).find("a joint through the whole height has no toughness"), std::string::npos);
     Recipe pressed = notched_tension(-0.02, 0.02);
     pressed.test = "uniaxial";
     EXPECT_NE(refused(pressed).find("toughness needs a tension test"), std::string::npos);
