@@ -62,9 +62,10 @@ void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& ra
         "auto|blocks|SPEED", "auto");
     add_quantity(
         command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
-        fmt::format("tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}, in Brazilian "
-                    "tests, direct tension and bending {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
-                    default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
+        fmt::format(
+            "tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}, in Brazilian "
+            "tests, direct tension and bending {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
+            default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed,
                  "speed of each platen in a block; default 5mm/s");
     add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share,
@@ -145,8 +146,9 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
         add_quantity(command, "--span", loading.span, quantity::span,
                      "distance of the lower rollers, which stand at the nodes next to its ends; default: four heights of a beam, "
                      "0.6 diameters of a half-disc");
-        add_quantity(command, "--roller-width", loading.roller_width, quantity::roller_width,
-                     "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node");
+        add_quantity(
+            command, "--roller-width", loading.roller_width, quantity::roller_width,
+            "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node");
     }
     if (test == TestKind::triaxial) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,

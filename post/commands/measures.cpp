@@ -54,7 +54,8 @@ Command moduli_command() {
 
 Command toughness_command() {
     return make_command<TableFormat>(
-        "toughness", "fracture toughness K_IC from direct tension of rectangles with a central notch, and from bending of notched beams and "
+        "toughness",
+        "fracture toughness K_IC from direct tension of rectangles with a central notch, and from bending of notched beams and "
         "half-discs; one row per run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs,
         [](CLI::App& app, TableFormat& format) { add_format(app, format); },

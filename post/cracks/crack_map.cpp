@@ -309,8 +309,7 @@ void write_platens(const std::string& path, const PlatenFaceSet& platens, double
     data->SetPolys(rectangles);
     data->GetPointData()->AddArray(with_unit(vectors("displacement", moves), "m"));
     data->GetCellData()->AddArray(make_array<vtkUnsignedCharArray>(
-        "platen", 1, platens.faces.size(),
-        [&](std::size_t i, unsigned char* v) { *v = platens.faces[i].side > 0 ? 1 : 0; }));
+        "platen", 1, platens.faces.size(), [&](std::size_t i, unsigned char* v) { *v = platens.faces[i].side > 0 ? 1 : 0; }));
     add_moment(data, moment);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }

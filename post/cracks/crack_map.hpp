@@ -45,8 +45,8 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
                   const Frame& frame, const CrackLabel& label, const std::vector<ContactParameters>& contacts,
                   const FrameMoment& moment);
 
-/// Platens or rollers as .vtp: rectangles that touch the specimen at the start. \param height of the specimen, m Cell data: platen (0 below, 1 above). Point data:
-/// displacement (m). \throws OutputError
+/// Platens or rollers as .vtp: rectangles that touch the specimen at the start. \param height of the specimen, m Cell data:
+/// platen (0 below, 1 above). Point data: displacement (m). \throws OutputError
 void write_platens(const std::string& path, const PlatenFaceSet& platens, double height, const FrameMoment& moment);
 
 /// "VTK 9.1.0".

@@ -158,8 +158,9 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
                 ": the confining pressure at the peak of a program is not known; an envelope needs uniaxial and triaxial tests");
         }
         if (!distinct_shape(run).empty()) {
-            throw InputError(run.name + ": a test of a " + run.specimen.shape +
-                             " gives no point of an envelope; it needs uniaxial and triaxial tests, and takes direct tension and discs");
+            throw InputError(
+                run.name + ": a test of a " + run.specimen.shape +
+                " gives no point of an envelope; it needs uniaxial and triaxial tests, and takes direct tension and discs");
         }
         const Strength strength = measure_strength(run);
         if (is_compression(run.header)) {

@@ -7,8 +7,8 @@ namespace graincrack {
 double nominal_bending_stress(double load, double span, double height);
 
 /// Stress intensity K_I, Pa √m, of a beam with a notch from below at mid-span: the nominal bending stress times √H k(a/H, S/H) of
-/// Guinea, Pastor, Planas & Elices (1998), for S ≥ 2.5 H and any notch; at S = 4 H within 0.5 % of ASTM E399 for a/H from 0.2 to 0.8.
-/// \param load F/t, N/m
+/// Guinea, Pastor, Planas & Elices (1998), for S ≥ 2.5 H and any notch; at S = 4 H within 0.5 % of ASTM E399 for a/H from 0.2 to
+/// 0.8. \param load F/t, N/m
 double notched_beam_intensity(double load, double notch, double span, double height);
 inline constexpr double least_span_of_beam = 2.5;  ///< heights
 

@@ -47,9 +47,10 @@ std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak, const
     if (specimen.shape == "disc" && width_of_part(specimen, BoundaryPart::top) > 0) {
         const double angle = 2 * std::acos(std::min(1.0, specimen.height / specimen.width));
         const double degrees = 180 / std::numbers::pi;
-        found.push_back({"flat poles", fmt::format("with flat poles of {:.3g} degrees the tensile strength is {:.2f} times 2F/(πtD) (Wang "
-                                                   "et al. 2004)",
-                                                   angle * degrees, strength_share_of_arcs(angle))});
+        found.push_back(
+            {"flat poles", fmt::format("with flat poles of {:.3g} degrees the tensile strength is {:.2f} times 2F/(πtD) (Wang "
+                                       "et al. 2004)",
+                                       angle * degrees, strength_share_of_arcs(angle))});
     }
     if (!split.spanning_stress) {
         found.push_back(

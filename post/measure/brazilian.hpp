@@ -27,15 +27,15 @@ inline constexpr double spanning_share = 0.8;
 /// Whether a run is to split a disc. A ring breaks from its hole.
 bool splits(const RunData& run);
 
-/// Tensile strength by Griffith's criterion at the centre of a disc, over 2F/(π t D), where an even pressure acts on arcs seen under
-/// this angle: (sin ψ/ψ)² (stresses of Hondros 1959). With flat poles of 20° it is 0.96; Wang et al. (2004) have 0.95.
+/// Tensile strength by Griffith's criterion at the centre of a disc, over 2F/(π t D), where an even pressure acts on arcs seen
+/// under this angle: (sin ψ/ψ)² (stresses of Hondros 1959). With flat poles of 20° it is 0.96; Wang et al. (2004) have 0.95.
 double strength_share_of_arcs(double angle);
 
-/// Largest tangential stress of a ring under two opposite loads, at the hole on the loaded diameter: 2F/(π t D) (6 + 38 ρ²), ρ the
-/// ratio of the diameters (Hobbs 1964), Pa. \param disc 2F/(π t D), Pa
+/// Largest tangential stress of a ring under two opposite loads, at the hole on the loaded diameter: 2F/(π t D) (6 + 38 ρ²), ρ
+/// the ratio of the diameters (Hobbs 1964), Pa. \param disc 2F/(π t D), Pa
 double ring_stress(double disc, double ratio);
-/// Diameter of the hole of a ring over its own: twice the mean distance of the part inner from the origin. \throws InputError naming
-/// `file` if it has no such part
+/// Diameter of the hole of a ring over its own: twice the mean distance of the part inner from the origin. \throws InputError
+/// naming `file` if it has no such part
 double hole_ratio(const Specimen& specimen, const std::string& file);
 
 /// What splits a disc is what opens, whatever traction it began with: cracks are points past their peak, told by the sign of

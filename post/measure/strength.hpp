@@ -23,11 +23,12 @@ struct Strength {
     std::optional<double> peak_compressive_stress;  ///< uniaxial, triaxial: σ1 at the peak, confinement included
     std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
     std::optional<double> flexural_strength;        ///< bending of a beam without cracks: the nominal bending stress
-    double peak_stress = 0;  ///< largest stress of the load curve, in bending the nominal one; of the other tests one of the above
-    double peak_load = 0;    ///< largest load, N per metre of thickness
+    double peak_stress =
+        0;                 ///< largest stress of the load curve, in bending the nominal one; of the other tests one of the above
+    double peak_load = 0;  ///< largest load, N per metre of thickness
     [[nodiscard]] double value() const { return peak_stress; }
-    /// The same by another definition; empty if the test has no such strength, as tension, Brazilian tests and bending for all but
-    /// the largest.
+    /// The same by another definition; empty if the test has no such strength, as tension, Brazilian tests and bending for all
+    /// but the largest.
     [[nodiscard]] std::optional<double> value(StrengthKind kind) const;
     double strain_at_peak = 0;            ///< platen approach over height since the start of the test
     std::string peak_kind;                ///< see `peak_kind`

@@ -66,8 +66,9 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
     const auto notch = edge_notch(specimen);
     if (!notch || std::abs(notch->mouth[0]) > central * specimen.height ||
         std::abs(notch->tip[0] - notch->mouth[0]) > central * specimen.height) {
-        throw InputError(fmt::format("{}: toughness needs a {} with a notch from the middle of its lower side (graincrack-mesh {} {})",
-                                     run.name, specimen.shape, specimen.shape, is_beam ? "--notch" : "--slit"));
+        throw InputError(
+            fmt::format("{}: toughness needs a {} with a notch from the middle of its lower side (graincrack-mesh {} {})",
+                        run.name, specimen.shape, specimen.shape, is_beam ? "--notch" : "--slit"));
     }
     Toughness toughness;
     toughness.notch_length = toughness.crack_length = notch->length();
@@ -79,8 +80,8 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
     if (is_beam) {
         toughness.mode_i_toughness = notched_beam_intensity(strength.peak_load, toughness.notch_length, span, specimen.height);
         if (span < least_span_of_beam * specimen.height) {
-            toughness.outside = fmt::format("the span is {:.2g} heights; the formula is for {:g} at least", span / specimen.height,
-                                            least_span_of_beam);
+            toughness.outside = fmt::format("the span is {:.2g} heights; the formula is for {:g} at least",
+                                            span / specimen.height, least_span_of_beam);
         }
         return toughness;
     }
@@ -91,9 +92,9 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
     const auto is_within = [](double value, double low, double high) { return value > low - 0.01 && value < high + 0.01; };
     if (!is_within(share, least_span_of_half_disc, largest_span_of_half_disc) ||
         !is_within(notch_share, least_notch_of_half_disc, largest_notch_of_half_disc)) {
-        toughness.outside =
-            fmt::format("span/2R is {:.2f} and a/R {:.2f}; the suggested method has {:g} to {:g} and {:g} to {:g}", share, notch_share,
-                        least_span_of_half_disc, largest_span_of_half_disc, least_notch_of_half_disc, largest_notch_of_half_disc);
+        toughness.outside = fmt::format(
+            "span/2R is {:.2f} and a/R {:.2f}; the suggested method has {:g} to {:g} and {:g} to {:g}", share, notch_share,
+            least_span_of_half_disc, largest_span_of_half_disc, least_notch_of_half_disc, largest_notch_of_half_disc);
     }
     return toughness;
 }
@@ -140,8 +141,9 @@ double centre_crack_intensity(double stress, double length, double width) {
 Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
     const bool is_bent = run.header.test == "bend";
     if (!is_bent && run.header.test != "tension") {
-        throw InputError(run.name + ": toughness needs a tension test of a rectangle with a notch through its middle, or bending of a "
-                                    "beam or half-disc with a notch from below");
+        throw InputError(run.name +
+                         ": toughness needs a tension test of a rectangle with a notch through its middle, or bending of a "
+                         "beam or half-disc with a notch from below");
     }
     const Strength strength = measure_strength(run);
     Toughness toughness = (is_bent ? of_bending : of_plate)(run, specimen, strength);
@@ -169,9 +171,10 @@ std::string Toughness::warning() const {
                         notch_ratio(), min_notch_ratio));
     }
     if (!(ligament_ratio() >= min_notch_ratio)) {
-        add(fmt::format("the ligament is {:.2g} l_ch long, less than {:g}: the process zone is not small against it; use a larger "
-                        "specimen",
-                        ligament_ratio(), min_notch_ratio));
+        add(fmt::format(
+            "the ligament is {:.2g} l_ch long, less than {:g}: the process zone is not small against it; use a larger "
+            "specimen",
+            ligament_ratio(), min_notch_ratio));
     }
     if (!outside.empty()) add(outside);
     if (requested_notch_length && std::abs(notch_length / *requested_notch_length - 1) > notch_tolerance) {

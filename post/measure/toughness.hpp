@@ -1,5 +1,5 @@
-// Fracture toughness from direct tension of plates with a notch through the middle, and from bending of beams and half-discs with a
-// notch from below.
+// Fracture toughness from direct tension of plates with a notch through the middle, and from bending of beams and half-discs with
+// a notch from below.
 #pragma once
 
 #include <optional>

@@ -51,8 +51,9 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
 
 /// \param stress what the stress is called
 std::string standing_label(const Standing& now, const std::string& stress, double magnification) {
-    std::string label = fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, stress == "axial stress" ? "stress" : stress,
-                                    now.stress * 1e-6, now.at_peak() ? now.peak : now.share_label() + " of the " + now.peak);
+    std::string label =
+        fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, stress == "axial stress" ? "stress" : stress,
+                    now.stress * 1e-6, now.at_peak() ? now.peak : now.share_label() + " of the " + now.peak);
     if (magnification != 1) label += fmt::format("; displacements × {:.3g}", magnification);
     return label;
 }

@@ -45,7 +45,8 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
         if (kind_of(run) != kind_of(data.front())) {
             throw InputError(run.name + ": a " + run.header.test + " test cannot share a plot with " + data.front().name +
                              ", a " + data.front().header.test +
-                             (run.header.test == data.front().header.test ? " test of another shape" : " test") + "; plot them apart");
+                             (run.header.test == data.front().header.test ? " test of another shape" : " test") +
+                             "; plot them apart");
         }
         Run prepared{&run, load_curve(run), {}, {}};
         prepared.first_peak = measure_first_peak(run, prepared.curve);

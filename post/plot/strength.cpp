@@ -94,8 +94,8 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const StrengthGroup& group = rows[i].group;
         const double x = static_cast<double>(i) + 1;
-        names.emplace_back(
-            x, series_label(group.test, group.confining_pressure, group.shape) + (rows[i].size.empty() ? "" : ",\n" + rows[i].size));
+        names.emplace_back(x, series_label(group.test, group.confining_pressure, group.shape) +
+                                  (rows[i].size.empty() ? "" : ",\n" + rows[i].size));
         draw_row(chart, runs, rows[i], x, material, strength.low);
         without_peak += group.without_peak;
         mean = mean || rows[i].runs.size() > 1;

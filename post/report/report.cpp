@@ -54,7 +54,8 @@ struct Content {
 
 /// A test, its confining pressure and, where there are several, its grain size.
 std::string name_of_row(const SizedStrengths& row) {
-    return series_label(row.group.test, row.group.confining_pressure, row.group.shape) + (row.size.empty() ? "" : ", " + row.size);
+    return series_label(row.group.test, row.group.confining_pressure, row.group.shape) +
+           (row.size.empty() ? "" : ", " + row.size);
 }
 
 /// Pictures of one run of a kind, two by two.
@@ -217,7 +218,8 @@ std::string caveat_paragraphs(const Content& content) {
 }
 
 std::string kind_of(const RunData& run) {
-    return is_compression(run.header) ? "compression" : run.header.test + (distinct_shape(run).empty() ? "" : " " + distinct_shape(run));
+    return is_compression(run.header) ? "compression"
+                                      : run.header.test + (distinct_shape(run).empty() ? "" : " " + distinct_shape(run));
 }
 
 /// Strengths and curves; tests whose stresses mean the same share a chart.

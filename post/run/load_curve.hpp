@@ -85,7 +85,8 @@ inline constexpr double yield_offset = 1e-4;
 /// Stress where the platen strain first reaches a strain, before or after the peak, Pa. Empty if the test ended before.
 std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
 
-/// What the stress of a load curve is called: "axial stress", "2F/(πtD)", "3FS/(2tH²)" of a beam in bending, "F/(tD)" of a half-disc.
+/// What the stress of a load curve is called: "axial stress", "2F/(πtD)", "3FS/(2tH²)" of a beam in bending, "F/(tD)" of a
+/// half-disc.
 std::string stress_name(const RunData& run);
 /// Load in a row of the history, N per metre of thickness: the mean of the platen forces, positive in the sense of the test.
 double load_at(const RunData& run, std::size_t row);

@@ -14,8 +14,8 @@ std::string test_title(const RunHeader& header);
 
 /// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension", "bending"; with a shape "Brazilian, ring".
 std::string series_label(const std::string& test, double confining_pressure, const std::string& shape = "");
-/// The shape by which the strengths of a run are told apart from others of its test: "ring" or "cracked disc" of a Brazilian test,
-/// "beam", "notched beam" or "half-disc" of bending; else "".
+/// The shape by which the strengths of a run are told apart from others of its test: "ring" or "cracked disc" of a Brazilian
+/// test, "beam", "notched beam" or "half-disc" of bending; else "".
 std::string distinct_shape(const RunData& run);
 inline std::string series_label(const RunData& run) {
     return series_label(run.header.test, run.header.confining_pressure, distinct_shape(run));

@@ -22,9 +22,9 @@ struct ColumnUnit {
 };
 namespace unit {
 inline constexpr ColumnUnit none{}, second{"s"}, metre{"m"}, radian{"rad"}, joule{"J"}, newton_metre{"N_m"},
-    joule_per_area{"J/m2"}, kilonewton_per_metre{"kN/m", 1e-3}, millimetre{"mm", 1e3}, square_millimetre{"mm2", 1e6}, megapascal{"MPa", 1e-6},
-    per_megapascal{"per_MPa", 1e6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi}, percent{"percent", 1e2},
-    toughness{"MPa.m^0.5", 1e-6};
+    joule_per_area{"J/m2"}, kilonewton_per_metre{"kN/m", 1e-3}, millimetre{"mm", 1e3}, square_millimetre{"mm2", 1e6},
+    megapascal{"MPa", 1e-6}, per_megapascal{"per_MPa", 1e6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi},
+    percent{"percent", 1e2}, toughness{"MPa.m^0.5", 1e-6};
 }
 
 /// A column of a table of which each row shows one `Row`.

@@ -123,7 +123,8 @@ inline constexpr Quantity peak_drop{
 inline constexpr Quantity max_strain{
     "max_strain", Dimension::one, 0, 0.5, "platen approach over specimen height that ends the test", true};
 inline constexpr Quantity span{"span", Dimension::length, 0, 1e4, "distance of the lower rollers of a test in bending", true};
-inline constexpr Quantity roller_width{"roller_width", Dimension::length, 0, 1e4, "width of the rollers of a test in bending", true};
+inline constexpr Quantity roller_width{
+    "roller_width", Dimension::length, 0, 1e4, "width of the rollers of a test in bending", true};
 inline constexpr Quantity damping{"damping", Dimension::one, 0, 0.99, "share of the unbalanced force that damps"};
 inline constexpr Quantity mass_scaling_factor{"mass_scaling_factor",
                                               Dimension::one,

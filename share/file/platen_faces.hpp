@@ -14,9 +14,9 @@ class H5Output;
 
 /// The face of a roller, punch or platen.
 struct PlatenFace {
-    double side = 1;              ///< +1: of the top platen, −1: of the bottom one
-    double left = 0, right = 0;   ///< ends across the direction of the platens, m
-    double position = 0;          ///< along that direction, m
+    double side = 1;             ///< +1: of the top platen, −1: of the bottom one
+    double left = 0, right = 0;  ///< ends across the direction of the platens, m
+    double position = 0;         ///< along that direction, m
     friend bool operator==(const PlatenFace&, const PlatenFace&) = default;
 };
 

@@ -29,7 +29,8 @@ constexpr const char* option_list =
     "--program "
     "--quiet --rate "
     "--rate-share --rate-tolerance --response --restart --roller-width --save-state --seed --sensitivity --set "
-    "--span --spread --sql --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study --summary "
+    "--span --spread --sql --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study "
+    "--summary "
     "--table "
     "--target --threads --time "
     "--time-step-fraction --title --unit --vector --verbose --walltime --width --x --x-limits --y --y-limits";

@@ -104,10 +104,10 @@ void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlaten
                                      millimetres(s.width), millimetres(s.width - width)));
     }
     if (span < 2 * width) {
-        throw UsageError(fmt::format("{}: rollers {} wide at a distance of {} leave no room between them; {} fits",
-                                     request.roller_width ? "--roller-width" : "--span", millimetres(width), millimetres(span),
-                                     request.roller_width ? "at most " + millimetres(span / 2)
-                                                          : "at least " + millimetres(2 * width)));
+        throw UsageError(
+            fmt::format("{}: rollers {} wide at a distance of {} leave no room between them; {} fits",
+                        request.roller_width ? "--roller-width" : "--span", millimetres(width), millimetres(span),
+                        request.roller_width ? "at most " + millimetres(span / 2) : "at least " + millimetres(2 * width)));
     }
     const auto place = [&](double x, double side) { return boundary_node_near(x, side * s.height / 2, s)[0]; };
     platens.bottom.at = {place(-span / 2, -1), place(span / 2, -1)};
@@ -157,8 +157,9 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
 
 void require_shape(TestKind test, const Specimen& specimen, const std::string& file) {
     const auto refuse = [&](const char* wanted, const char* command) {
-        throw InputError(fmt::format("{}: is a {}, and a {} test loads {}; make one by graincrack-mesh {}, or load this one by {}",
-                                     file, specimen.shape, name_of(test), wanted, command, tests_of(specimen)));
+        throw InputError(
+            fmt::format("{}: is a {}, and a {} test loads {}; make one by graincrack-mesh {}, or load this one by {}", file,
+                        specimen.shape, name_of(test), wanted, command, tests_of(specimen)));
     };
     const std::string& shape = specimen.shape;
     switch (test) {

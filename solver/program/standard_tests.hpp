@@ -73,19 +73,19 @@ inline constexpr const char* axial_stage = "axial";
 /// 2014: 0.5 to 0.8, Kuruppu et al.).
 double usual_span(const Specimen& specimen);
 
-/// Uniaxial or triaxial compression, Brazilian test, direct tension or bending on three rollers. Under a confining pressure a membrane on the parts left
-/// and right and the platens first load the specimen isotropically and wait for rest, then the platens move on. \param peak_drop
-/// fall below the peak that ends the test, share of it; 0: the test ends at the strain limit alone
+/// Uniaxial or triaxial compression, Brazilian test, direct tension or bending on three rollers. Under a confining pressure a
+/// membrane on the parts left and right and the platens first load the specimen isotropically and wait for rest, then the platens
+/// move on. \param peak_drop fall below the peak that ends the test, share of it; 0: the test ends at the strain limit alone
 ///
 /// A roller stands at the node of the boundary next to its place: it is met whatever its width, and one no wider than an edge
 /// meets that node alone, so that the span is known. A wider flat face meets the bent specimen at its inner end. The span of the
 /// program is the one that comes out. \throws UsageError naming --span or --roller-width if the rollers have no room
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock);
 
-/// A Brazilian test loads a disc or a ring, bending a beam or a half-disc; the other standard tests measure stress over end faces,
-/// the boundary parts bottom and top: those of a rectangle, a beam, or a polygon that has them. A rectangle passes
-/// as it is; a program loads any shape.
-/// \param file of the specimen, for the message \throws InputError if the test is not made for the shape
+/// A Brazilian test loads a disc or a ring, bending a beam or a half-disc; the other standard tests measure stress over end
+/// faces, the boundary parts bottom and top: those of a rectangle, a beam, or a polygon that has them. A rectangle passes as it
+/// is; a program loads any shape. \param file of the specimen, for the message \throws InputError if the test is not made for the
+/// shape
 void require_shape(TestKind test, const Specimen& specimen, const std::string& file);
 
 }  // namespace graincrack

@@ -199,8 +199,8 @@ TEST(Pipeline, ToughnessOfANotchedPlate) {
     EXPECT_LT(ratio, 1.4);
 }
 
-// Spans are those between nodes of the boundary. K_IC of a crack along grains is larger than that of a straight one, less so where
-// the process zone is no small part of the ligament.
+// Spans are those between nodes of the boundary. K_IC of a crack along grains is larger than that of a straight one, less so
+// where the process zone is no small part of the ligament.
 TEST(Pipeline, BendingOfABeamAndAHalfDisc) {
     const Shell shell;
     const std::string bend = "graincrack-solve bend - --material augig-granite --rate-tolerance 0.01 --frames 2 --quiet -o ";
@@ -214,7 +214,8 @@ TEST(Pipeline, BendingOfABeamAndAHalfDisc) {
     const double load = std::atof(cell(beam, "peak_load_kN/m").c_str());
     EXPECT_NEAR(std::atof(cell(beam, "flexural_strength_MPa").c_str()), 1.5 * load * span / 100, 1e-3);  // 3 F S/(2 H²)
     EXPECT_EQ(cell(beam, "tensile_strength_MPa"), "");
-    const std::string half_disc = shell.must("graincrack-post strength half-disc.h5 && graincrack-post info --check half-disc.h5");
+    const std::string half_disc =
+        shell.must("graincrack-post strength half-disc.h5 && graincrack-post info --check half-disc.h5");
     EXPECT_EQ(cell(half_disc, "flexural_strength_MPa"), "");
     EXPECT_NE(half_disc.find("platens"), std::string::npos);
     const std::string toughness = shell.must("graincrack-post toughness half-disc.h5");

@@ -101,7 +101,8 @@ TEST_F(ToughnessTable, OfANotchedBeam) {
     EXPECT_EQ(field(table, "warning").find("heights"), std::string::npos);
     Recipe squat = bent("beam", 0.01);
     squat.span = 0.04;
-    EXPECT_NE(field(table_of(squat), "warning").find("the span is 2 heights; the formula is for 2.5 at least"), std::string::npos);
+    EXPECT_NE(field(table_of(squat), "warning").find("the span is 2 heights; the formula is for 2.5 at least"),
+              std::string::npos);
 }
 
 TEST_F(ToughnessTable, OfAHalfDiscSaysWhereTheSuggestedMethodEnds) {
@@ -122,7 +123,8 @@ TEST_F(ToughnessTable, OtherRunsAreRefused) {
     Recipe whole = notched_tension(1, 1);
     EXPECT_NE(refused(whole).find("run.h5: toughness needs a tension test"), std::string::npos);
     EXPECT_NE(refused(notched_tension(-0.04, 0)).find("through its middle"), std::string::npos);
-    EXPECT_NE(refused(bent("beam", 0)).find("toughness needs a beam with a notch from the middle of its lower side"), std::string::npos);
+    EXPECT_NE(refused(bent("beam", 0)).find("toughness needs a beam with a notch from the middle of its lower side"),
+              std::string::npos);
     EXPECT_NE(refused(bent("beam", 0.02)).find("a joint through the whole height has no toughness"), std::string::npos);
     Recipe pressed = notched_tension(-0.02, 0.02);
     pressed.test = "uniaxial";

@@ -59,7 +59,8 @@ TEST(Bend, RollersWithoutRoomAreRefused) {
         }
         return std::string();
     };
-    EXPECT_EQ(refused(beam(), 0.09), "--span: rollers at a distance of 90 mm have no room on a beam of 90 mm; give at most 85 mm");
+    EXPECT_EQ(refused(beam(), 0.09),
+              "--span: rollers at a distance of 90 mm have no room on a beam of 90 mm; give at most 85 mm");
     EXPECT_EQ(refused(beam(), 0.008),
               "--span: rollers 5 mm wide at a distance of 8 mm leave no room between them; at least 10 mm fits");
     EXPECT_EQ(refused(beam(), 0.06, 0.04),
@@ -68,8 +69,9 @@ TEST(Bend, RollersWithoutRoomAreRefused) {
               "--roller-width: rollers 30 mm wide at a distance of 40 mm leave no room between them; at most 20 mm fits");
     Specimen low = test::union_jack_grid(8, 8, 0.04, 0.04);
     low.shape = "beam";
-    EXPECT_EQ(refused(low, {}),
-              "--span: missing, and by default rollers at a distance of 160 mm have no room on a beam of 40 mm; give at most 35 mm");
+    EXPECT_EQ(
+        refused(low, {}),
+        "--span: missing, and by default rollers at a distance of 160 mm have no room on a beam of 40 mm; give at most 35 mm");
 }
 
 TEST(StandardTests, LoadTheShapesTheyAreMadeFor) {
