@@ -1,5 +1,6 @@
 #include "post/fit/size_effect.hpp"
 
+#include <fmt/format.h>
 #include <fmt/ostream.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "post/fit/paper_rock.hpp"
 #include "post/run/comparable.hpp"
+#include "post/run/test_label.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
@@ -93,6 +95,13 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLi
     require_same_settings(runs, "a size effect");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a size effect");
+        const auto same_test =
+            std::find_if(runs.begin(), runs.end(), [&](const RunData& r) { return r.header.test == run.header.test; });
+        if (distinct_shape(*same_test) != distinct_shape(run)) {
+            throw InputError(
+                fmt::format("{}: a {} has another strength than the {} of {}; a size effect needs specimens of one shape",
+                            run.name, run.specimen.shape, same_test->specimen.shape, same_test->name));
+        }
         if (!(run.specimen.mean_edge > 0)) throw InputError(run.name + ": the specimen has no mean edge; a size effect needs it");
         const Strength strength = measure_strength(run);
         const RunHeader& h = run.header;

@@ -8,6 +8,7 @@
 
 #include "post/measure/grain_size.hpp"
 #include "post/report/html.hpp"
+#include "post/run/test_label.hpp"
 
 namespace graincrack {
 
@@ -92,7 +93,8 @@ private:
 
 Value strength_of(const std::string& test, double confining) {
     return [=](const TestReport& t) -> std::optional<double> {
-        if (t.data.header.test != test || t.data.header.confining_pressure != confining) return std::nullopt;
+        const bool is_asked = t.data.header.test == test && t.data.header.confining_pressure == confining;
+        if (!is_asked || !distinct_shape(t.data).empty()) return std::nullopt;
         return t.strength.value();
     };
 }

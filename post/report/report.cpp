@@ -94,7 +94,10 @@ void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
     for (const GrainSize& size : sizes) {
         const std::string name = sizes.size() > 1 ? size.label : "";
         std::vector<RunData> own;
-        for (const std::size_t i : size.runs) own.push_back(runs[i]);
+        for (const std::size_t i : size.runs) {
+            if (distinct_shape(runs[i]).empty()) own.push_back(runs[i]);
+        }
+        if (own.empty()) continue;
         try {
             EnvelopeTests tests = collect_envelope_tests(own, {.strain_limit_runs = strain_limit_runs});
             const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
