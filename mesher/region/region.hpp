@@ -63,7 +63,7 @@ inline constexpr const char* kinds_of_flaws =
 struct PrescribedEdge {
     Point from;
     Point to;
-    FlawKind kind;
+    FlawKind kind = {};
     std::string name = "a prescribed edge";  ///< for messages: "flaws.tsv: line 3"
     bool needed = true;                      ///< false: left out where it has no room, as a joint drawn at random is
 };

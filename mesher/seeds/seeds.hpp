@@ -15,7 +15,7 @@ struct Side {
     int from = 0;
     int to = 0;
     int part = -1;  ///< of the boundary; −1 along a prescribed edge
-    FlawKind kind;  ///< of contacts along a prescribed edge
+    FlawKind kind = {};  ///< of contacts along a prescribed edge
 };
 
 /// A point of a loop where a single triangle could cut off the corner, and its neighbours on the loop.

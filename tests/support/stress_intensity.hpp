@@ -81,8 +81,8 @@ inline StressIntensity stress_intensity(const SmallRun& run, const Eigen::Vector
         const std::array<Vector2, 3> corners{local(a.position[static_cast<std::size_t>(n0)] - tip),
                                              local(a.position[static_cast<std::size_t>(n1)] - tip),
                                              local(a.position[static_cast<std::size_t>(n2)] - tip)};
-        for (std::size_t k = 0; k < 3; ++k) {  // middles of the sides: exact up to the second degree
-            const Vector2 p = 0.5 * (corners[k] + corners[(k + 1) % 3]);
+        for (std::size_t k = 0; k < 3; ++k) {  // inner points, none on a face of the crack: exact up to the second degree
+            const Vector2 p = (2.0 / 3) * corners[k] + (1.0 / 6) * (corners[(k + 1) % 3] + corners[(k + 2) % 3]);
             for (const int mode : {1, 2}) {
                 const SingularField f = singular_field(mode, p, rock, plane);
                 const double energy = f.stress.xx * u_x_x + f.stress.yy * eyy + 2 * f.stress.xy * exy;

@@ -302,7 +302,7 @@ double covered(const Specimen& s, const PrescribedEdge& edge) {
         };
         const double slack = 1e-9 * length(edge.to - edge.from);
         if (line.distance(at(0)) > slack || line.distance(at(1)) > slack) continue;
-        EXPECT_EQ(s.contact_kind[c], static_cast<std::uint8_t>(edge.kind));
+        EXPECT_EQ(s.contact_kind[c], static_cast<std::uint8_t>(edge.kind.start));
         sum += length(at(1) - at(0));
     }
     return sum;
@@ -403,8 +403,10 @@ TEST(SpecimenMaker, FlawsOfNamedClassesHaveThemInTheFile) {
     for (std::size_t c = 0; c < s.n_contacts(); ++c) {
         const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
         const auto& q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
-        if (classes[c] > 0) EXPECT_EQ(s.contact_strength_factor[c], 1) << "a flaw has a strength of its own";
-        if (classes[c] > 0) EXPECT_EQ(s.contact_kind[c], classes[c] == 1 ? 1 : 0);
+        if (classes[c] > 0) {
+            EXPECT_EQ(s.contact_strength_factor[c], 1) << "a flaw has a strength of its own";
+            EXPECT_EQ(s.contact_kind[c], classes[c] == 1 ? 1 : 0);
+        }
         if (classes[c] > 0 || s.contact_kind[c] != 0) length[classes[c]] += std::hypot(q[0] - p[0], q[1] - p[1]);
     }
     EXPECT_NEAR(length[0], 0.04, 1e-12) << "the crack without a class";
