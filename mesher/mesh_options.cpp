@@ -160,6 +160,7 @@ struct CutOptions {
     std::vector<std::string> holes;
     std::vector<std::string> joint_sets;
     std::string flaws;
+    std::string hole_file;
 };
 
 void add_cuts(CLI::App& app, CutOptions& options) {
@@ -167,14 +168,17 @@ void add_cuts(CLI::App& app, CutOptions& options) {
              "round hole, as 10mm,-5mm,4mm; may be given again; its part is hole_1, hole_2 …");
     detail::add_value(
         app, "--flaws", [&options](const std::string& text) { options.flaws = text; },
-        "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if there is one, class: "
-        "broken "
-        "(from the start; the default) or intact",
+        "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if wanted, class: broken "
+        "(from the start; the default), intact or a NAME, whose contacts have the parameters [flaws.NAME] of the material, and "
+        "state: broken or intact",
         "FILE", "");
+    detail::add_value(
+        app, "--holes", [&options](const std::string& text) { options.hole_file = text; },
+        "round holes: TSV with columns x_mm, y_mm, radius_mm", "FILE", "");
     add_each(
         app, "--joint-set", options.joint_sets, "KEY=VALUE,...",
         "parallel joints at random: spacing=20mm,dip=45deg and, if wanted, persistence=0.7 (share of a line that is jointed), "
-        "length=30mm (mean; default: the spacing), class=broken|intact; may be given again");
+        "length=30mm (mean; default: the spacing), class=broken|intact|NAME, state=broken|intact; may be given again");
 }
 
 /// The text of a hole: its centre and radius. \throws UsageError naming `where`
@@ -199,6 +203,9 @@ Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
     };
     for (std::size_t i = 0; i < options.holes.size(); ++i) {
         cut_hole(options.holes[i], numbered("--hole", i, options.holes.size()), request.region);
+    }
+    if (!options.hole_file.empty()) {
+        for (const Hole& hole : read_holes(options.hole_file)) add_hole(request.region, hole.centre, hole.radius, hole.name);
     }
     if (!options.flaws.empty()) {
         const auto flaws = read_flaws(options.flaws);

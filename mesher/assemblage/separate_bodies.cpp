@@ -26,11 +26,14 @@ class Builder {
 public:
     Builder(const PlaneMesh& mesh, std::vector<int>* crystal_of_grain) : mesh_(mesh), crystal_of_grain_(crystal_of_grain) {
         for (const Side& side : mesh.sides) {
-            if (side.part < 0 && side.kind != ContactKind::grain_boundary) {
-                kinds_.push_back({{std::min(side.from, side.to), std::max(side.from, side.to)}, side.kind});
-            }
+            if (side.part >= 0 || side.kind == FlawKind{}) continue;
+            kinds_.push_back({{std::min(side.from, side.to), std::max(side.from, side.to)}, side.kind});
+            if (!side.kind.contact_class.empty()) specimen_.flaw_names.push_back(side.kind.contact_class);
         }
-        std::sort(kinds_.begin(), kinds_.end());
+        std::sort(kinds_.begin(), kinds_.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+        std::vector<std::string>& names = specimen_.flaw_names;
+        std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());
     }
 
     Specimen build() {
@@ -146,7 +149,9 @@ private:
                 // The side of b has the opposite direction.
                 specimen_.contact_nodes.push_back({node(s.side, 0), node(s.side, 1), node(s.facing, 1), node(s.facing, 0)});
                 specimen_.contact_grain_boundary.push_back(boundary);
-                specimen_.contact_kind.push_back(static_cast<std::uint8_t>(kind_of(s.from, s.to)));
+                const FlawKind kind = kind_of(s.from, s.to);
+                specimen_.contact_kind.push_back(static_cast<std::uint8_t>(kind.start));
+                if (!specimen_.flaw_names.empty()) specimen_.contact_flaw.push_back(number_of(kind.contact_class));
             }
         }
     }
@@ -167,11 +172,18 @@ private:
         for (OuterSide& s : outer) s.place = place++;
     }
 
-    [[nodiscard]] ContactKind kind_of(int p, int q) const {
-        if (kinds_.empty()) return ContactKind::grain_boundary;
+    [[nodiscard]] FlawKind kind_of(int p, int q) const {
         const Edge edge{std::min(p, q), std::max(p, q)};
-        const auto found = std::lower_bound(kinds_.begin(), kinds_.end(), std::pair{edge, ContactKind{}});
-        return found != kinds_.end() && found->first == edge ? found->second : ContactKind::grain_boundary;
+        const auto found = std::lower_bound(kinds_.begin(), kinds_.end(), edge,
+                                            [](const auto& each, const Edge& wanted) { return each.first < wanted; });
+        return found != kinds_.end() && found->first == edge ? found->second : FlawKind{};
+    }
+
+    /// Of a class of flaws, 1 the first; 0 without a class.
+    [[nodiscard]] std::uint8_t number_of(const std::string& flaw_class) const {
+        if (flaw_class.empty()) return 0;
+        const std::vector<std::string>& names = specimen_.flaw_names;
+        return static_cast<std::uint8_t>(std::lower_bound(names.begin(), names.end(), flaw_class) - names.begin() + 1);
     }
 
     void add_boundary() {
@@ -187,8 +199,8 @@ private:
 
     const PlaneMesh& mesh_;
     std::vector<int>* crystal_of_grain_;
-    std::vector<std::pair<Edge, ContactKind>> kinds_;  ///< of prescribed sides that are no plain grain boundaries, ascending
-    std::vector<Triangle> triangles_;                  ///< in the order of the elements
+    std::vector<std::pair<Edge, FlawKind>> kinds_;  ///< of prescribed sides that are no plain grain boundaries, ascending
+    std::vector<Triangle> triangles_;               ///< in the order of the elements
     std::vector<int> start_;
     std::vector<int> sides_;
     std::size_t n_boundary_ = 0;  ///< sides of triangles that face none

@@ -91,7 +91,9 @@ void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of
     for (std::size_t c = 0; c < specimen.n_contacts();) {
         std::size_t end = c + 1;
         while (end < specimen.n_contacts() && boundary[end] == boundary[c]) ++end;
-        const double factor = weibull_factor(log_q(specimen.contact_nodes[c], specimen.contact_nodes[end - 1]), *request.modulus);
+        const bool is_flaw = !specimen.contact_flaw.empty() && specimen.contact_flaw[c] > 0;  // has a strength of its own
+        const double factor =
+            is_flaw ? 1 : weibull_factor(log_q(specimen.contact_nodes[c], specimen.contact_nodes[end - 1]), *request.modulus);
         specimen.contact_strength_factor.resize(end, factor);
         c = end;
     }

@@ -8,6 +8,7 @@
 
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
+#include "share/base/printable.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/units.hpp"
 
@@ -28,6 +29,8 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
     std::optional<double> spacing;
     std::optional<double> dip;
     std::optional<double> length;
+    std::string_view contact_class;
+    std::string_view state;
     while (true) {
         const std::string_view item = text.substr(0, text.find(','));
         const std::string_view key = item.substr(0, item.find('='));
@@ -41,18 +44,26 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
             set.persistence = parse_quantity(value, quantity::persistence, where);
         } else if (key == "length") {
             length = parse_quantity(value, quantity::joint_length, where);
-        } else if (key == "class" && (value == "broken" || value == "intact")) {
-            set.kind = value == "broken" ? ContactKind::pre_existing_crack : ContactKind::grain_boundary;
+        } else if (key == "class") {
+            contact_class = value;
+        } else if (key == "state") {
+            state = value;
         } else {
             throw UsageError(
                 fmt::format("{}: \"{}\" is not understood; give spacing=20mm,dip=45deg and, if wanted, persistence=0.7, "
-                            "length=30mm, class=broken|intact",
+                            "length=30mm, class=broken|intact|NAME, state=broken|intact",
                             name, item.substr(0, 60)));
         }
         if (item.size() == text.size()) break;
         text.remove_prefix(item.size() + 1);
     }
     if (!spacing || !dip) throw UsageError(name + ": spacing and dip are needed; give spacing=20mm,dip=45deg");
+    const auto kind = flaw_kind(contact_class, state);
+    if (!kind) {
+        throw UsageError(fmt::format("{}: class {} in state {} is not understood; {}", name, printable(contact_class),
+                                     printable(state), kinds_of_flaws));
+    }
+    set.kind = *kind;
     set.spacing = *spacing;
     set.dip = *dip;
     set.length = length.value_or(set.spacing);

@@ -17,12 +17,12 @@ struct JointSet {
     double dip = 0;          ///< direction of the lines, counter-clockwise from x, rad
     double persistence = 1;  ///< share of the lines that is jointed; 1: through the whole specimen
     double length = 0;       ///< mean length of a joint, m
-    ContactKind kind = ContactKind::pre_existing_crack;
+    FlawKind kind;
     std::string name;  ///< for messages: "--joint-set 2"
 };
 
-/// Reads "spacing=20mm,dip=45deg,persistence=0.7,length=30mm,class=intact"; spacing and dip are needed, the length is the spacing
-/// unless given. \throws UsageError naming `name`
+/// Reads "spacing=20mm,dip=45deg,persistence=0.7,length=30mm,class=joint,state=broken"; spacing and dip are needed, the length is
+/// the spacing unless given. \throws UsageError naming `name`
 JointSet parse_joint_set(std::string_view text, const std::string& name);
 
 /// The joints of a set across the extent of a region; they may be left out where they have no room.

@@ -201,6 +201,19 @@ double depth_inside(const Region& region, Point p) {
     return contains(region, p) ? nearest : -nearest;
 }
 
+std::optional<FlawKind> flaw_kind(std::string_view contact_class, std::string_view state) {
+    const bool is_state = contact_class == "broken" || contact_class == "intact";
+    if (!contact_class.empty() && !is_state && !is_flaw_name(contact_class)) return std::nullopt;
+    if (is_state && !state.empty()) return std::nullopt;
+    const std::string_view start = is_state                ? contact_class
+                                   : !state.empty()        ? state
+                                   : contact_class.empty() ? "broken"
+                                                           : "intact";
+    if (start != "broken" && start != "intact") return std::nullopt;
+    return FlawKind{start == "broken" ? ContactKind::pre_existing_crack : ContactKind::grain_boundary,
+                    is_state ? "" : std::string(contact_class)};
+}
+
 bool is_round(const Region& region) { return !region.loops.empty() && region.loops.front().circle.has_value(); }
 
 bool is_plain(const Region& region) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mesher/plane/geometry.hpp"
@@ -40,11 +42,28 @@ struct Loop {
     [[nodiscard]] Point behind(std::size_t side) const;
 };
 
+/// What contacts along a flaw are: how they start, and the class whose parameters they have, "" for those of grain boundaries.
+struct FlawKind {
+    // (Implicit: most flaws have no class of their own.)
+    FlawKind(ContactKind start_ = ContactKind::grain_boundary,
+             std::string contact_class_ = {})  // NOLINT(google-explicit-constructor)
+        : start(start_), contact_class(std::move(contact_class_)) {}
+    ContactKind start;
+    std::string contact_class;
+    friend bool operator==(const FlawKind&, const FlawKind&) = default;
+};
+/// The kind that a table or an option describes. \param contact_class "broken", "intact" or the name of a class of flaws; ""
+/// \param state "broken" or "intact"; "": broken without a class, intact of a named one. \return nothing if it is none
+std::optional<FlawKind> flaw_kind(std::string_view contact_class, std::string_view state);
+/// What is understood, for messages.
+inline constexpr const char* kinds_of_flaws =
+    "a class is broken, intact or the name of one (a-z, 0-9, _), which may have the state broken or intact";
+
 /// A straight edge inside a region that grain sides follow to round-off. The contacts along it are of its kind.
 struct PrescribedEdge {
     Point from;
     Point to;
-    ContactKind kind = ContactKind::grain_boundary;
+    FlawKind kind = {};
     std::string name = "a prescribed edge";  ///< for messages: "flaws.tsv: line 3"
     bool needed = true;                      ///< false: left out where it has no room, as a joint drawn at random is
 };

@@ -128,21 +128,33 @@ Region read_polygon(const std::string& path) {
     return region;
 }
 
+std::vector<Hole> read_holes(const std::string& path) {
+    const Table table(path, {"x_mm", "y_mm", "radius_mm"});
+    std::vector<Hole> holes;
+    for (std::size_t row = 0; row < table.n_rows(); ++row) {
+        holes.push_back(
+            {{table.length(row, "x_mm"), table.length(row, "y_mm")}, table.length(row, "radius_mm"), table.where(row)});
+        if (!(holes.back().radius > 0)) throw InputError(holes.back().name + ": the radius must be above 0");
+    }
+    return holes;
+}
+
 std::vector<PrescribedEdge> read_flaws(const std::string& path) {
     const Table table(path, {"x1_mm", "y1_mm", "x2_mm", "y2_mm"});
     std::vector<PrescribedEdge> flaws;
     for (std::size_t row = 0; row < table.n_rows(); ++row) {
         PrescribedEdge flaw{{table.length(row, "x1_mm"), table.length(row, "y1_mm")},
                             {table.length(row, "x2_mm"), table.length(row, "y2_mm")},
-                            ContactKind::pre_existing_crack,
+                            {},
                             table.where(row)};
-        const std::string name = table.text(row, "class");
-        if (name == "intact") {
-            flaw.kind = ContactKind::grain_boundary;
-        } else if (!name.empty() && name != "broken") {
-            throw InputError(
-                fmt::format("{}: class \"{}\" is unknown; broken or intact fits", flaw.name, printable(name.substr(0, 40))));
+        const std::string contact_class = table.text(row, "class");
+        const std::string state = table.text(row, "state");
+        const auto kind = flaw_kind(contact_class, state);
+        if (!kind) {
+            throw InputError(fmt::format("{}: class \"{}\" in state \"{}\" is not understood; {}", flaw.name,
+                                         printable(contact_class.substr(0, 40)), printable(state.substr(0, 40)), kinds_of_flaws));
         }
+        flaw.kind = *kind;
         if (flaw.from == flaw.to) throw InputError(flaw.name + ": the flaw has no length");
         flaws.push_back(std::move(flaw));
     }

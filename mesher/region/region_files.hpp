@@ -13,8 +13,18 @@ namespace graincrack::mesher {
 /// the file, the line and what is wrong, also for sides that cross
 Region read_polygon(const std::string& path);
 
-/// Straight flaws: columns x1_mm, y1_mm, x2_mm, y2_mm of their ends and, if there is one, `class`: `broken` (also if empty),
-/// whose contacts are cracks from the start, or `intact`, which grain boundaries only follow. \throws InputError naming the file,
+/// A round hole of a table.
+struct Hole {
+    Point centre;
+    double radius = 0;  ///< m
+    std::string name;   ///< for messages: "holes.tsv: line 3"
+};
+/// Round holes: columns x_mm, y_mm and radius_mm. \throws InputError naming the file, the line and what is wrong
+std::vector<Hole> read_holes(const std::string& path);
+
+/// Straight flaws: columns x1_mm, y1_mm, x2_mm, y2_mm of their ends and, if there are such, `class` and `state`. The class is
+/// `broken` (also if empty), whose contacts are cracks from the start, `intact`, which grain boundaries only follow, or a name:
+/// contacts of [flaws.NAME] of the material, intact unless their state is `broken`. \throws InputError naming the file,
 /// the line and what is wrong
 std::vector<PrescribedEdge> read_flaws(const std::string& path);
 

@@ -346,7 +346,7 @@ private:
         stations[j].emplace_back(std::clamp(on_b, 0.0, 1.0), point);
     }
 
-    void add_line(int from, int to, double edge, ContactKind kind) {
+    void add_line(int from, int to, double edge, const FlawKind& kind) {
         const Point start = at(from);
         const Point way = at(to) - start;
         const auto shares = cut_line(std::max(1, static_cast<int>(std::lround(length(way) / edge))), spread_, random_);

@@ -6,7 +6,7 @@
 
 #include "mesher/plane/geometry.hpp"
 #include "mesher/plane/triangulation.hpp"
-#include "share/file/specimen.hpp"
+#include "mesher/region/region.hpp"
 
 namespace graincrack::mesher {
 
@@ -14,8 +14,8 @@ namespace graincrack::mesher {
 struct Side {
     int from = 0;
     int to = 0;
-    int part = -1;                                   ///< of the boundary; −1 along a prescribed edge
-    ContactKind kind = ContactKind::grain_boundary;  ///< of contacts along a prescribed edge
+    int part = -1;  ///< of the boundary; −1 along a prescribed edge
+    FlawKind kind = {};  ///< of contacts along a prescribed edge
 };
 
 /// A point of a loop where a single triangle could cut off the corner, and its neighbours on the loop.

@@ -283,7 +283,7 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
         make_array<vtkIntArray>("contact", 1, present.size(), [&](std::size_t i, int* v) { *v = present[i].contact; }));
     add_phases(arrays, classes, specimen);
     add_texts(data, "phase_names", specimen.phase_names);
-    add_texts(data, "class_names", contact_class_names(specimen.phase_names));
+    add_texts(data, "class_names", contact_class_names(specimen));
     add_texts(data, "crack_label", {definition_of(label)});
     add_texts(data, "mode_names", {"tensile", "shear"});
     add_moment(data, moment);

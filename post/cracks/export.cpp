@@ -122,7 +122,7 @@ Cell mode_cell(const Crack& crack, const CrackLabel& label) {
 void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format) {
     using namespace unit;
     const ContactClasses classes = classes_of(specimen);
-    const bool has_phases = specimen.phase_names.size() > 1;
+    const bool has_classes = contact_class_names(specimen).size() > 1;
     Columns<Crack> columns{{"time", second, [](const Crack& c) { return c.time; }},
                            {"step", none, [](const Crack& c) { return c.step; }},
                            {"contact", none, [](const Crack& c) { return c.contact; }},
@@ -152,7 +152,7 @@ void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const S
                                return mode_cell(c, {all_crack_events[i], CrackModeRule::sign});
                            }});
     }
-    columns.push_back({"class", none, [&](const Crack& c) { return has_phases ? Cell(classes.name_of(c)) : Cell(); }});
+    columns.push_back({"class", none, [&](const Crack& c) { return has_classes ? Cell(classes.name_of(c)) : Cell(); }});
     write_table(out, columns, log, format);
 }
 

@@ -270,7 +270,7 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
     Rock rock = header.rock;
     double normal = header.contact.normal_stiffness;
     double shear = header.contact.shear_stiffness;
-    if (header.fabric.phases.size() > 1) {
+    if (header.fabric.contacts.size() > 1) {
         const GrainModuli grains = grain_moduli(header, specimen);
         rock.young_modulus = grains.hill();
         rock.poisson_ratio = grains.poisson_ratio;

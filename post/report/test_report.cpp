@@ -62,7 +62,7 @@ TestReport read_test_report(const RunReader& run) {
     const std::vector<Crack> cracks = labelled(log, {header.crack_event});
     report.predicted = predict_moduli(header, specimen);
     report.grains = grain_moduli(header, specimen);
-    report.class_names = contact_class_names(specimen.phase_names);
+    report.class_names = contact_class_names(specimen);
     if (is_compression(header)) {
         report.thresholds = measure_thresholds(report.curve, VolumeKind::plane);
         report.initiation = initiation_by_count(report.data, report.curve);

@@ -20,7 +20,7 @@ bool same_class(const std::string& name, const std::string& other) {
 }  // namespace
 
 ContactClasses classes_of(const Specimen& specimen) {
-    const std::vector<std::string> all = contact_class_names(specimen.phase_names);
+    const std::vector<std::string> all = contact_class_names(specimen);
     const std::vector<std::uint8_t> of_contact = contact_classes(specimen);
     std::vector<std::size_t> index(all.size());
     ContactClasses classes;

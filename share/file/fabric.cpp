@@ -92,4 +92,16 @@ Fabric fabric_of(const Material& material, PlaneCondition plane, const std::opti
     return made;
 }
 
+ContactParameters flaw_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
+                               const std::string& flaw_name) {
+    const auto own = material.fabric.flaws.find(flaw_name);
+    if (own == material.fabric.flaws.end()) {
+        throw InputError(fmt::format(
+            "the specimen has flaws of the class {0}, and the material {1} no table [flaws.{0}]; add it, with what their "
+            "contacts have other than [contact]",
+            flaw_name, material.file.string()));
+    }
+    return derived_contact(overlay(own->second, given_contact(material, plane, choice)), material.rock, plane);
+}
+
 }  // namespace graincrack

@@ -23,7 +23,7 @@ inline Phase phase_of(const Rock& rock) { return {rock.young_modulus, rock.poiss
 /// Properties by phase and by class.
 struct Fabric {
     std::vector<Phase> phases;                ///< in the order of `Specimen::phase_names`
-    std::vector<ContactParameters> contacts;  ///< by `contact_class`
+    std::vector<ContactParameters> contacts;  ///< by `contact_class`, then by class of flaws
 };
 /// Properties of the phases of a specimen and of their contacts, by the fabric of a material. A contact has the values of
 /// [contact]; where a phase gives its side others, the mean or the least of both sides; then those of its pair; then its factors.
@@ -33,6 +33,11 @@ struct Fabric {
 /// \throws InputError if the material describes phases and they are not those of the specimen
 Fabric fabric_of(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
                  const std::vector<std::string>& phase_names);
+
+/// Parameters of a class of flaws: those of [contact], and where [flaws.NAME] has others, those.
+/// \throws InputError naming the table if the material has none for the class
+ContactParameters flaw_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
+                               const std::string& flaw_name);
 
 /// All phases are the rock, all contacts alike.
 inline Fabric uniform_fabric(const Rock& rock, const ContactParameters& contact, std::size_t n_phases) {

@@ -77,7 +77,7 @@ RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& h
     : state_(std::make_unique<State>(State{std::move(file), 0, 0, {}})) {
     write_specimen(state_->file, specimen);
     write_header(state_->file, header);
-    write_fabric(state_->file, header, specimen.phase_names);
+    write_fabric(state_->file, header, specimen);
     state_->file.create_group(schema::history_group);
     state_->file.create_group(schema::frames_group);
     state_->file.flush();
@@ -185,6 +185,10 @@ Specimen RunReader::specimen() const {
     if (specimen.phase_names.size() != header().fabric.phases.size()) {
         throw InputError(fmt::format("{}: {} has {} phases, the specimen has {}; as many are needed", name(),
                                      schema::phases_group, header().fabric.phases.size(), specimen.phase_names.size()));
+    }
+    if (const std::size_t n_classes = contact_class_names(specimen).size(); n_classes != header().fabric.contacts.size()) {
+        throw InputError(fmt::format("{}: {} has {} classes, the specimen has {}; as many are needed", name(),
+                                     schema::classes_group, header().fabric.contacts.size(), n_classes));
     }
     return specimen;
 }

@@ -137,15 +137,15 @@ private:
 
 }  // namespace
 
-void write_fabric(H5Output& file, const RunHeader& header, const std::vector<std::string>& phase_names) {
+void write_fabric(H5Output& file, const RunHeader& header, const Specimen& specimen) {
     const Fabric fabric =
-        header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, phase_names.size()) : header.fabric;
+        header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, specimen.phase_names.size()) : header.fabric;
     const PropertyTable phases;
     for (const Phase& phase : fabric.phases) visit_phase(phase, phases);
-    phases.write(file, schema::phases_group, phase_names);
+    phases.write(file, schema::phases_group, specimen.phase_names);
     const PropertyTable classes;
     for (const ContactParameters& contact : fabric.contacts) visit_contact(contact, classes);
-    classes.write(file, schema::classes_group, contact_class_names(phase_names));
+    classes.write(file, schema::classes_group, contact_class_names(specimen));
 }
 
 namespace {
@@ -170,7 +170,12 @@ Fabric read_fabric(const H5Input& file) {
         throw InputError(
             fmt::format("{}: {} has {} phases; 1 to {} are needed", file.name(), schema::phases_group, n_phases, max_phases));
     }
-    Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_contact_classes(n_phases))};
+    const std::size_t n_classes = rows_of(file, std::string(schema::classes_group) + "/contact_cohesion");
+    if (n_classes < n_contact_classes(n_phases) || n_classes > max_classes) {
+        throw InputError(fmt::format("{}: {} has {} classes, and {} phases have {} at least", file.name(), schema::classes_group,
+                                     n_classes, n_phases, n_contact_classes(n_phases)));
+    }
+    Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_classes)};
     for (std::size_t i = 0; i < fabric.phases.size(); ++i) {
         visit_phase(fabric.phases[i], PropertyReader{file, schema::phases_group, fabric.phases.size(), i});
     }

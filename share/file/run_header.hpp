@@ -62,7 +62,7 @@ struct RunHeader {
 
 void write_header(H5Output& file, const RunHeader& header);
 /// The fabric of a header, or of its one rock and contact.
-void write_fabric(H5Output& file, const RunHeader& header, const std::vector<std::string>& phase_names);
+void write_fabric(H5Output& file, const RunHeader& header, const Specimen& specimen);
 /// With its fabric. \throws InputError
 RunHeader read_header(const H5Input& file);
 

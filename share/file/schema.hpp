@@ -37,7 +37,7 @@ inline constexpr Dataset grain_phase{"/grains/phase", "1", "mineral, index into 
 inline constexpr Dataset grain_area{"/grains/area", "m2", "area of the grain"};
 inline constexpr Dataset contact_nodes{"/contacts/nodes", "1", "a1 a2 b1 b2: a1 to a2 counter-clockwise around grain a, a1 on b1, a2 on b2"};
 inline constexpr Dataset contact_grain_boundary{"/contacts/grain_boundary", "1", "groups the contacts of one grain-to-grain edge"};
-inline constexpr Dataset contact_class{"/contacts/class", "1", "pair of phases of the two grains, index into the attribute names; absent: one phase"};
+inline constexpr Dataset contact_class{"/contacts/class", "1", "pair of phases of the two grains, or class of flaws; index into the attribute names; absent: one class"};
 inline constexpr Dataset contact_strength_factor{"/contacts/strength_factor", "1", "factor on the strengths of the contact; absent: 1"};
 inline constexpr Dataset contact_kind{"/contacts/kind", "1", "kind of the contact at the start, index into the attribute names"};
 inline constexpr Dataset boundary_edges{"/boundary/edges", "1", "nodes of a boundary edge, solid on the left"};

@@ -104,12 +104,19 @@ std::vector<std::int32_t> grain_of_nodes(const Specimen& s) {
     return grain;
 }
 
-std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names) {
+std::vector<std::string> contact_class_names(const Specimen& s) {
     std::vector<std::string> names;
-    for (std::size_t high = 0; high < phase_names.size(); ++high) {
-        for (std::size_t low = 0; low <= high; ++low) names.push_back(phase_names[low] + "-" + phase_names[high]);
+    for (std::size_t high = 0; high < s.phase_names.size(); ++high) {
+        for (std::size_t low = 0; low <= high; ++low) names.push_back(s.phase_names[low] + "-" + s.phase_names[high]);
     }
+    names.insert(names.end(), s.flaw_names.begin(), s.flaw_names.end());
     return names;
+}
+
+bool is_flaw_name(std::string_view name) {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && name.size() <= 40 && name[0] >= 'a' && name[0] <= 'z' && name != "broken" && name != "intact" &&
+           std::all_of(name.begin(), name.end(), fits);
 }
 
 std::vector<double> phase_fractions(const Specimen& s) {
@@ -126,9 +133,12 @@ std::vector<double> phase_fractions(const Specimen& s) {
 std::vector<std::uint8_t> contact_classes(const Specimen& s) {
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     std::vector<std::uint8_t> classes;
-    for (const auto& nodes : s.contact_nodes) {
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& nodes = s.contact_nodes[c];
+        const std::size_t flaw = s.contact_flaw.empty() ? 0 : s.contact_flaw[c];
         classes.push_back(
-            static_cast<std::uint8_t>(contact_class(s.grain_phase[grain[nodes[0]]], s.grain_phase[grain[nodes[2]]])));
+            static_cast<std::uint8_t>(flaw == 0 ? contact_class(s.grain_phase[grain[nodes[0]]], s.grain_phase[grain[nodes[2]]])
+                                                : n_contact_classes(s.phase_names.size()) + flaw - 1));
     }
     return classes;
 }
@@ -158,9 +168,9 @@ void write_specimen(H5Output& file, const Specimen& s) {
     write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
     write_column(file, schema::contact_kind, s.contact_kind);
     file.attribute(schema::contact_kind.path, "names", std::vector<std::string>{"grain boundary", "pre-existing crack"});
-    if (s.phase_names.size() > 1) {
+    if (const auto names = contact_class_names(s); names.size() > 1) {
         write_column(file, schema::contact_class, contact_classes(s));
-        file.attribute(schema::contact_class.path, "names", contact_class_names(s.phase_names));
+        file.attribute(schema::contact_class.path, "names", names);
     }
     if (!s.contact_strength_factor.empty()) write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
     write_rows(file, schema::boundary_edges, s.boundary_edges);
@@ -168,6 +178,19 @@ void write_specimen(H5Output& file, const Specimen& s) {
     file.attribute(schema::boundary_part.path, "names", s.part_names);
     write_vtk_view(file, s);
 }
+
+namespace {
+
+/// The classes behind those of the phases are of flaws.
+void read_flaws(const H5Input& file, const std::vector<std::uint8_t>& classes, Specimen& s) {
+    const auto names = file.attribute_or<std::vector<std::string>>(schema::contact_class.path, "names", {});
+    const std::size_t n_pairs = n_contact_classes(s.phase_names.size());
+    if (names.size() <= n_pairs) return;
+    s.flaw_names.assign(names.begin() + static_cast<std::ptrdiff_t>(n_pairs), names.end());
+    for (const std::size_t k : classes) s.contact_flaw.push_back(static_cast<std::uint8_t>(k < n_pairs ? 0 : k - n_pairs + 1));
+}
+
+}  // namespace
 
 Specimen read_specimen(const H5Input& file) {
     const std::string group = schema::specimen_group;
@@ -195,9 +218,13 @@ Specimen read_specimen(const H5Input& file) {
     if (file.has(schema::contact_strength_factor.path)) {
         s.contact_strength_factor = file.read<double>(schema::contact_strength_factor.path, {s.n_contacts()});
     }
+    std::vector<std::uint8_t> classes;
+    if (file.has(schema::contact_class.path)) {
+        classes = file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()});
+        read_flaws(file, classes, s);
+    }
     validate(s, file.name());
-    if (file.has(schema::contact_class.path) &&
-        file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()}) != contact_classes(s)) {
+    if (!classes.empty() && classes != contact_classes(s)) {
         throw InputError(fmt::format("{}: {} is not the pair of the phases of the two grains of each contact", file.name(),
                                      schema::contact_class.path));
     }

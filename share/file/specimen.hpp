@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace graincrack {
@@ -22,20 +23,19 @@ enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack =
 /// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
 enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };
 
-// Every contact belongs to the class of the phases of its two grains. p phases have p (p + 1)/2 classes, in the order 00, 01, 11,
-// 02, 12, 22, …
+// Every contact belongs to the class of the phases of its two grains, or to one of the classes of flaws. p phases have
+// p (p + 1)/2 classes, in the order 00, 01, 11, 02, 12, 22, …; those of flaws follow.
 
 /// Most phases of a specimen: their classes fit in uint8.
 inline constexpr std::size_t max_phases = 22;
+/// Most classes of a specimen: they fit in uint8.
+inline constexpr std::size_t max_classes = 256;
 /// The class of a contact between grains of two phases, in either order.
 constexpr std::size_t contact_class(std::size_t phase, std::size_t other) {
     const std::size_t high = std::max(phase, other);
     return high * (high + 1) / 2 + std::min(phase, other);
 }
 constexpr std::size_t n_contact_classes(std::size_t n_phases) { return n_phases * (n_phases + 1) / 2; }
-/// Names of all classes, as "quartz-mica": the phase with the lower index first.
-std::vector<std::string> contact_class_names(const std::vector<std::string>& phase_names);
-
 /// Statistics of the mesh; attributes of /specimen. Lengths in m, angles in rad.
 struct MeshStatistics {
     double mean_edge = 0;       ///< mean over all grain edges, rim included
@@ -72,10 +72,12 @@ struct Specimen {
         contact_nodes;  ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
     std::vector<std::int32_t> contact_grain_boundary;         ///< [c] groups the contacts of one grain-to-grain edge
     std::vector<std::uint8_t> contact_kind;                   ///< [c] ContactKind
+    std::vector<std::uint8_t> contact_flaw;                   ///< [c] class of flaws, 1 the first; 0 of grain boundaries; none: 0
     std::vector<double> contact_strength_factor;              ///< [c] factor on the strengths of a contact; none: 1 everywhere
     std::vector<std::array<std::int32_t, 2>> boundary_edges;  ///< [b] solid on the left
     std::vector<std::uint8_t> boundary_part;                  ///< [b] index into part_names
     std::vector<std::string> phase_names{"rock"};
+    std::vector<std::string> flaw_names;  ///< classes of flaws, such as "joint"; a material has a table [flaws.NAME] for each
     std::vector<std::string> part_names{"bottom", "right", "top", "left", "rim"};
 
     [[nodiscard]] std::size_t n_nodes() const { return node_position.size(); }
@@ -90,6 +92,11 @@ std::vector<double> phase_fractions(const Specimen& specimen);
 
 /// Class of each contact [c].
 std::vector<std::uint8_t> contact_classes(const Specimen& specimen);
+/// Names of all classes: pairs of phases as "quartz-mica", the phase with the lower index first, then those of flaws.
+std::vector<std::string> contact_class_names(const Specimen& specimen);
+/// Whether a name can be that of a class of flaws: a letter, then small letters, digits and _, 40 at most; not "broken" or
+/// "intact", which are states.
+bool is_flaw_name(std::string_view name);
 
 /// Grain of each node [n]; −1 for a node of no element.
 std::vector<std::int32_t> grain_of_nodes(const Specimen& specimen);

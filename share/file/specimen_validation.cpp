@@ -62,6 +62,16 @@ void check_sizes(const Specimen& s, const Checker& check) {
                   "contacts/grain_boundary and contacts/nodes differ in length");
     check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
     check.require(s.phase_names.size() <= max_phases, "more than 22 phases");
+    check.require(s.contact_flaw.empty() || s.contact_flaw.size() == s.n_contacts(),
+                  "classes of flaws and contacts/nodes differ in length");
+    check.require(contact_class_names(s).size() <= max_classes, "more than 256 classes of contacts");
+    for (const std::string& name : s.flaw_names) {
+        check.require(is_flaw_name(name) && std::count(s.flaw_names.begin(), s.flaw_names.end(), name) == 1,
+                      "the names of classes of flaws must differ, and be a letter and up to 39 of a-z, 0-9 and _");
+    }
+    for (std::size_t c = 0; c < s.contact_flaw.size(); ++c) {
+        check.require(s.contact_flaw[c] <= s.flaw_names.size(), "contact names a class of flaws that does not exist", c);
+    }
     check.require(s.contact_strength_factor.empty() || s.contact_strength_factor.size() == s.n_contacts(),
                   "contacts/strength_factor and contacts/nodes differ in length");
     for (std::size_t c = 0; c < s.contact_strength_factor.size(); ++c) {

@@ -21,7 +21,7 @@ constexpr const char* option_list =
     "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
     "--contact-tensile-strength --coupling --crack-event --crack-mode --damping --damping-form --diameter "
     "--diameters --digest --discard-checkpoint --dpi --dry-run --edge --elements-per-edge --event-distance --event-time "
-    "--extrapolate --flats --flaws --hole --inner-diameter --joint-set --length --notch-angle --slit --slit-angle "
+    "--extrapolate --flats --flaws --hole --holes --inner-diameter --joint-set --length --notch-angle --slit --slit-angle "
     "--factor --follow --format --fracture-energy --frame --frames --grains --group --height --label --laboratory "
     "--loaded-diameter --magnify --mass-scaling --mass-scaling-factor --material --materials --max-strain "
     "--maximise --minimise --mode-ii-fracture-energy --model --normal-stress --notch --output --paraview --peak-drop "

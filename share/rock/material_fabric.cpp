@@ -114,6 +114,7 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
         if (path[1] == "heterophase") return TomlKeys{name, factor_keys(fabric.heterophase)};
         return TomlKeys{name, optional_contact_keys(fabric.pairs[path[1]])};
     }
+    if (first == "flaws" && path.size() == 2) return TomlKeys{name, optional_contact_keys(fabric.flaws[path[1]])};
     return std::nullopt;
 }
 
@@ -158,6 +159,7 @@ std::string fabric_text(const MaterialFabric& fabric) {
     }
     text += contact_table("pairs.homophase", fabric.homophase) + contact_table("pairs.heterophase", fabric.heterophase);
     for (const auto& [pair, given] : fabric.pairs) text += contact_table(fmt::format("pairs.\"{}\"", pair), given);
+    for (const auto& [name, given] : fabric.flaws) text += contact_table("flaws." + name, given);
     if (fabric.strength_modulus) {
         text += "\n[strength]\n" + line_of("modulus", *fabric.strength_modulus);
         if (fabric.strength_correlation > 0) text += line_of("correlation", fabric.strength_correlation);
@@ -166,12 +168,16 @@ std::string fabric_text(const MaterialFabric& fabric) {
 }
 
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where) {
-    double sum = 0;
-    for (const auto& [name, phase] : fabric.phases) {
+    const auto require_name = [&where](const char* table, const std::string& name) {
         const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
         if (!std::all_of(name.begin(), name.end(), is_letter)) {
-            throw InputError(fmt::format("{}: [phases.{}]: a name of small letters, digits and _ is needed", where, name));
+            throw InputError(fmt::format("{}: [{}.{}]: a name of small letters, digits and _ is needed", where, table, name));
         }
+    };
+    for (const auto& [name, flaw] : fabric.flaws) require_name("flaws", name);
+    double sum = 0;
+    for (const auto& [name, phase] : fabric.phases) {
+        require_name("phases", name);
         if (phase.young_modulus && phase.relative_young_modulus) {
             throw InputError(
                 fmt::format("{}: [phases.{}] has young_modulus and relative_young_modulus; give one of them", where, name));

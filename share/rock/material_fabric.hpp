@@ -31,6 +31,7 @@ struct MaterialFabric {
     std::map<std::string, PhaseMaterial> phases;
     double contrast = 1;                        ///< h: E of a grain = E of the rock × (1 + h (r − 1))
     std::map<std::string, GivenContact> pairs;  ///< [pairs.A-B]
+    std::map<std::string, GivenContact> flaws;  ///< [flaws.NAME]: of a class of flaws; what is unset is [contact]'s
     GivenContact homophase;                     ///< [pairs.homophase]: factors on the contacts of a phase with itself
     GivenContact heterophase;                   ///< [pairs.heterophase]: on the others
     SideRule rule = SideRule::mean;

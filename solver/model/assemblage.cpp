@@ -42,12 +42,10 @@ ContactGeometry geometry_of(const Assemblage& a, const Specimen& s, std::int32_t
 }
 
 /// Gives every contact its place: class by class, each class beginning a new chunk.
-void place_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
-    std::vector<std::vector<std::int32_t>> of_class(n_contact_classes(n_phases));
-    for (std::int32_t c = 0; c < static_cast<std::int32_t>(s.n_contacts()); ++c) {
-        const auto& nodes = s.contact_nodes[c];
-        of_class[class_between(a, a.node_of_specimen[nodes[0]], a.node_of_specimen[nodes[2]])].push_back(c);
-    }
+void place_contacts(Assemblage& a, const Specimen& s) {
+    const std::vector<std::uint8_t> classes = contact_classes(s);
+    std::vector<std::vector<std::int32_t>> of_class(contact_class_names(s).size());
+    for (std::size_t c = 0; c < classes.size(); ++c) of_class[classes[c]].push_back(static_cast<std::int32_t>(c));
     a.contact_of_specimen.resize(s.n_contacts());
     for (std::size_t k = 0; k < of_class.size(); ++k) {
         const auto n = static_cast<std::int32_t>(of_class[k].size());
@@ -64,8 +62,8 @@ void place_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
     for (std::int32_t c = 0; c < a.n_contacts(); ++c) a.specimen_contact[a.contact_of_specimen[c]] = c;
 }
 
-void add_contacts(Assemblage& a, const Specimen& s, std::size_t n_phases) {
-    place_contacts(a, s, n_phases);
+void add_contacts(Assemblage& a, const Specimen& s) {
+    place_contacts(a, s);
     a.contacts.resize(a.specimen_contact.size());
     for (std::int32_t c = 0; c < a.n_contacts(); ++c) {
         const ContactGeometry g = geometry_of(a, s, c);
@@ -126,7 +124,7 @@ Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& p
         a.position[a.node_of_specimen[i]] = {specimen.node_position[i][0], specimen.node_position[i][1]};
     }
     add_elements(a, specimen, phases, plane);
-    add_contacts(a, specimen, phases.size());
+    add_contacts(a, specimen);
     add_contact_slots(a);
     add_element_slots(a);
     a.surface = make_surface(specimen, a.node_of_specimen, a.contact_of_specimen);

@@ -46,6 +46,9 @@ void divide_contacts(const Specimen& s, Middles& middle, Specimen& fine) {
         fine.contact_nodes.insert(fine.contact_nodes.end(), {{a1, a, b1, b}, {a, a2, b, b2}});
         fine.contact_grain_boundary.insert(fine.contact_grain_boundary.end(), 2, s.contact_grain_boundary[c]);
         fine.contact_kind.insert(fine.contact_kind.end(), 2, s.contact_kind[c]);
+        if (!s.contact_flaw.empty()) fine.contact_flaw.insert(fine.contact_flaw.end(), 2, s.contact_flaw[c]);
+        if (s.contact_strength_factor.empty()) continue;
+        fine.contact_strength_factor.insert(fine.contact_strength_factor.end(), 2, s.contact_strength_factor[c]);
     }
 }
 
@@ -68,6 +71,8 @@ Specimen refined(const Specimen& s) {
     fine.contact_nodes.clear();
     fine.contact_grain_boundary.clear();
     fine.contact_kind.clear();
+    fine.contact_flaw.clear();
+    fine.contact_strength_factor.clear();
     fine.boundary_edges.clear();
     fine.boundary_part.clear();
     Middles middle(fine);

@@ -11,12 +11,17 @@ namespace graincrack {
 
 namespace {
 
-/// A material without phases makes all grains and contacts alike.
+/// A material without phases makes all grains and contacts alike, but those of flaws.
 Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
-    if (r.material.fabric.phases.empty()) return uniform_fabric(r.material.rock, r.contact, specimen.phase_names.size());
-    Fabric fabric = graincrack::fabric_of(r.material, r.plane, r.fracture_energy, specimen.phase_names);
-    const std::vector<std::string> names = contact_class_names(specimen.phase_names);
-    for (std::size_t k = 0; k < fabric.contacts.size(); ++k) {
+    const bool is_uniform = r.material.fabric.phases.empty();
+    Fabric fabric = is_uniform ? uniform_fabric(r.material.rock, r.contact, specimen.phase_names.size())
+                               : graincrack::fabric_of(r.material, r.plane, r.fracture_energy, specimen.phase_names);
+    const std::size_t n_uniform = is_uniform ? fabric.contacts.size() : 0;
+    for (const std::string& flaw : specimen.flaw_names) {
+        fabric.contacts.push_back(flaw_contact(r.material, r.plane, r.fracture_energy, flaw));
+    }
+    const std::vector<std::string> names = contact_class_names(specimen);
+    for (std::size_t k = n_uniform; k < fabric.contacts.size(); ++k) {
         const FractureEnergies least = min_fracture_energies(make_contact_law(fabric.contacts[k], r.law, Coupling::full));
         if (!(fabric.contacts[k].fracture_energy >= least.opening &&
               fabric.contacts[k].mode_ii_fracture_energy >= least.sliding)) {

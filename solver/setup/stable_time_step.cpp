@@ -55,10 +55,9 @@ void add_contacts(const Assemblage& a, const ContactLaws& laws, const std::vecto
 struct ContactStiffness {
     double normal = 0, shear = 0;
 };
-std::vector<ContactStiffness> stiffest_by_phase(const ContactLaws& laws) {
-    std::vector<ContactStiffness> stiffest;
-    for (std::size_t high = 0; contact_class(high, 0) < laws.of_class.size(); ++high) {
-        stiffest.emplace_back();
+std::vector<ContactStiffness> stiffest_by_phase(const Assemblage& a, const ContactLaws& laws) {
+    std::vector<ContactStiffness> stiffest(*std::max_element(a.phase_of_node.begin(), a.phase_of_node.end()) + 1U);
+    for (std::size_t high = 0; high < stiffest.size(); ++high) {
         for (std::size_t low = 0; low <= high; ++low) {
             const ContactLaw& law = laws.of_class[contact_class(high, low)];
             for (const std::size_t phase : {low, high}) {
@@ -72,7 +71,7 @@ std::vector<ContactStiffness> stiffest_by_phase(const ContactLaws& laws) {
 /// A free face may be touched by another grain, if there is one: by as much as a bond would hold it.
 void add_free_faces(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, const std::vector<Vector2>& x,
                     std::vector<Vector2>& y) {
-    const std::vector<ContactStiffness> stiffest = stiffest_by_phase(laws);
+    const std::vector<ContactStiffness> stiffest = stiffest_by_phase(a, laws);
     std::vector<bool> has_platen(a.position.size(), false);
     for (const PlatenPoint& point : boundary.platen_points) has_platen[point.node] = has_platen[point.node] || point.on_boundary;
     const auto& grains = a.surface.grain_of_node;

@@ -25,7 +25,7 @@ void lay_out(const Shell& shell, const std::string& command) {
     const std::string flaws = "printf 'x1_mm\\ty1_mm\\tx2_mm\\ty2_mm\\tclass\\n";
     lines += flaws + "0\\t0\\t4\\t0\\t\\n20\\t0\\t30\\t0\\t\\n' >outside.tsv\n";
     lines += flaws + "0\\t0\\t4\\t0\\tbroken\\n2\\t0\\t6\\t0\\tbroken\\n' >double.tsv\n";
-    lines += flaws + "0\\t0\\t4\\t0\\thealed\\n' >class.tsv\n";
+    lines += flaws + "0\\t0\\t4\\t0\\tHealed\\n' >class.tsv\n";
     lines += "printf 'x_mm\\ty_mm\\n0\\t0\\n20\\t20\\n20\\t0\\n0\\t20\\n' >cross.tsv\n";
     if (command.find("rectangle.h5") != std::string::npos) {
         lines += "graincrack-mesh rectangle --width 20mm --height 40mm --grains 60 --quiet -o rectangle.h5\n";

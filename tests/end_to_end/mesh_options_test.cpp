@@ -132,8 +132,9 @@ TEST_F(GraincrackMesh, PhasesAndStrengthFactorsAreInTheFile) {
 TEST_F(GraincrackMesh, EveryKindIsWrittenAndRepeated) {
     std::ofstream(file("l.tsv"))
         << "x_mm\ty_mm\tpart\n0\t0\tbottom\n40\t0\tright\n40\t20\t\n20\t20\t\n20\t40\ttop\n0\t40\tleft\n";
-    std::ofstream(file("flaws.tsv")) << "# two\nx1_mm\ty1_mm\tx2_mm\ty2_mm\tclass\n5\t3\t12\t3\tbroken\n-9\t8\t9\t9\tintact\n";
-    const std::string cuts = " --edge 2mm --hole 3mm,-5mm,2mm --flaws " + file("flaws.tsv");
+    std::ofstream(file("flaws.tsv")) << "# two\nx1_mm\ty1_mm\tx2_mm\ty2_mm\tclass\n5\t3\t12\t3\tbroken\n-9\t8\t9\t9\tvein\n";
+    std::ofstream(file("holes.tsv")) << "x_mm\ty_mm\tradius_mm\n3\t-5\t2\n";
+    const std::string cuts = " --edge 2mm --holes " + file("holes.tsv") + " --flaws " + file("flaws.tsv");
     const std::vector<std::pair<std::string, std::string>> kinds{
         {"rectangle",
          "rectangle --width 40mm --height 40mm --notch 12mm --notch-angle 90deg --joint-set spacing=15mm,dip=-80deg" + cuts},

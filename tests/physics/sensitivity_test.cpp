@@ -164,5 +164,21 @@ TEST(Refinement, GivesTheMeshOfTwiceTheElementsAlongAnEdge) {
     EXPECT_EQ(sum(fine), sum(made));
 }
 
+TEST(Refinement, HalvesOfAContactAreWhatItWas) {
+    Specimen coarse = disc(30, 1);
+    coarse.flaw_names = {"joint"};
+    for (std::size_t c = 0; c < coarse.n_contacts(); ++c) {
+        coarse.contact_flaw.push_back(static_cast<std::uint8_t>(c % 2));
+        coarse.contact_strength_factor.push_back(1 + 0.01 * static_cast<double>(c));
+    }
+    const Specimen fine = refined(coarse);
+    EXPECT_NO_THROW(validate(fine, "refined"));
+    ASSERT_EQ(fine.contact_strength_factor.size(), fine.n_contacts());
+    for (std::size_t c = 0; c < fine.n_contacts(); ++c) {
+        EXPECT_EQ(fine.contact_flaw[c], coarse.contact_flaw[c / 2]);
+        EXPECT_EQ(fine.contact_strength_factor[c], coarse.contact_strength_factor[c / 2]);
+    }
+}
+
 }  // namespace
 }  // namespace graincrack

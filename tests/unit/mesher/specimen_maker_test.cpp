@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,7 +11,9 @@
 #include "mesher/mesh_report.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
 #include "share/file/specimen_validation.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {
@@ -299,7 +302,7 @@ double covered(const Specimen& s, const PrescribedEdge& edge) {
         };
         const double slack = 1e-9 * length(edge.to - edge.from);
         if (line.distance(at(0)) > slack || line.distance(at(1)) > slack) continue;
-        EXPECT_EQ(s.contact_kind[c], static_cast<std::uint8_t>(edge.kind));
+        EXPECT_EQ(s.contact_kind[c], static_cast<std::uint8_t>(edge.kind.start));
         sum += length(at(1) - at(0));
     }
     return sum;
@@ -376,6 +379,39 @@ TEST(SpecimenMaker, JointSetsAreFollowedAndCovered) {
     EXPECT_EQ(s.n_grains(), 3000U);
     for (const PrescribedEdge& edge : plan.region.edges) EXPECT_NEAR(covered(s, edge) / length(edge.to - edge.from), 1, 1e-9);
     EXPECT_GT(s.statistics.min_angle, 10 * std::numbers::pi / 180);
+}
+
+TEST(SpecimenMaker, FlawsOfNamedClassesHaveThemInTheFile) {
+    SpecimenRequest request = rectangle_of(600);
+    request.elements_per_edge = 2;
+    request.strength.modulus = 5;
+    request.region.edges = {{{-0.02, 0.02}, {0.02, 0.03}, {ContactKind::grain_boundary, "vein"}},
+                            {{-0.02, -0.02}, {0.02, -0.01}, {ContactKind::pre_existing_crack, "joint"}},
+                            {{-0.02, 0}, {0.02, 0}, ContactKind::pre_existing_crack}};
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("specimen.h5");
+    {
+        H5Output out(path, "specimen");
+        write_specimen(out, make_specimen(request));
+        out.commit();
+    }
+    const Specimen s = read_specimen(H5Input(path, "specimen"));
+    EXPECT_EQ(s.flaw_names, (std::vector<std::string>{"joint", "vein"}));
+    EXPECT_EQ(contact_class_names(s), (std::vector<std::string>{"rock-rock", "joint", "vein"}));
+    const std::vector<std::uint8_t> classes = contact_classes(s);
+    std::array<double, 3> length{};
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        if (classes[c] > 0) {
+            EXPECT_EQ(s.contact_strength_factor[c], 1) << "a flaw has a strength of its own";
+            EXPECT_EQ(s.contact_kind[c], classes[c] == 1 ? 1 : 0);
+        }
+        if (classes[c] > 0 || s.contact_kind[c] != 0) length[classes[c]] += std::hypot(q[0] - p[0], q[1] - p[1]);
+    }
+    EXPECT_NEAR(length[0], 0.04, 1e-12) << "the crack without a class";
+    EXPECT_NEAR(length[1], std::hypot(0.04, 0.01), 1e-12);
+    EXPECT_NEAR(length[2], std::hypot(0.04, 0.01), 1e-12);
 }
 
 TEST(SpecimenMaker, ProgressMayStopTheWork) {

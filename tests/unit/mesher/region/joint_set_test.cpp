@@ -17,10 +17,14 @@ TEST(JointSet, IsReadOrRefusedByName) {
     EXPECT_NEAR(set.dip, 0.785398163397448, 1e-15);
     EXPECT_EQ(set.persistence, 0.7);
     EXPECT_EQ(set.length, 0.03);
-    EXPECT_EQ(set.kind, ContactKind::grain_boundary);
+    EXPECT_EQ(set.kind, FlawKind(ContactKind::grain_boundary));
+    EXPECT_EQ(parse_joint_set("spacing=1mm,dip=0deg", "").kind, FlawKind(ContactKind::pre_existing_crack));
+    EXPECT_EQ(parse_joint_set("spacing=1mm,dip=0deg,state=broken,class=joint", "").kind,
+              FlawKind(ContactKind::pre_existing_crack, "joint"));
     EXPECT_EQ(parse_joint_set("dip=0,spacing=5mm", "--joint-set").length, 0.005);
     for (const char* text : {"", "spacing=20mm", "dip=45deg", "spacing=0mm,dip=0deg", "spacing=1mm,dip=0deg,persistence=0",
-                             "spacing", "spacing=1mm,dip=0deg,class=new", "spacing=1mm,,dip=0deg"}) {
+                             "spacing", "spacing=1mm,dip=0deg,class=New", "spacing=1mm,dip=0deg,class=broken,state=intact",
+                             "spacing=1mm,dip=0deg,state=new", "spacing=1mm,,dip=0deg"}) {
         try {
             (void)parse_joint_set(text, "--joint-set 2");
             ADD_FAILURE() << text;

@@ -154,6 +154,22 @@ correlation = "10 mm"
     }
 }
 
+TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
+    const Material material = material_of(rock + "[flaws.joint]\nnormal_stiffness = \"50 GPa/m\"\ncohesion = \"1 MPa\"\n");
+    const ContactParameters joint = flaw_contact(material, PlaneCondition::strain, std::nullopt, "joint");
+    const ContactParameters base = contact_parameters(material, PlaneCondition::strain, std::nullopt);
+    EXPECT_NEAR(joint.normal_stiffness, 50e9, 1);
+    EXPECT_NEAR(joint.cohesion, 1e6, 1e-3);
+    EXPECT_EQ(joint.shear_stiffness, base.shear_stiffness);
+    EXPECT_EQ(joint.friction_angle, base.friction_angle);
+    EXPECT_NEAR(joint.critical_opening / base.critical_opening, base.normal_stiffness / 50e9, 1e-9) << "derived anew";
+    EXPECT_EQ(fabric_text(material_of(rock + fabric_text(material.fabric)).fabric), fabric_text(material.fabric));
+    expect_one_line<InputError>([&] { flaw_contact(material, PlaneCondition::strain, std::nullopt, "fault"); },
+                                {"class fault", "granite.toml", "[flaws.fault]"});
+    expect_refused("[flaws.Joint]\ncohesion = \"1 MPa\"\n", {"flaws.Joint", "small letters"});
+    expect_refused("[flaws.joint]\ncohesoin = \"1 MPa\"\n", {"flaws.joint.cohesoin", "did you mean cohesion"});
+}
+
 TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
     const Material granite = material_of(rock + "[phases]\nfrom = \"granite\"\n");
     ASSERT_EQ(granite.fabric.phases.size(), 4U);

@@ -1,0 +1,69 @@
+#include "mesher/region/region_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+using test::expect_one_line;
+
+/// A file of this text in a folder that lives as long.
+class File {
+public:
+    explicit File(const std::string& text) : path_(folder_.file("table.tsv")) { std::ofstream(path_) << text; }
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+    test::TemporaryFolder folder_;
+    std::string path_;
+};
+
+TEST(RegionFiles, PolygonsHaveTheirCornersAndParts) {
+    const Region region =
+        read_polygon(File("# a triangle, clockwise\nx_mm\ty_mm\tpart\n0\t0\tleft\n0\t20\t\n40\t0\tbottom\n0\t0\t\n").path());
+    ASSERT_EQ(region.loops.size(), 1U);
+    EXPECT_EQ(region.loops[0].corners.size(), 3U) << "the first corner again at the end is none";
+    EXPECT_NEAR(area(region), 0.5 * 0.02 * 0.04, 1e-15);
+    expect_one_line<InputError>([] { read_polygon(File("x_mm\ty_mm\n0\t0\n10\t10\n10\t0\n0\t10\n").path()); }, {"table.tsv"});
+    expect_one_line<InputError>([] { read_polygon(File("x_mm\ty_mm\n0\t0\n10\tten\n10\t0\n").path()); },
+                                {"line 3", "y_mm", "ten"});
+    expect_one_line<InputError>([] { read_polygon(File("x_mm\n0\n").path()); }, {"no column y_mm"});
+}
+
+TEST(RegionFiles, HolesHaveTheirCentresAndRadii) {
+    const std::vector<Hole> holes = read_holes(File("x_mm\ty_mm\tradius_mm\n1\t-2\t3\n4\t5\t6.5\n").path());
+    ASSERT_EQ(holes.size(), 2U);
+    EXPECT_NEAR(holes[0].centre.y, -0.002, 1e-15);
+    EXPECT_NEAR(holes[1].radius, 0.0065, 1e-15);
+    expect_one_line<InputError>([] { read_holes(File("x_mm\ty_mm\tradius_mm\n1\t2\t0\n").path()); }, {"line 2", "above 0"});
+}
+
+TEST(RegionFiles, FlawsHaveTheirEndsClassAndState) {
+    const std::string header = "x1_mm\ty1_mm\tx2_mm\ty2_mm\tclass\tstate\n";
+    const auto kind = [&](const std::string& text) {
+        const auto flaws = read_flaws(File(header + "0\t0\t4\t3\t" + text + "\n").path());
+        EXPECT_NEAR(length(flaws.at(0).to - flaws[0].from), 0.005, 1e-15);
+        return flaws[0].kind;
+    };
+    EXPECT_EQ(kind("\t"), FlawKind(ContactKind::pre_existing_crack));
+    EXPECT_EQ(kind("\tintact"), FlawKind(ContactKind::grain_boundary));
+    EXPECT_EQ(kind("broken\t"), FlawKind(ContactKind::pre_existing_crack));
+    EXPECT_EQ(kind("intact\t"), FlawKind(ContactKind::grain_boundary));
+    EXPECT_EQ(kind("joint\t"), FlawKind(ContactKind::grain_boundary, "joint"));
+    EXPECT_EQ(kind("joint\tbroken"), FlawKind(ContactKind::pre_existing_crack, "joint"));
+    for (const char* bad : {"broken\tintact", "Joint\t", "joint\thealed"}) {
+        expect_one_line<InputError>([&] { read_flaws(File(header + "0\t0\t4\t3\t" + bad + "\n").path()); },
+                                    {"line 2", "is not understood"});
+    }
+    expect_one_line<InputError>([&] { read_flaws(File(header + "4\t3\t4\t3\t\t\n").path()); }, {"no length"});
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

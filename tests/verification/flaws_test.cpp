@@ -1,0 +1,333 @@
+// Specimens with slits, holes and joints as the mesher makes them. What is elastic is solved by linear algebra from the solver's
+// own forces, with contacts so stiff that they do not matter; what slides is run.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "mesher/specimen_maker.hpp"
+#include "solver/run/simulation.hpp"
+#include "tests/support/jointed_test.hpp"
+#include "tests/support/stress_intensity.hpp"
+#include "tests/support/verify.hpp"
+
+namespace graincrack {
+namespace {
+
+using mesher::Region;
+using std::numbers::pi;
+using test::SmallRun;
+using test::verify;
+
+constexpr PlaneCondition plane = PlaneCondition::stress;
+const Rock rock = test::augig_granite().rock;
+
+Specimen specimen_of(const Region& region, double edge, int elements_per_edge = 2) {
+    mesher::SpecimenRequest request;
+    request.region = region;
+    request.edge = edge;
+    request.elements_per_edge = elements_per_edge;
+    return mesher::make_specimen(request);
+}
+
+/// Its cracks are free faces, its contacts a hundred times as stiff as those of Augig granite.
+SmallRun stiff(Specimen specimen) {
+    std::vector<std::array<double, 4>> cracks;
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        if (specimen.contact_kind[c] == 0) continue;
+        const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][0])];
+        const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
+        cracks.push_back({p[0], p[1], q[0], q[1]});
+    }
+    const auto is_on_crack = [&](double x, double y) {
+        return std::any_of(cracks.begin(), cracks.end(), [&](const auto& c) {
+            return std::hypot(x - c[0], y - c[1]) < 1e-9 || std::hypot(x - c[2], y - c[3]) < 1e-9;
+        });
+    };
+    test::cut_contacts(specimen, is_on_crack);
+    ContactParameters contact = test::augig_contact(plane);
+    contact.normal_stiffness *= 100;
+    contact.shear_stiffness *= 100;
+    return {std::move(specimen), make_contact_law(contact, LawVariant::scaled, Coupling::full), plane};
+}
+
+/// A force at a point of the outline, shared by the two nodes beside it.
+void add_force(const SmallRun& run, const Vector2& at, const Vector2& force, Eigen::VectorXd& load) {
+    const Assemblage& a = run.assemblage;
+    for (const auto& edge : run.specimen.boundary_edges) {
+        const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
+        const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
+        const Vector2 p = a.position[static_cast<std::size_t>(i)];
+        const Vector2 q = a.position[static_cast<std::size_t>(j)];
+        const double share = dot(at - p, q - p) / dot(q - p, q - p);
+        if (share < 0 || share >= 1 || length(p + share * (q - p) - at) > 1e-7) continue;
+        for (const auto& [node, part] : {std::pair{i, 1 - share}, std::pair{j, share}}) {
+            load(2 * node) += part * force.x;
+            load(2 * node + 1) += part * force.y;
+        }
+        return;
+    }
+    FAIL() << "no edge of the outline at " << at.x << ", " << at.y;
+}
+Eigen::VectorXd no_load(const SmallRun& run) {
+    return Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(run.assemblage.position.size()));
+}
+
+/// K of a slit from below under three points, over P √(πa)/(width × 1 m) for a half disc and P S/W^1.5 for a beam.
+double mode_i_of_bending(const SmallRun& run, double slit, double span) {
+    const double top = run.specimen.height / 2;
+    Eigen::VectorXd load = no_load(run);
+    add_force(run, {0, top}, {0, -1}, load);
+    for (const double side : {-1.0, 1.0}) add_force(run, {side * span / 2, -top}, {0, 0.5}, load);
+    const Eigen::VectorXd u = test::equilibrium(run, test::tangent_stiffness(run), load);
+    const test::StressIntensity k = test::stress_intensity(run, u, plane, rock, {0, -top + slit}, {0, 1}, 0.2 * slit, 0.6 * slit);
+    EXPECT_LT(std::abs(k.mode_ii), 0.03 * k.mode_i);  // symmetric but for its grains
+    return k.mode_i;
+}
+
+TEST(Slits, HalfDiscHasTheToughnessOfISRM) {
+    constexpr double radius = 0.05;
+    constexpr double slit = 0.025;
+    Region region = mesher::half_disc(2 * radius);
+    region.edges = {mesher::slit_from_below(region, slit, "slit")};
+    mesher::centre_region(region);
+    const SmallRun run = stiff(specimen_of(region, 2e-3, 4));
+    for (const auto& [span, expected] : {std::pair{0.5, 3.680}, std::pair{0.6, 4.668}, std::pair{0.8, 6.646}}) {
+        const double k = mode_i_of_bending(run, slit, span * 2 * radius);
+        verify(fmt::format("specimens: half-disc, a/R .5, Y' at span/2R {}", span), k * 2 * radius / std::sqrt(pi * slit),
+               expected, 0.03, "ISRM (Kuruppu et al. 2014)");
+    }
+}
+
+TEST(Slits, BeamHasTheToughnessOfE399) {
+    constexpr double height = 0.04;
+    for (const double ratio : {0.3, 0.5}) {
+        Region region = mesher::rectangle(4.5 * height, height);
+        region.edges = {mesher::slit_from_below(region, ratio * height, "slit")};
+        const SmallRun run = stiff(specimen_of(region, 2e-3, 4));
+        const double k = mode_i_of_bending(run, ratio * height, 4 * height);
+        const double f = 3 * std::sqrt(ratio) * (1.99 - ratio * (1 - ratio) * (2.15 - 3.93 * ratio + 2.7 * ratio * ratio)) /
+                         (2 * (1 + 2 * ratio) * std::pow(1 - ratio, 1.5));
+        verify(fmt::format("specimens: notched beam, f at a/W {}", ratio), k * std::sqrt(height) / 4, f, 0.03,
+               "ASTM E399, S = 4W");
+    }
+}
+
+TEST(Slits, CrackedDiscIsInPureModeIIAtItsAngle) {
+    constexpr double diameter = 0.08;
+    constexpr double half = 0.012;
+    std::array<double, 4> mode_i{};
+    std::array<double, 4> angles{21, 25, 29, 33};  // from the load, degrees
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        Region region = mesher::disc(diameter, mesher::Pole::vertex);
+        const double direction = (90 - angles[i]) * test::degree;
+        region.edges = {mesher::central_slit(region, 2 * half, direction, "slit")};
+        const SmallRun run = stiff(specimen_of(region, 2e-3, 4));
+        Eigen::VectorXd load = no_load(run);
+        add_force(run, {0, diameter / 2}, {0, -1}, load);
+        add_force(run, {0, -diameter / 2}, {0, 1}, load);
+        const Eigen::VectorXd u = test::equilibrium(run, test::tangent_stiffness(run), load);
+        for (const double side : {-1.0, 1.0}) {
+            const Vector2 ahead{side * std::cos(direction), side * std::sin(direction)};
+            mode_i[i] += 0.5 * test::stress_intensity(run, u, plane, rock, half * ahead, ahead, 0.2 * half, 0.6 * half).mode_i;
+        }
+    }
+    // The straight line through the four, by least squares about their middle.
+    double slope = 0;
+    double mean = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        slope += mode_i[i] * (angles[i] - 27) / 80;
+        mean += mode_i[i] / 4;
+    }
+    EXPECT_LT(slope, 0);
+    verify("specimens: cracked disc, a/R .3, pure mode II (degrees from the load)", 27 - mean / slope, 27.22, 1.5,
+           "Atkinson et al. (1982), to 1.5 degrees", 1);
+}
+
+// --- holes ---------------------------------------------------------------------------------------------------------------------
+
+/// Plane stress state about a round hole at the origin under σx and σy far away, tension positive (Kirsch 1898).
+struct Kirsch {
+    double radius, far_x, far_y;
+    [[nodiscard]] test::Tensor at(const Vector2& p) const {
+        const double q = radius * radius / dot(p, p);
+        const double theta = std::atan2(p.y, p.x);
+        const double mean = 0.5 * (far_x + far_y);
+        const double half = 0.5 * (far_x - far_y);
+        const double rr = mean * (1 - q) + half * (1 - 4 * q + 3 * q * q) * std::cos(2 * theta);
+        const double tt = mean * (1 + q) - half * (1 + 3 * q * q) * std::cos(2 * theta);
+        const double rt = -half * (1 + 2 * q - 3 * q * q) * std::sin(2 * theta);
+        const double c = std::cos(theta);
+        const double s = std::sin(theta);
+        return {c * c * rr + s * s * tt - 2 * s * c * rt, s * s * rr + c * c * tt + 2 * s * c * rt,
+                s * c * (rr - tt) + (c * c - s * s) * rt};
+    }
+};
+
+/// Nodal loads of the field's tractions on the outline but for the hole.
+Eigen::VectorXd load_of(const SmallRun& run, const Kirsch& field) {
+    const Assemblage& a = run.assemblage;
+    Eigen::VectorXd load = no_load(run);
+    for (std::size_t b = 0; b < run.specimen.n_boundary_edges(); ++b) {
+        if (run.specimen.boundary_part[b] > static_cast<std::uint8_t>(BoundaryPart::rim)) continue;
+        const auto& edge = run.specimen.boundary_edges[b];
+        const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
+        const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
+        const Vector2 p = a.position[static_cast<std::size_t>(i)];
+        const Vector2 along = a.position[static_cast<std::size_t>(j)] - p;
+        const Vector2 normal{along.y, -along.x};
+        for (const double share : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {  // Gauss's two points
+            const test::Tensor s = field.at(p + share * along);
+            const Vector2 force = 0.5 * Vector2{s.xx * normal.x + s.xy * normal.y, s.xy * normal.x + s.yy * normal.y};
+            for (const auto& [node, part] : {std::pair{i, 1 - share}, std::pair{j, share}}) {
+                load(2 * node) += part * force.x;
+                load(2 * node + 1) += part * force.y;
+            }
+        }
+    }
+    return load;
+}
+
+Vector2 centroid(const Assemblage& a, std::size_t element) {
+    Vector2 sum;
+    for (const std::int32_t node : a.element_nodes[element]) sum += (1.0 / 3) * a.position[static_cast<std::size_t>(node)];
+    return sum;
+}
+
+/// The whole outline would turn or move if the tractions were not in balance to round-off: the rest is removed.
+Eigen::VectorXd displacements(const SmallRun& run, Eigen::VectorXd load) {
+    const auto n = static_cast<Eigen::Index>(run.assemblage.position.size());
+    Vector2 force;
+    double moment = 0;
+    double inertia = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Vector2 p = run.assemblage.position[static_cast<std::size_t>(i)];
+        force += Vector2{load(2 * i), load(2 * i + 1)};
+        moment += p.x * load(2 * i + 1) - p.y * load(2 * i);
+        inertia += dot(p, p);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Vector2 p = run.assemblage.position[static_cast<std::size_t>(i)];
+        load(2 * i) -= force.x / static_cast<double>(n) - moment / inertia * p.y;
+        load(2 * i + 1) -= force.y / static_cast<double>(n) + moment / inertia * p.x;
+    }
+    return test::equilibrium(run, test::tangent_stiffness(run), load);
+}
+
+TEST(Holes, StressConcentrationIsKirschs) {
+    constexpr double radius = 0.01;
+    Region region = mesher::rectangle(0.1, 0.1);
+    mesher::add_hole(region, {}, radius, "hole");
+    const SmallRun run = stiff(specimen_of(region, 2e-3, 4));
+    const Kirsch field{radius, 0, -1e6};
+    const std::vector<test::Tensor> stress = test::element_stresses(run, displacements(run, load_of(run, field)));
+    // Beside the hole, over rings: the mean of the stress along the load over that of the formula, and where it goes to at the
+    // wall.
+    std::array<double, 4> measured{};
+    std::array<double, 4> expected{};
+    for (std::size_t e = 0; e < stress.size(); ++e) {
+        const Vector2 p = centroid(run.assemblage, e);
+        const double depth = length(p) / radius - 1;
+        const auto ring = static_cast<std::size_t>(depth / 0.15);
+        if (ring >= measured.size() || std::abs(p.y) > std::abs(p.x) * std::tan(15 * test::degree)) continue;
+        measured[ring] += run.assemblage.element_geometry[e].area * stress[e].yy;
+        expected[ring] += run.assemblage.element_geometry[e].area * field.at(p).yy;
+    }
+    double at_wall = 0;  // least squares, of rings at 1, 3, 5, 7 half widths
+    for (std::size_t i = 0; i < 4; ++i) at_wall += measured[i] / expected[i] * (0.25 - (2 * static_cast<double>(i) - 3) * 4 / 20);
+    verify("specimens: hole, greatest stress at its wall over that far away", 3 * at_wall, 3, 0.05, "Kirsch (1898)");
+}
+
+TEST(Holes, AJointAt45DegreesIsLoadedAsTheRockAroundTheHole) {
+    constexpr double radius = 0.01;
+    Region region = mesher::rectangle(0.12, 0.12);
+    mesher::add_hole(region, {}, radius, "hole");
+    region.edges = {{{-0.1, -0.1}, {0.1, 0.1}, {ContactKind::grain_boundary, "joint"}}};
+    Specimen specimen = specimen_of(region, 2e-3);
+    specimen.contact_flaw.clear();
+    specimen.flaw_names.clear();
+    const SmallRun run = stiff(std::move(specimen));
+    const Kirsch field{radius, -0.5e6, -1e6};
+    const std::vector<test::Tensor> stress = test::element_stresses(run, displacements(run, load_of(run, field)));
+    for (int bin = 0; bin < 12; ++bin) {
+        double tau = 0, sigma = 0, etau = 0, esigma = 0;
+        for (std::size_t e = 0; e < stress.size(); ++e) {
+            const Vector2 p = centroid(run.assemblage, e);
+            const double along = std::abs(p.x + p.y) / std::sqrt(2) / radius;
+            const double off = std::abs(p.y - p.x) / std::sqrt(2) / radius;
+            if (off > 0.15 || along < 1.2 + 0.25 * bin || along > 1.45 + 0.25 * bin) continue;
+            const double area = run.assemblage.element_geometry[e].area;
+            tau += area * 0.5 * (stress[e].yy - stress[e].xx);
+            sigma += area * (0.5 * (stress[e].yy + stress[e].xx) - stress[e].xy);
+            const auto s = field.at(p);
+            etau += area * 0.5 * (s.yy - s.xx);
+            esigma += area * (0.5 * (s.yy + s.xx) - s.xy);
+        }
+        fmt::print("{} {} {}\n", 1.325 + 0.25 * bin, tau / sigma, etau / esigma);
+    }
+}
+
+// --- joints that slide and deform
+// ------------------------------------------------------------------------------------------------
+
+/// A straight joint through a rectangle.
+mesher::PrescribedEdge joint_through(double angle, double offset, ContactKind start) {
+    const mesher::Point along{std::cos(angle), std::sin(angle)};
+    const mesher::Point middle = offset * mesher::Point{-along.y, along.x};
+    return {middle - 1.0 * along, middle + 1.0 * along, {start, "joint"}};
+}
+
+TEST(Flaws, APlaneOfWeaknessSlidesAtJaegersStrength) {
+    for (const double angle : {50.0, 62.0}) {
+        const test::JointedTest joint{angle * test::degree, 5 * test::MPa};
+        Region region = mesher::rectangle(0.06, 0.2);
+        region.edges = {joint_through(joint.angle, 0, ContactKind::pre_existing_crack)};
+        SimulationRequest request = joint.request();
+        request.mass_scaling = true;
+        request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
+        request.material.contact.friction_angle = 50 * test::degree;
+        request.contact = contact_parameters(request.material, request.plane, {});
+        const TestOutcome outcome = run_test(specimen_of(region, 5e-3, 1), request, "joint", Verbosity::quiet);
+        verify(fmt::format("specimens: strength of a flaw at {} deg under 5 MPa (MPa)", angle),
+               outcome.header.peak_axial_stress / test::MPa, joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
+    }
+}
+
+TEST(Flaws, JointedRockHasItsModulus) {
+    constexpr double width = 0.06;
+    constexpr double height = 0.12;
+    for (const auto& [angle, expected] : {std::pair{0.0, 17.02}, std::pair{30.0, 14.54}}) {
+        const double spacing = height * std::cos(angle * test::degree) / 6;  // so the length of the joints is area over spacing
+        Region region = mesher::rectangle(width, height);
+        for (int k = -5; k < 5; ++k) {
+            region.edges.push_back(joint_through(angle * test::degree, (k + 0.5) * spacing, ContactKind::grain_boundary));
+        }
+        std::erase_if(region.edges, [&](const mesher::PrescribedEdge& edge) { return mesher::clip(region, edge).empty(); });
+        SimulationRequest request = test::JointedTest{}.request();
+        request.loading.test = TestKind::uniaxial;
+        request.loading.confining_pressure = 0;
+        request.loading.max_strain = 2e-4;
+        request.loading.platen_friction = 0;
+        request.plane = plane;
+        request.mass_scaling = true;
+        ContactParameters stiffness = contact_parameters(request.material, plane, {});
+        request.material.contact.normal_stiffness = 20 * stiffness.normal_stiffness;
+        request.material.contact.shear_stiffness = 20 * stiffness.shear_stiffness;
+        request.contact = contact_parameters(request.material, plane, {});
+        request.material.fabric.flaws["joint"].normal_stiffness = 50e9 / spacing;
+        request.material.fabric.flaws["joint"].shear_stiffness = 10e9 / spacing;
+        const TestOutcome outcome = run_test(specimen_of(region, 4e-3, 1), request, "joints", Verbosity::quiet);
+        const std::vector<double>& stress = outcome.history[HistoryColumn::axial_stress];
+        const std::vector<double>& strain = outcome.history[HistoryColumn::axial_strain];
+        const std::size_t half = stress.size() / 2;
+        verify(fmt::format("specimens: modulus of rock with joints at {} deg (GPa)", angle),
+               (stress.back() - stress[half]) / (strain.back() - strain[half]) * 1e-9, expected, 0.02,
+               "1/E + cos^4/(kn s) + sin^2 cos^2/(ks s)");
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
