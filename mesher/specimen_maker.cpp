@@ -42,6 +42,7 @@ struct Attempt {
     double loading_arc = 0;
     SizeStatistics sizes;
     double excess = std::numeric_limits<double>::infinity();  ///< psi6 over its bound
+    double psi6 = 0;
     double psi6_of_parts = 0;
 };
 
@@ -148,7 +149,9 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     if (plan.region.edges.size() > max_edges) {
         throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
     }
-    plan.size = SizeField(plan.region, plan.equal_edge, request.grading, request.elongation, first_scatter(request.spread));
+    plan.region.edges = fitted_edges(plan.region, plan.equal_edge);
+    plan.size =
+        SizeField(plan.region, plan.equal_edge, request.grading, Stretch(request.elongation), first_scatter(request.spread));
     plan.edge = plan.equal_edge * plan.size.mean_edge();
     plan.n_boundary = admissible_boundary_count(
         region, relative_perimeter(region, plan.size) / (plan.equal_edge * plan.size.mean_edge_along_lines()), n_grains % 2 != 0);
@@ -170,14 +173,13 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         }
     }
     check_walls(region, plan.edge);
-    plan.region.edges = fitted_edges(plan.region, plan.edge);
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
     return plan;
 }
 
 Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int number, const ProgressCallback& progress) {
-    const Stretch& stretch = request.elongation;
+    const Stretch& stretch = plan.size.stretch();
     const double edge = plan.equal_edge;
     const Region region = stretched(plan.region, stretch, edge);
     SizeField size = plan.size;
@@ -200,18 +202,18 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     attempt.loading_arc = plan.region.flats > 0 ? region.flats : fixed.loading_arc;
     const RelaxationGoal goal{edge, request.spread, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, n_free))};
     attempt.cells = delaunay_cells(relax_points(depth, std::move(fixed), inner, goal, size, progress));
-    for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
-        const double largest = largest_psi6_of_parts(region, partition, attempt.cells.points, attempt.cells.edges);
-        attempt.psi6_of_parts = std::max(attempt.psi6_of_parts, largest);
-    }
-    const double whole = psi6(attempt.cells.points, attempt.cells.edges);
-    attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
     attempt.sizes = size_statistics_of(plan.region, attempt.cells, size, edge, request.grading);
-    if (!is_plain(region) || size.varies()) {
-        attempt.excess = std::max(attempt.excess, smallest_angle / attempt.sizes.min_angle);
-    }
+    attempt.psi6 = psi6(attempt.cells.points, attempt.cells.edges);
     for (Point& p : attempt.cells.points) p = stretch.elongated(p);
     std::copy(fixed_points.begin(), fixed_points.end(), attempt.cells.points.begin());
+    for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
+        const double largest = largest_psi6_of_parts(plan.region, partition, attempt.cells.points, attempt.cells.edges, stretch);
+        attempt.psi6_of_parts = std::max(attempt.psi6_of_parts, largest);
+    }
+    attempt.excess = std::max(attempt.psi6 / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
+    if (!is_plain(plan.region) || size.varies()) {
+        attempt.excess = std::max(attempt.excess, smallest_angle / attempt.sizes.min_angle);
+    }
     return attempt;
 }
 
@@ -280,7 +282,8 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     for (const PrescribedEdge& e : plan.region.edges) made.flaw_length += length(e.to - e.from);
     turn_to_load(region, attempt.cells.points);
     if (request.elongation.ratio > 1) {
-        const Stretch measured = elongation_of(attempt.cells);
+        statistics.psi6 = attempt.psi6;
+        const Elongation measured = elongation_of(attempt.cells);
         statistics.elongation = measured.ratio;
         statistics.elongation_angle = measured.angle;
     }

@@ -23,7 +23,7 @@ struct SpecimenRequest {
     std::optional<std::int64_t> grains;  ///< exact number of grains
     double spread = 0.1;                 ///< coefficient of variation of the edges over their graded size, 0 to 0.35
     std::optional<Grading> grading;      ///< over the region; the mean edge and the number of grains are as without
-    Stretch elongation;                  ///< of the grains; the spread is that of the grains before they are elongated
+    Elongation elongation;               ///< of the grains; the spread is that of the grains before they are elongated
     std::optional<double> notch;         ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
     std::uint64_t seed = 1;
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles

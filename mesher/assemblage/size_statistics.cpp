@@ -11,6 +11,7 @@ SizeStatistics size_statistics_of(const Region& region, const PlaneCells& cells,
                                   const std::optional<Grading>& grading) {
     SizeStatistics result;
     result.spread = spread_of_edges(cells.points, cells.edges, size);
+    if (is_plain(region) && size.is_uniform()) return result;
     result.min_angle = statistics_of(region, cells).min_angle;
     if (!grading) return result;
     const GradedSize graded(*grading, region);
@@ -23,7 +24,7 @@ SizeStatistics size_statistics_of(const Region& region, const PlaneCells& cells,
         const std::size_t end = share < 0.5 ? 0 : 1;
         n[end] += 1;
         result.graded_edge[end] += length(q - p);
-        result.wanted_edge[end] += edge * size.graded(midpoint(p, q));
+        result.wanted_edge[end] += edge * size.graded(midpoint(p, q)) * size.mean_edge_of_scatter();
     }
     for (const std::size_t end : {0U, 1U}) {
         if (n[end] == 0) continue;
@@ -33,7 +34,7 @@ SizeStatistics size_statistics_of(const Region& region, const PlaneCells& cells,
     return result;
 }
 
-Stretch elongation_of(const PlaneCells& cells) {
+Elongation elongation_of(const PlaneCells& cells) {
     double xx = 0;
     double xy = 0;
     double yy = 0;

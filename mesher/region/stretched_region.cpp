@@ -23,7 +23,7 @@ void add_arc(std::vector<Point>& points, Point centre, Point from, double angle,
 
 Region stretched(const Region& region, const Stretch& stretch, double side) {
     Region image = region;
-    if (stretch.ratio == 1) return image;
+    if (stretch.is_identity()) return image;
     for (Loop& loop : image.loops) {
         std::vector<Point> corners;
         if (loop.circle) {

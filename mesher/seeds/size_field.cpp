@@ -20,13 +20,13 @@ constexpr double field_spacing = 1.0;  ///< of the coefficients of z, over the e
 constexpr double largest_z = 3;        ///< z is a sum of bounded numbers
 constexpr double steepest = 0.3;       ///< change of sizes from a grain to the next
 
-/// Mean edge of equilateral grains of all directions that are elongated by a ratio, over their edge before.
-double mean_of_elongated(double ratio) {
+/// Mean edge of equilateral grains of all directions that are elongated, over their edge before.
+double mean_of_elongated(const Stretch& stretch) {
     constexpr int n = 360;
     double sum = 0;
     for (int i = 0; i < n; ++i) {
         const double angle = std::numbers::pi * (i + 0.5) / n;
-        sum += length(Stretch{ratio, 0}.elongated({std::cos(angle), std::sin(angle)}));
+        sum += length(stretch.elongated({std::cos(angle), std::sin(angle)}));
     }
     return sum / n;
 }
@@ -82,7 +82,7 @@ void SizeField::tabulate(const Region& region, double edge, const GradedSize& si
     mean_of_inverse_ = inverse / n / scale;
     smallest_grade_ = *std::min_element(graded_.values.begin(), graded_.values.end());
     largest_grade_ = *std::max_element(graded_.values.begin(), graded_.values.end());
-    const double change = size.slope() * scale * edge * std::sqrt(stretch_.ratio);
+    const double change = size.slope() * scale * edge * std::sqrt(stretch_.ratio());
     if (change > steepest) {
         throw UsageError("--grade: sizes would change by " + format_number(change, 3) +
                          " of a mean edge over its length; at most " + format_number(steepest) +
@@ -128,8 +128,10 @@ double SizeField::smallest() const { return smallest_grade_ * std::exp(-scatter_
 double SizeField::largest() const { return largest_grade_ * std::exp(scatter_ * largest_z + scatter_ * scatter_); }
 
 double SizeField::mean_edge() const {
-    return is_uniform() ? 1 : mean_of_inverse_ * std::exp(-scatter_ * scatter_ / 2) * mean_of_elongated(stretch_.ratio);
+    return is_uniform() ? 1 : mean_of_inverse_ * mean_edge_of_scatter() * mean_of_elongated(stretch_);
 }
+
+double SizeField::mean_edge_of_scatter() const { return std::exp(-scatter_ * scatter_ / 2); }
 
 double SizeField::mean_edge_along_lines() const { return is_scattered() ? std::exp(scatter_ * scatter_ / 2) : 1; }
 

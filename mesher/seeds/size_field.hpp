@@ -25,7 +25,7 @@ public:
     SizeField(const Region& region, double edge, const std::optional<Grading>& grading, const Stretch& stretch, double scatter);
 
     [[nodiscard]] const Stretch& stretch() const { return stretch_; }
-    [[nodiscard]] bool is_uniform() const { return !varies() && stretch_.ratio == 1; }
+    [[nodiscard]] bool is_uniform() const { return !varies() && stretch_.is_identity(); }
     /// Whether sizes differ in the plane where grains are equiaxed.
     [[nodiscard]] bool varies() const { return !graded_.empty() || is_scattered(); }
     [[nodiscard]] bool is_scattered() const { return scatter_ > 0; }
@@ -50,6 +50,8 @@ public:
 
     /// Expected mean edge of the specimen over the edge of equal grains.
     [[nodiscard]] double mean_edge() const;
+    /// Expected mean edge over that without scatter.
+    [[nodiscard]] double mean_edge_of_scatter() const;
     /// Expected mean edge along a line over the edge of equal grains, but for grading and elongation.
     [[nodiscard]] double mean_edge_along_lines() const;
 
