@@ -32,6 +32,7 @@ constexpr int max_corrections = 4;
 constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
 constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
+constexpr double spread_tolerance = 0.02;   ///< of a spread that is made by sizes that scatter
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
 constexpr double outline_spread =
@@ -52,9 +53,9 @@ std::string metres(double value) { return format_quantity(value, Dimension::leng
 double spring_spread(double spread) { return spread > widest_spring_spread ? tight_spread : spread; }
 
 /// First standard deviation of the logarithm of sizes, which the relaxation adapts: with the spread that springs leave it makes
-/// the wanted one.
+/// the wanted one. The factor, as measured, is for what edges lose as means over their length.
 double first_scatter(double spread) {
-    return spread > widest_spring_spread ? std::sqrt(spread * spread - tight_spread * tight_spread) : 0;
+    return spread > widest_spring_spread ? 1.2 * std::sqrt(spread * spread - tight_spread * tight_spread) : 0;
 }
 
 /// Mean edge over that of equilateral triangles of the mean area, of equal grains; measured, good to 1 %.
@@ -214,10 +215,13 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
     if (!is_plain(plan.region) || size.varies()) {
         attempt.excess = std::max(attempt.excess, smallest_angle / attempt.sizes.min_angle);
     }
+    if (size.is_scattered()) {
+        attempt.excess = std::max(attempt.excess, std::abs(attempt.sizes.spread - request.spread) / spread_tolerance);
+    }
     return attempt;
 }
 
-/// The first mesh without a preferred direction and without slivers, or the best of all attempts.
+/// The first mesh without a preferred direction, without slivers and with the wanted spread, or the best of all attempts.
 Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
     Attempt best;
     for (int number = 0; number < max_attempts && best.excess > 1; ++number) {

@@ -115,7 +115,7 @@ private:
     double adapted_range() {
         const double missing = goal_.spread - spread();
         if (size_.is_scattered()) {
-            size_.set_scatter(std::clamp(size_.scatter() + missing, least_scatter, largest_scatter));
+            size_.set_scatter(std::clamp(size_.scatter() + 1.5 * missing, least_scatter, largest_scatter));
             take_sizes();
         } else {
             range_ = std::max(0.0, range_ + 1.5 * missing);

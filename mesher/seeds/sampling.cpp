@@ -135,8 +135,9 @@ std::vector<Point> sample_points(const Region& region, const DepthGrid& depth, d
         if (depth.is_deep(p, margin * size.at(p))) accept(p);
     }
     grow();
-    // Holes, necks and prescribed edges may have kept the growth from some parts: a point is tried all over the region.
-    if (!is_plain(region)) {
+    // Holes, necks, prescribed edges and steps of size may have kept the growth from some parts: a point is tried all over the
+    // region.
+    if (!is_plain(region) || size.varies()) {
         for (double y = box.low.y; y < box.high.y; y += smallest / 2) {
             for (double x = box.low.x; x < box.high.x; x += smallest / 2) {
                 const Point p{x + smallest / 2 * random.uniform(), y + smallest / 2 * random.uniform()};

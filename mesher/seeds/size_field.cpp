@@ -16,7 +16,7 @@ namespace {
 constexpr double table_spacing = 0.5;  ///< of the table of graded sizes, over the smallest edge
 constexpr double max_table = 4e6;      ///< entries of that table
 constexpr double max_distances = 3e8;  ///< computed for it
-constexpr double field_spacing = 1.0;  ///< of the coefficients of z, over the edge: z is correlated over about two edges
+constexpr double field_spacing = 0.8;  ///< of the coefficients of z, over the edge: the correlation of z is 1/e at 1.5 edges
 constexpr double largest_z = 3;        ///< z is a sum of bounded numbers
 constexpr double steepest = 0.3;       ///< change of sizes from a grain to the next
 
