@@ -227,9 +227,23 @@ void add_mesh_options(CLI::App& shape, MeshOptions& options) {
         add_integer<std::int64_t>(shape, "--grains", request.grains, "exact number of grains, instead of --edge", 1);
     edge->excludes(grains);
     add_quantity(shape, "--spread", request.spread, quantity::edge_spread,
-                 "coefficient of variation of the edges, at most 0.3; values below about 0.1 are reached only as far as a mesh "
-                 "without a preferred direction allows",
+                 "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
+                 "about 0.1 are reached only as far as a mesh without a preferred direction allows",
                  "0.1");
+    detail::add_value(
+        shape, "--grade", [&request](const std::string& text) { request.grading = parse_grading(text, "--grade"); },
+        "sizes that are graded, around the same mean edge or number of grains: along=y,from=0.5,to=2 (relative edges at the "
+        "lower "
+        "and the upper end; along=x too) or towards=flaws,from=0.4,distance=10mm (relative edge at slits, straight notches, "
+        "flaws "
+        "and joints, growing to 1 at the distance; towards=boundary and towards=holes too)",
+        "KEY=VALUE,...", "");
+    add_quantity(shape, "--elongation", request.elongation.ratio, quantity::elongation,
+                 "ratio of the long to the short axis of grains, 1 to 4: foliated rock", "1");
+    add_quantity(
+        shape, "--elongation-angle", request.elongation.angle, quantity::direction,
+        "direction of the long axis of elongated grains from x; on a disc turned to another of its diameters it turns too",
+        "0deg");
     add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
     add_integer<int>(shape, "--elements-per-edge", request.elements_per_edge,
                      "each grain becomes N x N constant-strain triangles", 1, max_elements_per_edge);

@@ -50,6 +50,17 @@ std::string strength_line(const Specimen& specimen, const StrengthRequest& reque
         request.correlation ? "correlated over " + format_quantity(*request.correlation, Dimension::length) : "uncorrelated");
 }
 
+/// Mean edges at both ends of a grading; of elongated grains before they are elongated.
+std::string grading_line(const Grading& grading, const SizeStatistics& sizes) {
+    const auto mean = [&](std::size_t end) {
+        if (sizes.graded_edge[end] == 0) return std::string("none");
+        return fmt::format("{} ({} wanted)", format_quantity(sizes.graded_edge[end], Dimension::length, 3),
+                           format_quantity(sizes.wanted_edge[end], Dimension::length, 3));
+    };
+    return fmt::format("  graded edges: mean {} in the {} eighth, {} {}", mean(0), grading.is_along() ? "lowest" : "nearest",
+                       mean(1), grading.is_along() ? "in the uppermost" : "beyond 7/8 of the distance");
+}
+
 /// Flaws as they came out, and the length of all contacts that are broken from the start.
 std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
     double broken = 0;
@@ -78,8 +89,17 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
     if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
-    if (std::abs(s.edge_variation - request.spread) > 0.1 * request.spread) {
-        lines.push_back(fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", request.spread, s.edge_variation));
+    if (s.elongation > 0) {
+        lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg; smallest angle before it {:.1f} deg", s.elongation,
+                                    degrees(s.elongation_angle), degrees(report.sizes.min_angle)));
+    }
+    if (request.grading) lines.push_back(grading_line(*request.grading, report.sizes));
+    if (request.grading || s.elongation > 0) {
+        lines.push_back(fmt::format("  spread {:.3f} over the graded size, before elongation", report.sizes.spread));
+    }
+    if (std::abs(report.sizes.spread - request.spread) > 0.1 * request.spread) {
+        lines.push_back(
+            fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", request.spread, report.sizes.spread));
     }
     if (const auto ends = notch_ends(specimen); ends && request.notch) {
         lines.push_back(fmt::format("  notch of {} requested, {} between the ends of its grain boundaries",
@@ -87,7 +107,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
                                     format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
     if (!request.region.edges.empty() || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
-    if (report.n_flaws + request.region.loops.size() > 1 && s.min_angle < smallest_angle) {
+    if (report.n_flaws + request.region.loops.size() > 1 && report.sizes.min_angle < smallest_angle) {
         lines.push_back(
             "  note: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");
     }

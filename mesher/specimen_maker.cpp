@@ -13,6 +13,7 @@
 #include "mesher/cells/delaunay.hpp"
 #include "mesher/elements/lattice.hpp"
 #include "mesher/region/fit_edges.hpp"
+#include "mesher/region/stretched_region.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "mesher/seeds/sampling.hpp"
@@ -31,6 +32,7 @@ constexpr int max_corrections = 4;
 constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
 constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
+constexpr double spread_tolerance = 0.02;   ///< of a spread that is made by sizes that scatter
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
 constexpr double outline_spread =
@@ -39,15 +41,26 @@ constexpr double outline_spread =
 struct Attempt {
     PlaneCells cells;
     double loading_arc = 0;
+    SizeStatistics sizes;
     double excess = std::numeric_limits<double>::infinity();  ///< psi6 over its bound
+    double psi6 = 0;
     double psi6_of_parts = 0;
 };
 
 std::string metres(double value) { return format_quantity(value, Dimension::length); }
 
-/// Mean edge over that of equilateral triangles of the mean area; measured, good to 1 %.
+/// Spread that springs are to leave.
+double spring_spread(double spread) { return spread > widest_spring_spread ? tight_spread : spread; }
+
+/// First standard deviation of the logarithm of sizes, which the relaxation adapts: with the spread that springs leave it makes
+/// the wanted one. The factor, as measured, is for what edges lose as means over their length.
+double first_scatter(double spread) {
+    return spread > widest_spring_spread ? 1.2 * std::sqrt(spread * spread - tight_spread * tight_spread) : 0;
+}
+
+/// Mean edge over that of equilateral triangles of the mean area, of equal grains; measured, good to 1 %.
 double edge_over_equilateral(double spread) {
-    const double s = std::clamp(spread, 0.1, 0.18);
+    const double s = std::clamp(spring_spread(spread), 0.1, 0.18);
     return 1 + 1.15 * s * s - 0.4 * std::max(0.0, s - 0.11);
 }
 
@@ -67,6 +80,10 @@ void check_request(const SpecimenRequest& request) {
     if (!(request.spread >= 0 && request.spread <= max_spread)) {
         throw UsageError("--spread: " + format_number(request.spread) + " is out of range; give 0 to " +
                          format_number(max_spread));
+    }
+    if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
+        throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
+                         format_number(max_elongation));
     }
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
@@ -125,8 +142,20 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     plan.region = request.region;
     const Region& region = plan.region;
     plan.n_grains = n_grains;
-    plan.edge = edge_over_equilateral(request.spread) * equilateral_edge(region, static_cast<double>(n_grains));
-    plan.n_boundary = admissible_boundary_count(region, perimeter(region) / plan.edge, n_grains % 2 != 0);
+    plan.equal_edge = edge_over_equilateral(request.spread) * equilateral_edge(region, static_cast<double>(n_grains));
+    for (std::size_t i = 0; i < request.joint_sets.size(); ++i) {
+        const auto joints = joints_of(request.joint_sets[i], region, plan.equal_edge, request.seed, i);
+        plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
+    }
+    if (plan.region.edges.size() > max_edges) {
+        throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
+    }
+    plan.region.edges = fitted_edges(plan.region, plan.equal_edge);
+    plan.size =
+        SizeField(plan.region, plan.equal_edge, request.grading, Stretch(request.elongation), first_scatter(request.spread));
+    plan.edge = plan.equal_edge * plan.size.mean_edge();
+    plan.n_boundary = admissible_boundary_count(
+        region, relative_perimeter(region, plan.size) / (plan.equal_edge * plan.size.mean_edge_along_lines()), n_grains % 2 != 0);
     if (const std::size_t n_phases = request.phases.fractions.size(); n_grains < static_cast<std::int64_t>(n_phases)) {
         throw UsageError("--phases: " + std::to_string(n_phases) + " are more than the " + std::to_string(n_grains) +
                          " grains; give at most one phase per grain");
@@ -145,25 +174,23 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
         }
     }
     check_walls(region, plan.edge);
-    for (std::size_t i = 0; i < request.joint_sets.size(); ++i) {
-        const auto joints = joints_of(request.joint_sets[i], region, plan.edge, request.seed, i);
-        plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
-    }
-    if (plan.region.edges.size() > max_edges) {
-        throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
-    }
-    plan.region.edges = fitted_edges(plan.region, plan.edge);
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
     return plan;
 }
 
 Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int number, const ProgressCallback& progress) {
-    const Region& region = plan.region;
-    const DepthGrid depth(region, sampling_margin * plan.edge);
+    const Stretch& stretch = plan.size.stretch();
+    const double edge = plan.equal_edge;
+    const Region region = stretched(plan.region, stretch, edge);
+    SizeField size = plan.size;
     RandomNumbers random(request.seed, static_cast<std::uint64_t>(number));
-    Seeds fixed = fixed_seeds(region, plan.n_boundary, plan.edge, outline_spread * request.spread, random);
-    const auto inner = sample_points(region, depth, sampling_distance * plan.edge, sampling_margin * plan.edge, random);
+    if (size.is_scattered()) size.draw(bounds(region), random);
+    const DepthGrid depth(region, sampling_margin * edge * size.largest());
+    Seeds fixed = fixed_seeds(plan.region, plan.n_boundary, edge, outline_spread * spring_spread(request.spread), random, size);
+    const std::vector<Point> fixed_points = fixed.points;
+    for (Point& p : fixed.points) p = stretch.equiaxed(p);
+    const auto inner = sample_points(region, depth, sampling_distance * edge, sampling_margin * edge, random, size);
     // Points added to loops, and those on prescribed edges, stand for inner points: see `plan_mesh`.
     const auto on_loops = std::count_if(fixed.sides.begin(), fixed.sides.end(), [](const Side& side) { return side.part >= 0; });
     const auto n_free = static_cast<std::ptrdiff_t>(plan.n_inner) - (on_loops - plan.n_boundary) / 2 -
@@ -173,22 +200,28 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
                          ": holes and flaws leave no room for grains of this size; give smaller grains");
     }
     Attempt attempt;
-    attempt.loading_arc = region.flats > 0 ? region.flats : fixed.loading_arc;
-    const RelaxationGoal goal{plan.edge, request.spread, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, n_free))};
-    attempt.cells = delaunay_cells(relax_points(depth, std::move(fixed), inner, goal, random, progress));
+    attempt.loading_arc = plan.region.flats > 0 ? region.flats : fixed.loading_arc;
+    const RelaxationGoal goal{edge, request.spread, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, n_free))};
+    attempt.cells = delaunay_cells(relax_points(depth, std::move(fixed), inner, goal, size, progress));
+    attempt.sizes = size_statistics_of(plan.region, attempt.cells, size, edge, request.grading);
+    attempt.psi6 = psi6(attempt.cells.points, attempt.cells.edges);
+    for (Point& p : attempt.cells.points) p = stretch.elongated(p);
+    std::copy(fixed_points.begin(), fixed_points.end(), attempt.cells.points.begin());
     for (const Partition partition : {Partition::blocks, Partition::turned, Partition::bands}) {
-        const double largest = largest_psi6_of_parts(region, partition, attempt.cells.points, attempt.cells.edges);
+        const double largest = largest_psi6_of_parts(plan.region, partition, attempt.cells.points, attempt.cells.edges, stretch);
         attempt.psi6_of_parts = std::max(attempt.psi6_of_parts, largest);
     }
-    const double whole = psi6(attempt.cells.points, attempt.cells.edges);
-    attempt.excess = std::max(whole / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
-    if (!is_plain(region)) {
-        attempt.excess = std::max(attempt.excess, smallest_angle / statistics_of(region, attempt.cells).min_angle);
+    attempt.excess = std::max(attempt.psi6 / max_psi6, attempt.psi6_of_parts / max_psi6_of_parts);
+    if (!is_plain(plan.region) || size.varies()) {
+        attempt.excess = std::max(attempt.excess, smallest_angle / attempt.sizes.min_angle);
+    }
+    if (size.is_scattered()) {
+        attempt.excess = std::max(attempt.excess, std::abs(attempt.sizes.spread - request.spread) / spread_tolerance);
     }
     return attempt;
 }
 
-/// The first mesh without a preferred direction and without slivers, or the best of all attempts.
+/// The first mesh without a preferred direction, without slivers and with the wanted spread, or the best of all attempts.
 Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
     Attempt best;
     for (int number = 0; number < max_attempts && best.excess > 1; ++number) {
@@ -210,7 +243,13 @@ MeshPlan plan_mesh(const SpecimenRequest& request) {
     if (!request.grains) {
         const double equilateral = *request.edge / edge_over_equilateral(request.spread);
         const double n_grains = 4 * area(region) / (std::sqrt(3.0) * equilateral * equilateral);
-        return plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains / 2)));
+        MeshPlan plan = plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains / 2)));
+        // Of sizes that differ it takes more grains or fewer.
+        if (!plan.size.is_uniform()) {
+            const double ratio = plan.edge / *request.edge;
+            plan = plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains * ratio * ratio / 2)));
+        }
+        return plan;
     }
     const double smallest = smallest_extent(region);
     // With at least two edges across the specimen (`check_request`), an equilateral mesh has this many grains.
@@ -242,9 +281,16 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
         statistics = next_statistics;
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
+    made.sizes = attempt.sizes;
     made.n_flaws = plan.region.edges.size();
     for (const PrescribedEdge& e : plan.region.edges) made.flaw_length += length(e.to - e.from);
     turn_to_load(region, attempt.cells.points);
+    if (request.elongation.ratio > 1) {
+        statistics.psi6 = attempt.psi6;
+        const Elongation measured = elongation_of(attempt.cells);
+        statistics.elongation = measured.ratio;
+        statistics.elongation_angle = measured.angle;
+    }
     std::vector<int> crystal_of_grain;
     Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge), &crystal_of_grain);
     specimen.shape = region.name;

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "mesher/assemblage/size_statistics.hpp"
 #include "mesher/fabric/phases.hpp"
 #include "mesher/fabric/strength_field.hpp"
+#include "mesher/region/grading.hpp"
 #include "mesher/region/joint_set.hpp"
 #include "mesher/region/shapes.hpp"
 #include "mesher/seeds/relaxation.hpp"
@@ -19,7 +21,9 @@ struct SpecimenRequest {
     std::vector<JointSet> joint_sets;    ///< whose joints are added to the edges of the region
     std::optional<double> edge;          ///< mean edge over all grain edges, rim included, m
     std::optional<std::int64_t> grains;  ///< exact number of grains
-    double spread = 0.1;                 ///< coefficient of variation of the edges, 0 to 0.3
+    double spread = 0.1;                 ///< coefficient of variation of the edges over their graded size, 0 to 0.35
+    std::optional<Grading> grading;      ///< over the region; the mean edge and the number of grains are as without
+    Elongation elongation;               ///< of the grains; the spread is that of the grains before they are elongated
     std::optional<double> notch;         ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
     std::uint64_t seed = 1;
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
@@ -30,14 +34,17 @@ struct SpecimenRequest {
 /// Largest number of diameters along which a disc can be loaded.
 inline constexpr int max_diameters = 36;
 /// Largest spread that the mesher can reach.
-inline constexpr double max_spread = 0.3;
+inline constexpr double max_spread = 0.35;
+/// Largest elongation of grains.
+inline constexpr double max_elongation = 4;
 /// Largest number of elements along a grain edge.
 inline constexpr int max_elements_per_edge = 100;
 /// A mesh counts as free of a preferred direction if |⟨e^(6iθ)⟩| is below these bounds, in the whole mesh and in each of eight
-/// equal parts, for every `Partition`.
+/// equal parts, for every `Partition`; of elongated grains in the plane where they are equiaxed.
 inline constexpr double max_psi6 = 0.15;
 inline constexpr double max_psi6_of_parts = 0.30;
-/// With holes and flaws, a mesh with a smaller angle, rad (8°), is made again from other random numbers too.
+/// With holes, flaws or sizes that differ, a mesh with a smaller angle, rad (8°), is made again from other random numbers too; of
+/// elongated grains in the plane where they are equiaxed.
 inline constexpr double smallest_angle = 0.14;
 
 /// Numbers that follow from a request before any point is placed.
@@ -47,6 +54,8 @@ struct MeshPlan {
     int n_boundary = 0;       ///< boundary points, and edges
     std::size_t n_inner = 0;  ///< inner points, those of prescribed edges included
     double edge = 0;          ///< expected mean edge, m
+    double equal_edge = 0;    ///< of as many equal grains, m
+    SizeField size;           ///< of grains, over `equal_edge`
 };
 
 /// Checks a request and plans its numbers. A mesh of n grains (triangles) with b boundary points and h holes has
@@ -57,13 +66,15 @@ MeshPlan plan_mesh(const SpecimenRequest& request);
 
 /// Result of the attempts to make a mesh.
 struct MeshReport {
+    SizeStatistics sizes;
     double psi6_of_parts = 0;  ///< largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
     std::size_t n_flaws = 0;   ///< pieces of prescribed edges inside
     double flaw_length = 0;    ///< of them, m
     int attempts = 0;          ///< number of meshes made until one had no preferred direction
 };
 
-/// Makes the specimen: region → seeds → cells → elements → bodies → fabric. The same request gives the same specimen, bit for
+/// Makes the specimen: region → seeds → cells → elements → bodies → fabric; seeds are relaxed in the plane where grains are
+/// equiaxed. The same request gives the same specimen, bit for
 /// bit.
 ///
 /// A mesh whose psi6 is above the bounds is made again from other random numbers, up to 100 times; the best mesh is kept. If an

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "share/base/error.hpp"
 
@@ -25,21 +26,71 @@ std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
     return shares;
 }
 
-/// A straight side or a circle, to be divided into edges.
+/// A line to be divided into edges in proportion to the local size: how long it is over that size, and where shares of this
+/// relative length lie. Without a size field these are the length and the shares themselves.
+class RelativeLine {
+public:
+    /// \param at the point at a share of the line
+    template <class At>
+    RelativeLine(const SizeField& size, double length, const At& at) : length_(length) {
+        if (size.is_uniform()) return;
+        constexpr double steps = 4;  // within the distance over which sizes change
+        const int n = static_cast<int>(std::clamp(steps * length / size.resolution(), 64.0, 1e6));
+        sums_ = {0};
+        for (int i = 0; i < n; ++i) {
+            sums_.push_back(sums_.back() + size.relative_length(at(static_cast<double>(i) / n), at((i + 1.0) / n)));
+        }
+        length_ = sums_.back();
+    }
+
+    [[nodiscard]] double length() const { return length_; }
+    /// The share of the line that has a share of its relative length.
+    [[nodiscard]] double place(double share) const {
+        if (sums_.empty() || share <= 0 || share >= 1) return share;
+        const double aim = share * length_;
+        const auto next = std::clamp(std::upper_bound(sums_.begin(), sums_.end(), aim), sums_.begin() + 1, sums_.end() - 1);
+        const double part = (aim - *(next - 1)) / (*next - *(next - 1));
+        return (static_cast<double>(next - sums_.begin()) - 1 + part) / static_cast<double>(sums_.size() - 1);
+    }
+    /// The share of its relative length that has a share of the line.
+    [[nodiscard]] double relative_share(double share) const {
+        if (sums_.empty()) return share;
+        const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(sums_.size() - 1);
+        const auto i = std::min(static_cast<std::size_t>(at), sums_.size() - 2);
+        return (sums_[i] + (at - static_cast<double>(i)) * (sums_[i + 1] - sums_[i])) / length_;
+    }
+    [[nodiscard]] bool is_uniform() const { return sums_.empty(); }
+
+private:
+    double length_;
+    std::vector<double> sums_;  ///< relative lengths up to equal shares of the line
+};
+
+/// Point of a curve at a share of its length; of a circle from the upper pole, counter-clockwise.
+Point point_of(const Curve& curve, double share) {
+    if (curve.kind != Curve::Kind::arc && !curve.is_circle()) return curve.from + share * (curve.to - curve.from);
+    const Point start = curve.is_circle() ? Point{0, curve.circle.radius} : curve.from - curve.circle.centre;
+    const double turn = share * (curve.is_circle() ? 2 * pi : curve.arc_angle());
+    return curve.circle.centre + std::cos(turn) * start + std::sin(turn) * left_of(start);
+}
+
+/// A straight side, an arc or a circle, to be divided into edges.
 struct Divided {
-    double length;
+    RelativeLine line;
     double rise;  ///< along y
     int n;        ///< edges
+    [[nodiscard]] double length() const { return line.length(); }
 };
 
 /// The sides and circles of all loops with the fewest edges they need.
-std::vector<Divided> undivided(const Region& region) {
+std::vector<Divided> undivided(const Region& region, const SizeField& size) {
     std::vector<Divided> sides;
     for (const Curve& curve : curves_of({region.name, region.loops, {}})) {
         const bool is_arc = curve.kind == Curve::Kind::arc;
         const double rise = curve.is_circle() ? 0 : std::abs(curve.to.y - curve.from.y);
         const int fewest = curve.is_circle() ? min_circle_edges : 1;
-        sides.push_back({curve.length(), rise, is_arc ? 1 + static_cast<int>(curve.arc_angle() / (pi / 4)) : fewest});
+        const RelativeLine line(size, curve.length(), [&](double share) { return point_of(curve, share); });
+        sides.push_back({line, rise, is_arc ? 1 + static_cast<int>(curve.arc_angle() / (pi / 4)) : fewest});
     }
     return sides;
 }
@@ -53,39 +104,50 @@ int number_of_edges(const std::vector<Divided>& sides) {
 /// Divides the sides into n edges in proportion to their lengths: the one with the longest edges gets one more until all are
 /// given, of equals the longer, then the steeper side. If n is odd, the last goes to the longest side, so that opposite sides of
 /// a rectangle have the same number or differ by one.
-std::vector<Divided> edges_per_side(const Region& region, int n) {
-    std::vector<Divided> sides = undivided(region);
-    const auto add_to_best = [&](const auto& size) {
+std::vector<Divided> edges_per_side(const Region& region, int n, const SizeField& size) {
+    std::vector<Divided> sides = undivided(region, size);
+    const auto add_to_best = [&](const auto& measure) {
         constexpr double round_off = 1e-12;
         auto best = sides.begin();
         for (auto it = sides.begin() + 1; it != sides.end(); ++it) {
-            const double difference = size(*it) - size(*best);
-            const bool equal = std::abs(difference) <= round_off * size(*best);
-            const bool better = equal && it->length == best->length ? it->rise > best->rise : it->length > best->length;
+            const double difference = measure(*it) - measure(*best);
+            const bool equal = std::abs(difference) <= round_off * measure(*best);
+            const bool better = equal && it->length() == best->length() ? it->rise > best->rise : it->length() > best->length();
             if (equal ? better : difference > 0) best = it;
         }
         ++best->n;
     };
     int missing = n - number_of_edges(sides);
-    for (; missing > n % 2; --missing) add_to_best([](const Divided& side) { return side.length / side.n; });
-    if (missing > 0) add_to_best([](const Divided& side) { return side.length; });
+    for (; missing > n % 2; --missing) add_to_best([](const Divided& side) { return side.length() / side.n; });
+    if (missing > 0) add_to_best([](const Divided& side) { return side.length(); });
     return sides;
 }
 
 /// Polar angles of the points of a circle, counter-clockwise from just left of the upper pole's facet (or from the pole).
-std::vector<double> rim_angles(const Circle& circle, int n, double spread, RandomNumbers& random) {
+/// \param line the circle from the upper pole
+std::vector<double> rim_angles(const Circle& circle, int n, double spread, RandomNumbers& random, const RelativeLine& line) {
     const bool facets = circle.pole == Pole::facet;
     const int arcs = 2 * circle.diameters;  // from pole to pole
     const double half_facet = facets ? pi / n : 0.0;
     const double span = pi / circle.diameters - 2 * half_facet;
     const int between = facets ? n - arcs : n;  // edges beside the pole facets
-    const auto edges_before = [&](int arc) { return (arc * between + arcs - 1) / arcs; };
+    const auto edges_before = [&](int arc) {
+        if (line.is_uniform()) return (arc * between + arcs - 1) / arcs;
+        const int share = static_cast<int>(std::lround(line.relative_share(static_cast<double>(arc) / arcs) * between));
+        return std::clamp(share, arc, between - arcs + arc);  // each arc has an edge
+    };
+    const auto place = [&](double start, double share) {  // of a share of the relative length of an arc without facets
+        if (line.is_uniform()) return start + share * span;
+        const auto relative = [&](double angle) { return line.relative_share((angle - pi / 2) / (2 * pi)); };
+        const double from = relative(start);
+        return pi / 2 + 2 * pi * line.place(from + share * (relative(start + span) - from));
+    };
     std::vector<double> angles;
     for (int arc = 0; arc < arcs; ++arc) {
         const double start = (0.5 + static_cast<double>(arc) / circle.diameters) * pi + half_facet;
         const auto shares = cut_line(edges_before(arc + 1) - edges_before(arc), spread, random);
         const std::size_t n_points = shares.size() - (facets ? 0 : 1);  // the next pole vertex opens the next arc
-        for (std::size_t i = 0; i < n_points; ++i) angles.push_back(start + shares[i] * span);
+        for (std::size_t i = 0; i < n_points; ++i) angles.push_back(place(start, shares[i]));
     }
     return angles;
 }
@@ -116,8 +178,8 @@ std::vector<Point> rim_points(const Circle& circle, const std::vector<double>& a
 }
 
 /// Points of a circle about the origin, counter-clockwise.
-std::vector<Point> circle_points(const Circle& circle, int n, double spread, RandomNumbers& random) {
-    const auto angles = rim_angles(circle, n, spread, random);
+std::vector<Point> circle_points(const Circle& circle, int n, double spread, RandomNumbers& random, const RelativeLine& line) {
+    const auto angles = rim_angles(circle, n, spread, random, line);
     const double reach = circle.pole == Pole::facet ? pi / n : 0.0;
     std::vector<int> pole_of(angles.size(), -1);
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -173,14 +235,15 @@ std::vector<Point> arc_points(const Curve& arc, const std::vector<double>& share
 /// Fixed seeds in the making.
 class Builder {
 public:
-    Builder(const Region& region, double spread, RandomNumbers& random) : region_(region), spread_(spread), random_(random) {
+    Builder(const Region& region, double spread, RandomNumbers& random, const SizeField& size)
+        : region_(region), spread_(spread), random_(random), size_(size) {
         const Box box = bounds(region);
         tolerance_ = same_place * (box.width() + box.height());
     }
 
     /// Fixed seeds on the loops.
     void add_loops(int n) {
-        const auto sides = edges_per_side(region_, n);
+        const auto sides = edges_per_side(region_, n, size_);
         auto side = sides.begin();
         for (const Loop& loop : region_.loops) {
             const int first = size();
@@ -189,7 +252,8 @@ public:
                 seeds_.points.push_back(p);
             };
             if (loop.circle) {
-                auto points = circle_points(*loop.circle, side++->n, spread_, random_);
+                auto points = circle_points(*loop.circle, side->n, spread_, random_, side->line);
+                ++side;
                 if (&loop != &region_.loops.front()) std::reverse(points.begin(), points.end());
                 for (const Point p : points) {
                     const bool outer = &loop == &region_.loops.front();
@@ -204,7 +268,9 @@ public:
             for (std::size_t i = 0; i < loop.corners.size(); ++i) {
                 const Point from = loop.corners[i];
                 const Point to = loop.corners[(i + 1) % loop.corners.size()];
-                const auto shares = cut_line(side++->n, spread_, random_);
+                auto shares = cut_line(side->n, spread_, random_);
+                for (double& share : shares) share = side->line.place(share);
+                ++side;
                 corners.push_back(size());
                 if (const auto centre = loop.centre(i)) {
                     add_point(from, loop.parts[i]);
@@ -304,7 +370,7 @@ private:
     }
 
     void split_longest_side(std::size_t n_loop_sides) {
-        const auto size_of = [&](const Side& s) { return squared_length(at(s.to) - at(s.from)); };
+        const auto size_of = [&](const Side& s) { return size_.relative_length(at(s.from), at(s.to)); };
         const auto end = seeds_.sides.begin() + static_cast<std::ptrdiff_t>(n_loop_sides);
         const auto longest =
             std::max_element(seeds_.sides.begin(), end, [&](const Side& a, const Side& b) { return size_of(a) < size_of(b); });
@@ -349,11 +415,12 @@ private:
     void add_line(int from, int to, double edge, const FlawKind& kind) {
         const Point start = at(from);
         const Point way = at(to) - start;
-        const auto shares = cut_line(std::max(1, static_cast<int>(std::lround(length(way) / edge))), spread_, random_);
+        const RelativeLine line(size_, length(way), [&](double share) { return start + share * way; });
+        const auto shares = cut_line(std::max(1, static_cast<int>(std::lround(line.length() / edge))), spread_, random_);
         int last = from;
         for (std::size_t k = 1; k < shares.size(); ++k) {
             const int next = k + 1 == shares.size() ? to : size();
-            if (next != to) seeds_.points.push_back(start + shares[k] * way);
+            if (next != to) seeds_.points.push_back(start + line.place(shares[k]) * way);
             seeds_.sides.push_back({last, next, -1, kind});
             last = next;
         }
@@ -362,6 +429,7 @@ private:
     const Region& region_;
     double spread_;
     RandomNumbers& random_;
+    const SizeField& size_;
     double tolerance_ = 0;
     int n_inserted_ = 0;
     std::vector<int> kept_;  ///< points that must not be moved: corners, ends and crossings
@@ -372,13 +440,19 @@ private:
 
 int admissible_boundary_count(const Region& region, double wanted, bool odd) {
     const int parity = odd ? 1 : 0;
-    const int fewest = number_of_edges(undivided(region));
+    const int fewest = number_of_edges(undivided(region, {}));
     const int n = 2 * static_cast<int>(std::lround((wanted - parity) / 2)) + parity;
     return std::max(n, fewest + (fewest + parity) % 2);
 }
 
-Seeds fixed_seeds(const Region& region, int n, double edge, double spread, RandomNumbers& random) {
-    Builder builder(region, spread, random);
+double relative_perimeter(const Region& region, const SizeField& size) {
+    double sum = 0;
+    for (const Divided& side : undivided(region, size)) sum += side.length();
+    return sum;
+}
+
+Seeds fixed_seeds(const Region& region, int n, double edge, double spread, RandomNumbers& random, const SizeField& size) {
+    Builder builder(region, spread, random, size);
     builder.add_loops(n);
     builder.add_prescribed(edge);
     return std::move(builder).seeds();

@@ -74,7 +74,7 @@ double psi6(std::span<const Point> points, std::span<const Edge> edges) {
 }
 
 double largest_psi6_of_parts(const Region& region, Partition partition, std::span<const Point> points,
-                             std::span<const Edge> edges) {
+                             std::span<const Edge> edges, const Stretch& stretch) {
     const auto part_of = is_round(region) ? part_of_disc : part_of_grid;
     const Box box = bounds(region);
     const Point centre = midpoint(box.low, box.high);
@@ -85,7 +85,7 @@ double largest_psi6_of_parts(const Region& region, Partition partition, std::spa
         const Point p = points[static_cast<std::size_t>(e[0])];
         const Point q = points[static_cast<std::size_t>(e[1])];
         const std::size_t part = part_of(box, partition, midpoint(p, q) - centre);
-        sums[part] = sums[part] + six_fold(q - p);
+        sums[part] = sums[part] + six_fold(stretch.equiaxed(q - p));
         ++counts[part];
     }
     double largest = 0;

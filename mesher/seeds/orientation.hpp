@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/plane/geometry.hpp"
+#include "mesher/plane/stretch.hpp"
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/region/region.hpp"
 
@@ -32,8 +33,9 @@ enum class Partition {
 
 /// The largest |⟨e^(6iθ)⟩| among eight equal parts of a region. An edge belongs to the part of its midpoint. Parts of a grid that
 /// have fewer than half as many edges as on average, because the region does not fill them, do not count.
+/// \param stretch of elongated grains, whose directions are those in the plane where they are equiaxed
 double largest_psi6_of_parts(const Region& region, Partition partition, std::span<const Point> points,
-                             std::span<const Edge> edges);
+                             std::span<const Edge> edges, const Stretch& stretch = {});
 
 /// ⟨e^(6iθ)⟩ around each point, averaged over its edges and smoothed over neighbours `n_smoothings` times.
 std::vector<Point> local_orientation(std::span<const Point> points, const Neighbours& neighbours, int n_smoothings);

@@ -24,8 +24,9 @@ constexpr double merge_below = 0.78;
 constexpr double turning = 0.19;          ///< strength of the turning away from a common direction
 constexpr int n_smoothings = 10;          ///< a neighbourhood has a radius of about three edges
 constexpr double ordered_spread = 0.115;  ///< requested spreads above this need no ordering rounds
-constexpr double sampled_spread = 0.185;  ///< spread of the sampled points; requested spreads above this need random moves
 constexpr double min_depth = 0.3;         ///< smallest distance of inner points from the boundary, over the requested edge
+constexpr double least_scatter = 0.01;    ///< of the logarithm of sizes
+constexpr double largest_scatter = 0.6;
 
 /// Half range of the springs that gives a spread on average, as measured; the rounds correct it.
 double initial_range(double spread) {
@@ -34,9 +35,8 @@ double initial_range(double spread) {
 
 class Relaxation {
 public:
-    Relaxation(const DepthGrid& depth, Seeds fixed, const std::vector<Point>& inner, const RelaxationGoal& goal,
-               RandomNumbers& random)
-        : depth_(depth), goal_(goal), random_(random), n_fixed_(fixed.n_fixed), mesh_(std::move(fixed)) {
+    Relaxation(const DepthGrid& depth, Seeds fixed, const std::vector<Point>& inner, const RelaxationGoal& goal, SizeField size)
+        : depth_(depth), goal_(goal), size_(std::move(size)), n_fixed_(fixed.n_fixed), mesh_(std::move(fixed)) {
         for (const Side& side : mesh_.sides) {
             (side.part >= 0 ? loops_ : prescribed_).push_back({side.from, side.to});
             fixed_edges_.push_back({std::min(side.from, side.to), std::max(side.from, side.to)});
@@ -45,11 +45,11 @@ public:
         // The sides of one convex loop are sides of all Delaunay triangles.
         is_hull_ = n_fixed_ == mesh_.sides.size() && loops_.size() == n_fixed_ && is_convex(mesh_.points);
         mesh_.points.insert(mesh_.points.end(), inner.begin(), inner.end());
-        range_ = initial_range(goal.spread);
+        range_ = initial_range(spring_spread());
     }
 
     Seeds run(const ProgressCallback& progress) {
-        const int n_ordering = goal_.spread > ordered_spread ? 0 : n_ordering_rounds;
+        const int n_ordering = spring_spread() > ordered_spread ? 0 : n_ordering_rounds;
         const int n_rounds = n_ordering + n_range_rounds;
         for (int round = 0;; ++round) {
             triangulate();
@@ -59,13 +59,8 @@ public:
             }
             throw_if_interrupted();
             if (progress) progress(std::min(1.0, static_cast<double>(round) / n_rounds));
-            const bool shaking = goal_.spread > sampled_spread;
-            const bool settling = shaking || round >= n_rounds - n_settling_rounds;
-            if (shaking) {
-                shake();
-            } else {
-                sweep(round < n_ordering ? 0.0 : adapted_range());
-            }
+            const bool settling = round >= n_rounds - n_settling_rounds;
+            sweep(round < n_ordering ? 0.0 : adapted_range());
             if (!settling || surplus() != 0) exchange_points(settling);
         }
         return std::move(mesh_);
@@ -78,6 +73,12 @@ private:
     [[nodiscard]] double edge_length(const Edge& e) const {
         return length(mesh_.points[static_cast<std::size_t>(e[1])] - mesh_.points[static_cast<std::size_t>(e[0])]);
     }
+    /// Relative size of an edge, the mean of those of its ends.
+    [[nodiscard]] double size_of(const Edge& e) const {
+        return sizes_.empty() ? 1 : 0.5 * (sizes_[static_cast<std::size_t>(e[0])] + sizes_[static_cast<std::size_t>(e[1])]);
+    }
+    /// Spread that the springs are to leave; a wider one is that of the sizes.
+    [[nodiscard]] double spring_spread() const { return size_.is_scattered() ? tight_spread : goal_.spread; }
 
     void triangulate() {
         if (!is_hull_) {
@@ -97,23 +98,28 @@ private:
             split_corner_ear(mesh_.points, mesh_.triangles, c.at, c.before, c.after);
         }
         mesh_.edges = edges_of(mesh_.triangles, mesh_.points.size());
+        take_sizes();
     }
 
-    [[nodiscard]] double spread() const {
-        double sum = 0;
-        double squares = 0;
-        for (const Edge& e : mesh_.edges) {
-            const double l = edge_length(e);
-            sum += l;
-            squares += l * l;
-        }
-        const auto n = static_cast<double>(mesh_.edges.size());
-        return std::sqrt(std::max(0.0, squares * n / (sum * sum) - 1));
+    /// Relative sizes at the points.
+    void take_sizes() {
+        if (!has_sizes_) return;
+        sizes_.resize(mesh_.points.size());
+        for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = size_.at(mesh_.points[i]);
     }
 
-    /// Half range in which springs exert no force, corrected by the difference between requested and present spread.
+    [[nodiscard]] double spread() const { return spread_of_edges(mesh_.points, mesh_.edges, size_); }
+
+    /// Half range in which springs exert no force. It, or the scatter of the sizes, is corrected by the difference between
+    /// requested and present spread.
     double adapted_range() {
-        range_ = std::max(0.0, range_ + 1.5 * (goal_.spread - spread()));
+        const double missing = goal_.spread - spread();
+        if (size_.is_scattered()) {
+            size_.set_scatter(std::clamp(size_.scatter() + 1.5 * missing, least_scatter, largest_scatter));
+            take_sizes();
+        } else {
+            range_ = std::max(0.0, range_ + 1.5 * missing);
+        }
         return range_;
     }
 
@@ -127,16 +133,20 @@ private:
         const double shortest = (1 - range) * goal_.edge;
         const double degenerate = 1e-3 * goal_.edge;
         const double depth = min_depth * goal_.edge;
+        const bool sized = !sizes_.empty();
         for (int pass = 0; pass < n_sweeps; ++pass) {
             for (std::size_t i = n_fixed_; i < points.size(); ++i) {
                 Point move = turns[i];
                 for (int k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {
-                    const Point d = points[static_cast<std::size_t>(neighbours.items[static_cast<std::size_t>(k)])] - points[i];
+                    const auto j = static_cast<std::size_t>(neighbours.items[static_cast<std::size_t>(k)]);
+                    const Point d = points[j] - points[i];
                     const double l = std::max(length(d), degenerate);
-                    const double aim = std::clamp(l, shortest, longest);
+                    const double size = sized ? 0.5 * (sizes_[i] + sizes_[j]) : 1;
+                    const double aim = std::clamp(l, size * shortest, size * longest);
                     move = move + (1 - aim / l) * d;
                 }
-                points[i] = depth_.kept_deep(points[i] + relaxation_factor * move, depth, points[i]);
+                const double local_depth = sized ? sizes_[i] * depth : depth;
+                points[i] = depth_.kept_deep(points[i] + relaxation_factor * move, local_depth, points[i]);
             }
         }
     }
@@ -159,18 +169,6 @@ private:
         return moves;
     }
 
-    /// Random moves that widen a spread below the requested one.
-    void shake() {
-        const double missing = goal_.spread * goal_.spread - spread() * spread();
-        if (missing <= 0) return;
-        // A random move of up to ρ edges adds (0.7 ρ)² to the variation of a mesh; half of it is lost to new diagonals.
-        const double reach = goal_.edge * std::min(0.4, std::sqrt(missing));
-        for (std::size_t i = n_fixed_; i < mesh_.points.size(); ++i) {
-            const Point move{reach * random_.symmetric(), reach * random_.symmetric()};
-            mesh_.points[i] = depth_.kept_deep(mesh_.points[i] + move, min_depth * goal_.edge, mesh_.points[i]);
-        }
-    }
-
     /// Merges the ends of the shortest edges and splits the longest, as many of both as keeps or corrects the number of
     /// points. \param only_correct make no more of them than correct the number of points
     void exchange_points(bool only_correct) {
@@ -183,7 +181,7 @@ private:
         std::ptrdiff_t n_too_long = 0;
         for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
             if (is_fixed(mesh_.edges[e])) continue;
-            const double l = edge_length(mesh_.edges[e]) / goal_.edge;
+            const double l = edge_length(mesh_.edges[e]) / (size_of(mesh_.edges[e]) * goal_.edge);
             if (l < merge_below) ++n_too_short;
             if (l > split_above) ++n_too_long;
             const bool has_inner_end = static_cast<std::size_t>(mesh_.edges[e][1]) >= n_fixed_;
@@ -259,7 +257,9 @@ private:
 
     const DepthGrid& depth_;
     const RelaxationGoal goal_;
-    RandomNumbers& random_;
+    SizeField size_;
+    bool has_sizes_ = size_.varies();
+    std::vector<double> sizes_;  ///< relative, of each point; none if all are 1
     std::size_t n_fixed_;
     std::vector<Edge> loops_;        ///< directed
     std::vector<Edge> prescribed_;   ///< directed
@@ -274,8 +274,8 @@ private:
 }  // namespace
 
 Seeds relax_points(const DepthGrid& depth, Seeds fixed, const std::vector<Point>& inner, const RelaxationGoal& goal,
-                   RandomNumbers& random, const ProgressCallback& progress) {
-    return Relaxation(depth, std::move(fixed), inner, goal, random).run(progress);
+                   const SizeField& size, const ProgressCallback& progress) {
+    return Relaxation(depth, std::move(fixed), inner, goal, size).run(progress);
 }
 
 }  // namespace graincrack::mesher

@@ -12,26 +12,27 @@ namespace {
 
 constexpr int tries_per_point = 16;
 
-/// Grid of cells so small that points at the minimum distance lie in different cells.
+/// Grid of cells so small that points at the smallest distance lie in different cells.
 class OccupancyGrid {
 public:
-    OccupancyGrid(const Box& box, double min_distance, const std::vector<Point>& points)
+    OccupancyGrid(const Box& box, double smallest, double largest, const std::vector<Point>& points)
         : points_(points),
-          min_squared_(min_distance * min_distance),
-          inv_cell_(std::sqrt(2.0) / min_distance),
+          inv_cell_(std::sqrt(2.0) / smallest),
+          margin_(cells_within(largest)),
           origin_(box.low),
-          n_x_(static_cast<std::int64_t>(box.width() * inv_cell_) + 5),
-          n_y_(static_cast<std::int64_t>(box.height() * inv_cell_) + 5),
+          n_x_(static_cast<std::int64_t>(box.width() * inv_cell_) + 2 * margin_ + 1),
+          n_y_(static_cast<std::int64_t>(box.height() * inv_cell_) + 2 * margin_ + 1),
           occupant_(static_cast<std::size_t>(n_x_ * n_y_), -1) {}
 
-    /// Whether a point keeps its distance from all others.
-    [[nodiscard]] bool admits(Point p) const {
+    /// Whether a point keeps a distance from all others.
+    [[nodiscard]] bool admits(Point p, double distance) const {
         const std::int64_t cell = cell_of(p);
         if (occupant_[static_cast<std::size_t>(cell)] >= 0) return false;
-        for (std::int64_t row = cell - 2 * n_x_; row <= cell + 2 * n_x_; row += n_x_) {
-            for (std::int64_t c = row - 2; c <= row + 2; ++c) {
+        const std::int64_t reach = cells_within(distance);
+        for (std::int64_t row = cell - reach * n_x_; row <= cell + reach * n_x_; row += n_x_) {
+            for (std::int64_t c = row - reach; c <= row + reach; ++c) {
                 const std::int32_t q = occupant_[static_cast<std::size_t>(c)];
-                if (q >= 0 && squared_length(points_[static_cast<std::size_t>(q)] - p) < min_squared_) return false;
+                if (q >= 0 && squared_length(points_[static_cast<std::size_t>(q)] - p) < distance * distance) return false;
             }
         }
         return true;
@@ -42,16 +43,17 @@ public:
     }
 
 private:
-    /// A margin of two cells on all sides makes bounds checks in the neighbour loops unnecessary.
+    [[nodiscard]] std::int64_t cells_within(double distance) const { return 1 + static_cast<std::int64_t>(distance * inv_cell_); }
+    /// A margin on all sides makes bounds checks in the neighbour loops unnecessary.
     [[nodiscard]] std::int64_t cell_of(Point p) const {
-        const auto x = static_cast<std::int64_t>((p.x - origin_.x) * inv_cell_) + 2;
-        const auto y = static_cast<std::int64_t>((p.y - origin_.y) * inv_cell_) + 2;
+        const auto x = static_cast<std::int64_t>((p.x - origin_.x) * inv_cell_) + margin_;
+        const auto y = static_cast<std::int64_t>((p.y - origin_.y) * inv_cell_) + margin_;
         return y * n_x_ + x;
     }
 
     const std::vector<Point>& points_;
-    double min_squared_;
     double inv_cell_;
+    std::int64_t margin_;
     Point origin_;
     std::int64_t n_x_;
     std::int64_t n_y_;
@@ -67,8 +69,9 @@ Point random_step(double r, RandomNumbers& random) {
     }
 }
 
-/// Points on the bisectors of corners, as far from the corner as a grain edge is long, and from each other at least as far.
-std::vector<Point> corner_points(const Region& region, double distance) {
+/// Points on the bisectors of corners, as far from the corner as a grain edge is long there, and from each other at least as far.
+/// \param edge of relative size 1
+std::vector<Point> corner_points(const Region& region, double edge, const SizeField& size) {
     std::vector<Point> points;
     for (const Loop& loop : region.loops) {
         const std::size_t n = loop.corners.size();
@@ -78,12 +81,12 @@ std::vector<Point> corner_points(const Region& region, double distance) {
             const Point after = loop.ahead(i);
             if (!can_be_cut_off(before, at, after)) continue;
             const Point middle = unit(after - at) + unit(before - at);
-            points.push_back(at + distance * (std::sqrt(1 / squared_length(middle)) * middle));
+            points.push_back(at + edge * size.at(at) * (std::sqrt(1 / squared_length(middle)) * middle));
         }
     }
     const std::vector<Point> all = points;
     const auto has_neighbour = [&](Point p) {
-        return std::any_of(all.begin(), all.end(), [&](Point q) { return q != p && length(q - p) < distance; });
+        return std::any_of(all.begin(), all.end(), [&](Point q) { return q != p && length(q - p) < edge * size.at(p); });
     };
     points.erase(std::remove_if(points.begin(), points.end(), has_neighbour), points.end());
     return points;
@@ -92,24 +95,28 @@ std::vector<Point> corner_points(const Region& region, double distance) {
 }  // namespace
 
 std::vector<Point> sample_points(const Region& region, const DepthGrid& depth, double min_distance, double margin,
-                                 RandomNumbers& random) {
+                                 RandomNumbers& random, const SizeField& size) {
     const Box box = bounds(region);
     std::vector<Point> points;
-    OccupancyGrid grid(box, min_distance, points);
+    const double smallest = min_distance * size.smallest();
+    OccupancyGrid grid(box, smallest, min_distance * size.largest(), points);
     std::vector<std::size_t> active;
     const auto accept = [&](Point p) {
         grid.insert(p, points.size());
         active.push_back(points.size());
         points.push_back(p);
     };
-    const auto admits = [&](Point p) { return depth.is_deep(p, margin) && grid.admits(p); };
+    const auto admits = [&](Point p) {
+        const double local = size.at(p);
+        return depth.is_deep(p, margin * local) && grid.admits(p, min_distance * local);
+    };
     const auto grow = [&] {
         while (!active.empty()) {
             const std::size_t place = random.below(active.size());
             const Point from = points[active[place]];
             bool placed = false;
             for (int i = 0; i < tries_per_point && !placed; ++i) {
-                const Point p = from + random_step(min_distance, random);
+                const Point p = from + random_step(min_distance * size.at(from), random);
                 placed = admits(p);
                 if (placed) accept(p);
             }
@@ -119,20 +126,21 @@ std::vector<Point> sample_points(const Region& region, const DepthGrid& depth, d
             }
         }
     };
-    for (const Point p : corner_points(region, 1.3 * min_distance)) {
+    for (const Point p : corner_points(region, 1.3 * min_distance, size)) {
         if (admits(p)) accept(p);
     }
     const Point centre = midpoint(box.low, box.high);
     for (int i = 0; i < 1000 && points.empty(); ++i) {
         const Point p = centre + Point{0.5 * box.width() * random.symmetric(), 0.5 * box.height() * random.symmetric()};
-        if (depth.is_deep(p, margin)) accept(p);
+        if (depth.is_deep(p, margin * size.at(p))) accept(p);
     }
     grow();
-    // Holes, necks and prescribed edges may have kept the growth from some parts: a point is tried all over the region.
-    if (!is_plain(region)) {
-        for (double y = box.low.y; y < box.high.y; y += min_distance / 2) {
-            for (double x = box.low.x; x < box.high.x; x += min_distance / 2) {
-                const Point p{x + min_distance / 2 * random.uniform(), y + min_distance / 2 * random.uniform()};
+    // Holes, necks, prescribed edges and steps of size may have kept the growth from some parts: a point is tried all over the
+    // region.
+    if (!is_plain(region) || size.varies()) {
+        for (double y = box.low.y; y < box.high.y; y += smallest / 2) {
+            for (double x = box.low.x; x < box.high.x; x += smallest / 2) {
+                const Point p{x + smallest / 2 * random.uniform(), y + smallest / 2 * random.uniform()};
                 if (!admits(p)) continue;
                 accept(p);
                 grow();

@@ -86,6 +86,10 @@ void write_specimen_lines(std::ostream& out, const H5Input& file) {
     number("edge_variation");
     length("mean_diameter");
     number("diameter_variation");
+    number("elongation");
+    if (file.has_attribute(group, "elongation_angle")) {
+        line(out, "elongation_angle", format_quantity(file.attribute<double>(group, "elongation_angle"), Dimension::angle));
+    }
     line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
     write_integer(out, file, group, "seed");
     write_counts(out, file);

@@ -101,6 +101,10 @@ inline constexpr Quantity persistence{"persistence", Dimension::one, 0, 1, "shar
 inline constexpr Quantity hole_radius{"radius", Dimension::length, 0, 1e4, "radius of a hole", true};
 inline constexpr Quantity coordinate{"coordinate", Dimension::length, -1e4, 1e4, "coordinate"};
 inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
+inline constexpr Quantity relative_edge{"relative_edge", Dimension::one, 0.1, 10, "relative edge of graded grains"};
+inline constexpr Quantity grading_distance{
+    "grading_distance", Dimension::length, 0, 1e4, "distance over which sizes are graded", true};
+inline constexpr Quantity elongation{"elongation", Dimension::one, 1, 4, "ratio of the axes of elongated grains"};
 inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
 inline constexpr Quantity phase_fraction{"fraction", Dimension::one, 0, 1, "fraction of the area that a phase has", true};
 inline constexpr Quantity phase_cluster{"phase_cluster", Dimension::one, 1, 1e9,

@@ -62,6 +62,8 @@ constexpr StatisticAttribute statistic_attributes[] = {
     {"min_angle", &MeshStatistics::min_angle, Dimension::angle},
     {"psi6", &MeshStatistics::psi6, Dimension::one},
     {"area_error", &MeshStatistics::area_error, Dimension::one},
+    {"elongation", &MeshStatistics::elongation, Dimension::one},
+    {"elongation_angle", &MeshStatistics::elongation_angle, Dimension::angle},
 };
 
 /// Static VTKHDF 1.0: readers refuse 2D points and connectivity that is not a flat int64 list, so these are copies.
@@ -155,6 +157,7 @@ void write_specimen(H5Output& file, const Specimen& s) {
     file.quantity(group, "loading_arc", s.loading_arc, "rad");
     file.attribute(group, "grains", static_cast<std::int64_t>(s.n_grains()));
     for (const StatisticAttribute& a : statistic_attributes) {
+        if (s.statistics.elongation == 0 && std::string_view(a.name).starts_with("elongation")) continue;  // not measured
         file.quantity(group, a.name, s.statistics.*a.member, si_unit(a.dimension));
     }
     write_rows(file, schema::node_position, s.node_position);

@@ -46,9 +46,11 @@ struct MeshStatistics {
     double diameter_variation = 0;
     double min_diameter = 0;
     double max_diameter = 0;
-    double min_angle = 0;   ///< smallest angle of any element
-    double psi6 = 0;        ///< |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice
-    double area_error = 0;  ///< (area of all grains − area of the shape) / area of the shape
+    double min_angle = 0;         ///< smallest angle of any element
+    double psi6 = 0;              ///< |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice
+    double area_error = 0;        ///< (area of all grains − area of the shape) / area of the shape
+    double elongation = 0;        ///< mean ratio of the long to the short axis of the grains; 0: not measured
+    double elongation_angle = 0;  ///< of the long axis, counter-clockwise from x
 };
 
 /// Arrays of a specimen. Index ranges: n nodes, e elements, g grains, c contacts, b boundary edges. SI units.

@@ -21,7 +21,7 @@ PlaneCells cells_of(const Region& region, std::uint64_t seed) {
     const DepthGrid depth(region, 0.7 * edge);
     Seeds fixed = fixed_seeds(region, admissible_boundary_count(region, perimeter(region) / edge, false), edge, 0.07, random);
     const auto inner = sample_points(region, depth, 0.77 * edge, 0.7 * edge, random);
-    return delaunay_cells(relax_points(depth, std::move(fixed), inner, {edge, 0.1, inner.size()}, random));
+    return delaunay_cells(relax_points(depth, std::move(fixed), inner, {edge, 0.1, inner.size()}));
 }
 
 Point at(const PlaneCells& cells, int p) { return cells.points[static_cast<std::size_t>(p)]; }

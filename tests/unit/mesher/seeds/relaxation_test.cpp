@@ -23,7 +23,7 @@ Seeds relaxed(std::uint64_t seed, std::size_t n_inner, double sampling_distance)
     const DepthGrid depth(region, 0.7 * edge);
     const Seeds fixed = fixed_seeds(region, 60, edge, 0.07, random);
     const auto inner = sample_points(region, depth, sampling_distance * edge, 0.7 * edge, random);
-    return relax_points(depth, fixed, inner, {edge, 0.1, n_inner}, random);
+    return relax_points(depth, fixed, inner, {edge, 0.1, n_inner});
 }
 
 double variation(const Seeds& mesh) {
@@ -78,12 +78,10 @@ TEST(PointRelaxation, WiderSpreadIsMadeOnRequest) {
     const DepthGrid depth(region, 0.7 * 4e-3);
     const Seeds fixed = fixed_seeds(region, 120, 4e-3, 0.1, random);
     const auto inner = sample_points(region, depth, 0.77 * 4e-3, 0.7 * 4e-3, random);
-    const auto of_spread = [&](double spread) {
-        RandomNumbers same(4);
-        return variation(relax_points(depth, fixed, inner, {4e-3, spread, 870}, same));
-    };
-    EXPECT_NEAR(of_spread(0.15), 0.15, 0.02);
-    EXPECT_NEAR(of_spread(0.25), 0.25, 0.03);
+    EXPECT_NEAR(variation(relax_points(depth, fixed, inner, {4e-3, 0.15, 870})), 0.15, 0.02);
+    SizeField size(region, 4e-3, {}, {}, 0.3);
+    size.draw(bounds(region), random);
+    EXPECT_NEAR(variation(relax_points(depth, fixed, inner, {4e-3, 0.25, 870}, size)), 0.25, 0.03);
 }
 
 }  // namespace
