@@ -70,7 +70,8 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
         const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
         broken += std::hypot(q[0] - p[0], q[1] - p[1]);
     }
-    return fmt::format("  {} pieces of flaws and joints, {} long in all; contacts broken from the start: {}", report.n_flaws,
+    return fmt::format("  {} of flaws and joints, {} long in all; contacts broken from the start: {}",
+                       report.n_flaws == 1 ? "1 piece" : fmt::format("{} pieces", report.n_flaws),
                        format_quantity(report.flaw_length, Dimension::length), format_quantity(broken, Dimension::length));
 }
 

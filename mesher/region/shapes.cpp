@@ -114,10 +114,15 @@ void add_hole(Region& region, Point centre, double radius, const std::string& wh
 
 PrescribedEdge central_slit(const Region& region, double length, double angle, const std::string& where) {
     const Box box = bounds(region);
-    const double room = std::min(box.width(), box.height());
-    if (!(length < room)) throw UsageError(where + ": " + metres(length) + " has no room; give less than " + metres(room));
-    const Point half = length / 2 * Point{std::cos(angle), std::sin(angle)};
-    return {-1 * half, half, ContactKind::pre_existing_crack, where};
+    const Point along{std::cos(angle), std::sin(angle)};
+    const Point reach = mesher::length(box.high - box.low) * along;
+    const auto pieces = clip(region, {-1 * reach, reach, {}, where});
+    const double room = pieces.empty() ? 0 : mesher::length(pieces.back().to - pieces.front().from);
+    if (length > room * (1 + 1e-9)) {
+        throw UsageError(where + ": " + metres(length) + " has no room; give at most " + metres(room) +
+                         ", which is a joint through the specimen");
+    }
+    return {-length / 2 * along, length / 2 * along, ContactKind::pre_existing_crack, where};
 }
 
 PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where) {

@@ -26,7 +26,8 @@ Region polygon(std::vector<Point> corners, const std::vector<std::string>& parts
 
 /// Adds a round hole, whose part is hole_1, hole_2, … \throws UsageError naming `where` if it is not inside or meets another loop
 void add_hole(Region& region, Point centre, double radius, const std::string& where);
-/// A crack through the middle of a disc. \throws UsageError naming `where` if it has no room
+/// A straight crack through the middle; as long as the specimen in its direction it is a joint. \throws UsageError naming `where`
+/// if it is longer
 PrescribedEdge central_slit(const Region& region, double length, double angle, const std::string& where);
 /// A crack from the middle of the bottom upwards. \throws UsageError naming `where` if it has no room
 PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where);

@@ -14,7 +14,7 @@ namespace graincrack::mesher {
 struct Side {
     int from = 0;
     int to = 0;
-    int part = -1;  ///< of the boundary; −1 along a prescribed edge
+    int part = -1;       ///< of the boundary; −1 along a prescribed edge
     FlawKind kind = {};  ///< of contacts along a prescribed edge
 };
 

@@ -143,7 +143,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     std::vector<std::string> table_names;
     table_names.reserve(tables.size());
     for (const TomlKeys& table : tables) table_names.push_back(table.path);
-    for (const char* table : {"phases", "pairs", "strength"}) table_names.emplace_back(table);
+    for (const char* table : {"phases", "pairs", "flaws", "strength"}) table_names.emplace_back(table);
 
     const auto find_table = [&](const std::vector<std::string>& section) -> TomlKeys* {
         const std::string path = fmt::format("{}", fmt::join(section, "."));

@@ -62,7 +62,7 @@ struct NodeEdgeResponse {
 /// The law of a node–edge contact is the residual one of the class of its two grains.
 inline FrictionLaw friction_law(const ContactLaw& law) { return {law.kt, law.ks, law.residual_cc, law.residual_tan_phi}; }
 inline FrictionLaw friction_law(const Assemblage& a, const ContactLaws& laws, const CandidatePair& pair) {
-    return friction_law(laws[class_between(a, pair.node, a.surface.edges[pair.edge].nodes[0])]);
+    return friction_law(laws[class_between(a, pair.node, pair.edge)]);
 }
 /// Largest frictional traction under a pressure (Pa), Pa.
 GRAINCRACK_INLINE double friction_limit(const FrictionLaw& law, double pressure) {

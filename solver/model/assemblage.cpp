@@ -124,6 +124,7 @@ Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& p
         a.position[a.node_of_specimen[i]] = {specimen.node_position[i][0], specimen.node_position[i][1]};
     }
     add_elements(a, specimen, phases, plane);
+    a.n_phase_classes = static_cast<std::int32_t>(n_contact_classes(phases.size()));
     add_contacts(a, specimen);
     add_contact_slots(a);
     add_element_slots(a);
@@ -154,8 +155,8 @@ std::size_t memory_of(const SlotsOfNodes<few>& slots) {
 std::size_t memory_of(const Assemblage& assemblage) {
     const auto& [position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass, contacts,
                  contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks, contact_chunks,
-                 node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface, contact_length, vector_target] =
-        assemblage;
+                 node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, n_phase_classes, surface, contact_length,
+                 vector_target] = assemblage;
     return memory_of_all(position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass,
                          contacts, contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks,
                          contact_chunks, node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface);

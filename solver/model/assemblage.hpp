@@ -120,6 +120,7 @@ struct Assemblage {
     std::vector<std::int32_t> contact_of_specimen;  ///< place of a contact of the specimen
     std::vector<std::int32_t> specimen_contact;     ///< [c] contact of the specimen at a place, −1 if it is empty
     std::vector<std::uint8_t> phase_of_node;        ///< [n]
+    std::int32_t n_phase_classes = 0;               ///< classes of contacts by phases; those of flaws follow
     GrainSurface surface;
     double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
@@ -181,9 +182,19 @@ void for_each_node_of(const Assemblage& a, const NodeChunk& chunk, std::int32_t 
         act(a.rows[row].begin + column);
     }
 }
-/// Class of contacts between two nodes.
-inline std::int32_t class_between(const Assemblage& a, std::int32_t node, std::int32_t other) {
-    return static_cast<std::int32_t>(contact_class(a.phase_of_node[node], a.phase_of_node[other]));
+/// Class of the contact whose side an edge of the surface is; −1 on a free face.
+inline std::int32_t class_of_edge(const Assemblage& a, std::int32_t edge) {
+    const std::int32_t contact = a.surface.edges[edge].contact;
+    return contact < 0 ? -1 : a.contact_chunks[contact / contacts_per_chunk].contact_class;
+}
+/// Class of a node–edge contact: that of a flaw if both lie on it, else that of the phases of the two grains.
+inline std::int32_t class_between(const Assemblage& a, std::int32_t node, std::int32_t edge) {
+    if (const std::int32_t flaw = class_of_edge(a, edge); flaw >= a.n_phase_classes) {
+        for (std::int32_t k = a.surface.edge_begin[node]; k < a.surface.edge_begin[node + 1]; ++k) {
+            if (class_of_edge(a, a.surface.edges_of_node[k]) == flaw) return flaw;
+        }
+    }
+    return static_cast<std::int32_t>(contact_class(a.phase_of_node[node], a.phase_of_node[a.surface.edges[edge].nodes[0]]));
 }
 
 /// Ranges of items sorted by node that fall into each chunk of nodes.

@@ -4,7 +4,7 @@
 Usage: documents.py BIN [--whole-tests] [--only NAME]
 
 BIN is the folder of the tools. The commands are the indented lines of README.md, CONTRIBUTING.md and share/doc/*.md that call a tool, a
-script or make, with the pipelines that they begin and the lines that a \\ joins to them, and the lines in the heads of share/programs/*.toml. Those of one document run one after
+script, make or printf, with the pipelines that they begin and the lines that a \\ joins to them, and the lines in the heads of share/programs/*.toml. Those of one document run one after
 the other in one folder, which has links to what is called by a path from the top. A command fails the test if its exit code is not 0.
 
 Studies are printed and not made (make -n; tests/studies/run makes them on tiny specimens; STAND_INS are what later commands read of them),
@@ -21,7 +21,7 @@ import sys
 import tempfile
 
 TOP = pathlib.Path(__file__).resolve().parent.parent.parent
-CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbatch|export)\b(?!:)")
+CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbatch|export|printf)\b(?!:)")
 NOT_HERE = {
     "tests/run": "is what runs this test",
     "share/studies/job-array": "needs Slurm: tests/slurm/run",

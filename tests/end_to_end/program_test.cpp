@@ -176,6 +176,7 @@ TEST(Programs, AJointThroughTheWholeWidthSlidesWhereRockBears) {
     const Shell shell;
     const double joint = shear_strength_of(shell, " --notch 40mm");
     const double rock = shear_strength_of(shell, "");
+    EXPECT_NEAR(shear_strength_of(shell, " --notch 40mm --notch-angle 0deg"), 1.82, 0.1);  // without teeth, 5 %
     EXPECT_GT(joint, 1.8);  // 5 MPa · tan 20°, and the teeth of the joint
     EXPECT_LT(joint, 0.8 * rock);
     const Outcome outcome =

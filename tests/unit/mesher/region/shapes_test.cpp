@@ -106,7 +106,7 @@ TEST(Shapes, HolesAndSlitsWithoutRoomAreRefused) {
     EXPECT_TRUE(refused({0.012, 0}, 0.001)) << "in the other";
     EXPECT_TRUE(refused({0.06, 0}, 0.001)) << "outside";
     EXPECT_FALSE(refused({-0.02, 0}, 0.01));
-    EXPECT_THROW((void)central_slit(disc(0.08), 0.08, 0, "--slit"), UsageError);
+    EXPECT_THROW((void)central_slit(disc(0.08), 0.0801, 0, "--slit"), UsageError);
     EXPECT_THROW((void)slit_from_below(half_disc(0.08), 0.04, "--slit"), UsageError);
     EXPECT_EQ(slit_from_below(half_disc(0.08), 0.02, "--slit").to, (Point{0, 0}));
 }

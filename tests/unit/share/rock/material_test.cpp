@@ -148,9 +148,10 @@ TEST_F(MaterialFile, ReadsSiNumbersUnitsAndOptionalKeys) {
 }
 
 TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
-    EXPECT_EQ(complaint(stone + "[rok]\n"),
-              "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, platen, laboratory, phases, pairs, "
-              "strength");
+    EXPECT_EQ(
+        complaint(stone + "[rok]\n"),
+        "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, platen, laboratory, phases, pairs, flaws, "
+        "strength");
     EXPECT_EQ(
         complaint(stone + "cohesio = 3\n"),
         "line 13: unknown key contact.cohesio (did you mean cohesion?); known are tensile_strength, cohesion, friction_angle, "
