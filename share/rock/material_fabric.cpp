@@ -114,6 +114,7 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
         if (path[1] == "heterophase") return TomlKeys{name, factor_keys(fabric.heterophase)};
         return TomlKeys{name, optional_contact_keys(fabric.pairs[path[1]])};
     }
+    if (first == "flaws" && path.size() == 1) return TomlKeys{name, {}};  // its classes are tables of their own
     if (first == "flaws" && path.size() == 2) return TomlKeys{name, optional_contact_keys(fabric.flaws[path[1]])};
     return std::nullopt;
 }

@@ -92,7 +92,7 @@ const std::vector<BadInput> mesher{
     {"SecondHoleInTheFirst", "graincrack-mesh disc --diameter 20mm --grains 200 --hole 0,0,4mm --hole 1mm,0,1mm -o out.h5", 2,
      "--hole 2"},
     {"HoleOfTwoNumbers", "graincrack-mesh disc --diameter 20mm --grains 200 --hole 1mm,2mm -o out.h5", 2, "--hole"},
-    {"SlitWithoutRoom", "graincrack-mesh disc --diameter 20mm --grains 200 --slit 20mm -o out.h5", 2, "--slit"},
+    {"SlitWithoutRoom", "graincrack-mesh disc --diameter 20mm --grains 200 --slit 21mm -o out.h5", 2, "--slit"},
     {"AngleWithoutASlit", "graincrack-mesh disc --diameter 20mm --grains 200 --slit-angle 20deg -o out.h5", 2, "--slit-angle"},
     {"JointsWithoutDip", "graincrack-mesh disc --diameter 20mm --grains 200 --joint-set spacing=5mm -o out.h5", 2, "dip"},
     {"JointsTooClose", "graincrack-mesh disc --diameter 20mm --edge 2mm --joint-set spacing=1mm,dip=0 -o out.h5", 2,

@@ -26,7 +26,7 @@ TEST(Flaws, AClassHasItsParametersCracksAndPictures) {
     EXPECT_GT(std::atoi(shell.must("graincrack-post cracks run.h5 -o cracks --quiet && grep -c vein cracks/cracks.tsv").c_str()),
               5)
         << "the vein fails first";
-    EXPECT_NE(content_of(shell.file("map.svg")).find("vein only"), std::string::npos);
+    EXPECT_NE(content_of(shell.file("map.svg")).find("contacts of vein"), std::string::npos);
     EXPECT_NE(content_of(shell.file("page.html")).find("vein"), std::string::npos);
     const Outcome missing = shell.run("graincrack-solve uniaxial specimen.h5 --material augig-granite --quiet -o other.h5");
     EXPECT_EQ(missing.exit_code, 3);
