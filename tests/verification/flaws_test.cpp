@@ -311,8 +311,10 @@ TEST(Holes, AJointAt45DegreesIsLoadedAsTheRockAroundTheHole) {
     }
     const std::string name = "specimens: joint at 45 deg through a hole, K .5, ";
     verify(name + "greatest shear over pressure", greatest, 0.3573, 0.01, "Kirsch; what 20 deg bears is 1.9 % more");
-    verify(name + "would slip at 19.3 deg from (radii)", first, 2.005, 0.05, "Kirsch: where shear over pressure passes tan 19.3 deg");
-    verify(name + "would slip at 19.3 deg up to (radii)", last, 3.840, 0.05, "Kirsch: where shear over pressure passes tan 19.3 deg");
+    verify(name + "would slip at 19.3 deg from (radii)", first, 2.005, 0.05,
+           "Kirsch: where shear over pressure passes tan 19.3 deg");
+    verify(name + "would slip at 19.3 deg up to (radii)", last, 3.840, 0.05,
+           "Kirsch: where shear over pressure passes tan 19.3 deg");
     EXPECT_LT(greatest, std::tan(20 * test::degree)) << "nothing slips at 20 degrees";
 }
 
