@@ -69,6 +69,22 @@ TEST(Joint, APlaneOfAClassSlidesAtItsCohesionAndThenAtItsFrictionWithTheDefaultL
            "Jaeger with friction alone");
 }
 
+// Also where grains have slid on to others than those they were bonded to.
+TEST(Joint, AFlawSlidesAtTheFrictionOfItsClass) {
+    const test::JointedTest joint{50 * test::degree, 5 * test::MPa};
+    Specimen specimen = joint.specimen(6, 6, test::Blocks::of_grains);
+    specimen.contact_flaw = specimen.contact_kind;
+    specimen.flaw_names = {"joint"};
+    SimulationRequest request = joint.request();
+    request.mass_scaling = true;
+    request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
+    request.material.contact.friction_angle = 50 * test::degree;
+    request.contact = contact_parameters(request.material, request.plane, {});
+    verify("specimens: strength of a joint with a class of its own, 50 deg, 5 MPa (MPa)",
+           run_test(specimen, request, "joint", Verbosity::quiet).header.peak_axial_stress / test::MPa,
+           joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
+}
+
 TEST(Joint, HalfTheRateIsHalfTheSpeed) {
     const test::JointedTest joint{50 * test::degree, 5 * test::MPa};
     const Specimen specimen = joint.specimen(4, 4, test::Blocks::of_one_grain);
