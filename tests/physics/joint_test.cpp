@@ -69,20 +69,20 @@ TEST(Joint, APlaneOfAClassSlidesAtItsCohesionAndThenAtItsFrictionWithTheDefaultL
            "Jaeger with friction alone");
 }
 
-// Also where grains have slid on to others than those they were bonded to.
+// Only the joint can slide: whether its class or the whole rock has its friction, it does so at the same strength, also where
+// grains meet others than those that they were bonded to.
 TEST(Joint, AFlawSlidesAtTheFrictionOfItsClass) {
     const test::JointedTest joint{50 * test::degree, 5 * test::MPa};
     Specimen specimen = joint.specimen(6, 6, test::Blocks::of_grains);
-    specimen.contact_flaw = specimen.contact_kind;
-    specimen.flaw_names = {"joint"};
     SimulationRequest request = joint.request();
     request.mass_scaling = true;
+    const double expected = run_test(specimen, request, "joint", Verbosity::quiet).header.peak_axial_stress;
+    specimen.contact_flaw = specimen.contact_kind;
+    specimen.flaw_names = {"joint"};
     request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
     request.material.contact.friction_angle = 50 * test::degree;
     request.contact = contact_parameters(request.material, request.plane, {});
-    verify("specimens: strength of a joint with a class of its own, 50 deg, 5 MPa (MPa)",
-           run_test(specimen, request, "joint", Verbosity::quiet).header.peak_axial_stress / test::MPa,
-           joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
+    EXPECT_EQ(run_test(specimen, request, "joint", Verbosity::quiet).header.peak_axial_stress, expected);
 }
 
 TEST(Joint, HalfTheRateIsHalfTheSpeed) {
