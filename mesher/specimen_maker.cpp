@@ -224,7 +224,9 @@ Attempt make_attempt(const SpecimenRequest& request, const MeshPlan& plan, int n
 /// The first mesh without a preferred direction, without slivers and with the wanted spread, or the best of all attempts.
 Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress, MeshReport& report) {
     Attempt best;
-    for (int number = 0; number < max_attempts && best.excess > 1; ++number) {
+    // Where holes and flaws make a small angle, it hardly depends on random numbers.
+    const int most = is_plain(plan.region) ? max_attempts : 2 * attempts_to_promise;
+    for (int number = 0; number < most && best.excess > 1; ++number) {
         if (number >= attempts_to_promise && best.excess > 1.5) break;
         throw_if_interrupted();
         Attempt attempt = make_attempt(request, plan, number, progress);

@@ -77,10 +77,9 @@ struct MeshReport {
 /// equiaxed. The same request gives the same specimen, bit for
 /// bit.
 ///
-/// A mesh whose psi6 is above the bounds is made again from other random numbers, up to 100 times; the best mesh is kept. If an
-/// edge is requested, the number of grains is corrected until the mean edge is within 0.5 %, or as near as whole grains allow.
-/// \param report filled unless null
-/// \throws UsageError as `plan_mesh`; Interrupted on a signal
+/// A mesh whose psi6 is above the bounds is made again from other random numbers, up to 100 times, with holes and flaws 40; the
+/// best mesh is kept. If an edge is requested, the number of grains is corrected until the mean edge is within 0.5 %, or as near
+/// as whole grains allow. \param report filled unless null \throws UsageError as `plan_mesh`; Interrupted on a signal
 Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& progress = {}, MeshReport* report = nullptr);
 
 }  // namespace graincrack::mesher

@@ -126,10 +126,10 @@ private:
     }
 
     [[nodiscard]] Fault fault_of(const PrescribedEdge& piece, std::size_t index) const {
-        if (const Fault fault = fault_at_loops(piece)) return fault;
+        if (Fault fault = fault_at_loops(piece)) return fault;
         for (std::size_t i = 0; i < placed_.size(); ++i) {
             if (i == index) continue;
-            if (const Fault fault = fault_between(piece, placed_[i])) return fault;
+            if (Fault fault = fault_between(piece, placed_[i])) return fault;
         }
         return std::nullopt;
     }
