@@ -58,15 +58,19 @@ std::vector<Triangle> constrained_triangles(std::span<const Point> points, std::
         vertices[i]->info() = static_cast<int>(i);
         hint = vertices[i]->face();
     }
+    constexpr const char* crossing =
+        "edges of the region cross or touch each other; move holes and flaws apart, or give smaller grains";
     try {
         for (const auto& edges : {loops, inner}) {
             for (const Edge& e : edges) {
-                triangulation.insert_constraint(vertices[static_cast<std::size_t>(e[0])],
-                                                vertices[static_cast<std::size_t>(e[1])]);
+                const auto from = vertices[static_cast<std::size_t>(e[0])];
+                const auto to = vertices[static_cast<std::size_t>(e[1])];
+                if (from == to) throw UsageError(crossing);  // two points at one place
+                triangulation.insert_constraint(from, to);
             }
         }
     } catch (const Constrained::Intersection_of_constraints_exception&) {
-        throw UsageError("edges of the region cross or touch each other");
+        throw UsageError(crossing);
     }
     mark_places(triangulation, loops);
     std::vector<Triangle> triangles;

@@ -54,6 +54,11 @@ TEST(ConstrainedTriangulation, CrossingEdgesAreRefused) {
     EXPECT_THROW(constrained_triangles(square, loop(0, 4), std::vector<Edge>{{0, 2}, {1, 3}}), UsageError);
 }
 
+TEST(ConstrainedTriangulation, APointThatIsThereTwiceIsRefused) {
+    const std::vector<Point> points{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}};
+    EXPECT_THROW(constrained_triangles(points, loop(0, 5), {}), UsageError);
+}
+
 TEST(ConstrainedTriangulation, ConvexityIsExact) {
     const std::vector<Point> square{{0, 0}, {0.1, 0}, {1, 0}, {1, 1}, {0, 1}};
     EXPECT_TRUE(is_convex(square));
