@@ -60,7 +60,7 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
     if (!spacing || !dip) throw UsageError(name + ": spacing and dip are needed; give spacing=20mm,dip=45deg");
     const auto kind = flaw_kind(contact_class, state);
     if (!kind) {
-        throw UsageError(fmt::format("{}: class {} in state {} is not understood; {}", name, printable(contact_class),
+        throw UsageError(fmt::format("{}: class \"{}\" in state \"{}\" is not understood; {}", name, printable(contact_class),
                                      printable(state), kinds_of_flaws));
     }
     set.kind = *kind;
