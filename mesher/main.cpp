@@ -2,6 +2,7 @@
 //
 //     graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5
 //     graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5
+//     graincrack-mesh import section.msh --scale 1mm -o section.h5
 //     graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 -o minerals.h5
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/import/import_specimen.hpp"
 #include "mesher/mesh_options.hpp"
 #include "mesher/mesh_report.hpp"
 #include "mesher/plane/triangulation.hpp"
@@ -32,9 +34,9 @@ void print(std::ostream& stream, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) stream << line << '\n';
 }
 
-/// Phases and scatter of strengths of a material, unless options give others.
-void take_fabric(const MaterialFabric& fabric, SpecimenRequest& request) {
-    if (request.phases.fractions.empty()) {
+/// Phases, if wanted, and scatter of strengths of a material, unless options give others.
+void take_fabric(const MaterialFabric& fabric, bool with_phases, SpecimenRequest& request) {
+    if (with_phases && request.phases.fractions.empty()) {
         for (const auto& [name, phase] : fabric.phases) request.phases.fractions.push_back({name, phase.fraction});
     }
     if (!request.strength.modulus && fabric.strength_modulus) {
@@ -45,6 +47,28 @@ void take_fabric(const MaterialFabric& fabric, SpecimenRequest& request) {
     }
 }
 
+/// Writes the specimen with what made it.
+void write(H5Output& file, const Specimen& specimen, const std::string& input_digest, const MeshOptions& options, int argc,
+           char** argv, std::chrono::steady_clock::time_point start) {
+    write_specimen(file, specimen);
+    Provenance provenance;
+    provenance.tool = "graincrack-mesh";
+    provenance.command_line.assign(argv, argv + argc);
+    provenance.configuration = options.configuration;
+    provenance.input_digest = input_digest;
+    provenance.libraries = library_versions();
+    provenance.libraries.push_back(triangulation_library());
+    provenance.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write_provenance(file, provenance);
+    file.commit();
+}
+
+void describe_material(const std::optional<Material>& material, const Specimen& specimen) {
+    if (!material) return;
+    write_notes(std::cerr, "graincrack-mesh", *material);
+    print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
+}
+
 int run(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
     catch_stop_signals();
@@ -53,10 +77,28 @@ int run(int argc, char** argv) {
     auto options = read_options(argc, argv);
     if (!options) return 0;
     std::optional<Material> material;
-    if (!options->material.empty()) {
-        material = read_material(options->material);
-        take_fabric(material->fabric, options->request);
+    if (!options->material.empty()) material = read_material(options->material);
+    const bool is_quiet = options->verbosity == Verbosity::quiet;
+
+    // A mesh from elsewhere
+    if (options->imported) {
+        Import mesh = import_specimen(*options->imported);
+        if (material) take_fabric(material->fabric, !mesh.has_phases(), options->request);
+        give_fabric(mesh, options->request.phases, options->request.strength, options->request.seed);
+        if (options->dry_run) {
+            print(std::cout, describe(mesh));
+            return 0;
+        }
+        H5Output file(options->output, "specimen");
+        write(file, mesh.specimen, mesh.digest, *options, argc, argv, start);
+        if (!is_quiet) {
+            print(std::cerr, describe(mesh));
+            describe_material(material, mesh.specimen);
+        }
+        return 0;
     }
+
+    if (material) take_fabric(material->fabric, true, options->request);
     if (options->dry_run) {
         print(std::cout, describe_plan(options->request));
         if (material) print(std::cout, describe_size_check(*material, plan_mesh(options->request).edge));
@@ -71,31 +113,17 @@ int run(int argc, char** argv) {
     const Specimen specimen = make_specimen(
         options->request, [&](double share) { progress.update(share, ""); }, &report);
     progress.finish();
-
-    // File
-    write_specimen(file, specimen);
-    Provenance provenance;
-    provenance.tool = "graincrack-mesh";
-    provenance.command_line.assign(argv, argv + argc);
-    provenance.configuration = options->configuration;
-    provenance.libraries = library_versions();
-    provenance.libraries.push_back(triangulation_library());
-    provenance.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_provenance(file, provenance);
-    file.commit();
+    write(file, specimen, "", *options, argc, argv, start);
 
     // Report
-    if (options->verbosity != Verbosity::quiet) {
+    if (!is_quiet) {
         print(std::cerr, describe_mesh(specimen, options->request, report));
         if (length(options->moved) > 0) {
             print(std::cerr, {fmt::format("  note: moved by ({}, {}), so that the middle of its extent is the origin",
                                           format_quantity(options->moved.x, Dimension::length),
                                           format_quantity(options->moved.y, Dimension::length))});
         }
-        if (material) {
-            write_notes(std::cerr, "graincrack-mesh", *material);
-            print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
-        }
+        describe_material(material, specimen);
     }
     return 0;
 }

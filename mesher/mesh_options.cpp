@@ -1,5 +1,6 @@
 #include "mesher/mesh_options.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,8 @@ constexpr const char* examples =
     "  graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5\n"
     "  graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5\n"
     "  graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 "
-    "--strength-modulus 5 -o minerals.h5";
+    "--strength-modulus 5 -o minerals.h5\n"
+    "  graincrack-mesh import section.msh --scale 1mm -o section.h5";
 
 /// What the options of a kind of specimens set; kinds share them.
 struct KindOptions {
@@ -181,18 +183,31 @@ void add_cuts(CLI::App& app, CutOptions& options) {
         "length=30mm (mean; default: the spacing), class=broken|intact|NAME, state=broken|intact; may be given again");
 }
 
+/// Texts between commas. \throws UsageError naming `where` unless there are as many as wanted
+std::vector<std::string_view> parts_of(std::string_view text, std::size_t n, const std::string& where, const char* wanted) {
+    std::vector<std::string_view> parts;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find(',', from), text.size());
+        parts.push_back(text.substr(from, end - from));
+        from = end + 1;
+    }
+    if (parts.size() != n) {
+        throw UsageError(where + ": \"" + std::string(text.substr(0, 60)) + "\" is not understood; give " + wanted);
+    }
+    return parts;
+}
+
+Point parse_point(const std::string& text, const std::string& where) {
+    const auto parts = parts_of(text, 2, where, "X,Y as 40mm,80mm");
+    return {parse_quantity(parts[0], quantity::coordinate, where), parse_quantity(parts[1], quantity::coordinate, where)};
+}
+
 /// The text of a hole: its centre and radius. \throws UsageError naming `where`
 void cut_hole(const std::string& text, const std::string& where, Region& region) {
-    const std::size_t first = text.find(',');
-    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
-    if (second == std::string::npos) {
-        throw UsageError(where + ": \"" + text.substr(0, 60) + "\" is not understood; give X,Y,RADIUS as 10mm,-5mm,4mm");
-    }
-    const auto value = [&](std::size_t from, std::size_t to, const Quantity& quantity) {
-        return parse_quantity(std::string_view(text).substr(from, to - from), quantity, where);
-    };
-    add_hole(region, {value(0, first, quantity::coordinate), value(first + 1, second, quantity::coordinate)},
-             value(second + 1, text.size(), quantity::hole_radius), where);
+    const auto parts = parts_of(text, 3, where, "X,Y,RADIUS as 10mm,-5mm,4mm");
+    add_hole(region,
+             {parse_quantity(parts[0], quantity::coordinate, where), parse_quantity(parts[1], quantity::coordinate, where)},
+             parse_quantity(parts[2], quantity::hole_radius, where), where);
 }
 
 /// Cuts holes and flaws; their coordinates are those of the kind, before the region is centred.
@@ -218,9 +233,8 @@ Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
     return centre_region(request.region);
 }
 
-/// Options of all kinds.
-void add_mesh_options(CLI::App& shape, MeshOptions& options) {
-    SpecimenRequest& request = options.request;
+/// The grains that are made.
+void add_grain_options(CLI::App& shape, SpecimenRequest& request) {
     CLI::Option* edge = add_quantity(shape, "--edge", request.edge, quantity::mean_edge,
                                      "requested mean edge over all grain edges, rim included");
     CLI::Option* grains =
@@ -244,9 +258,14 @@ void add_mesh_options(CLI::App& shape, MeshOptions& options) {
         shape, "--elongation-angle", request.elongation.angle, quantity::direction,
         "direction of the long axis of elongated grains from x; on a disc turned to another of its diameters it turns too",
         "0deg");
-    add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
     add_integer<int>(shape, "--elements-per-edge", request.elements_per_edge,
                      "each grain becomes N x N constant-strain triangles", 1, max_elements_per_edge);
+}
+
+/// What the grains are, and where the specimen goes: options of all kinds.
+void add_fabric_options(CLI::App& shape, MeshOptions& options) {
+    SpecimenRequest& request = options.request;
+    add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
     detail::add_value(
         shape, "--phases", [&request](const std::string& text) { request.phases.fractions = parse_phases(text); },
         "phases of the grains with their fractions of the area, whose sum is 1: quartz=0.32,feldspar=0.62,mica=0.06; reached to "
@@ -272,6 +291,64 @@ void add_mesh_options(CLI::App& shape, MeshOptions& options) {
         "specimen file to write; - for stdout", "FILE|-", "");
 }
 
+/// A mesh from elsewhere.
+void add_import(CLI::App& app, ImportRequest& request) {
+    app.add_option("file", request.file, "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh, .tess) or Abaqus (.inp); - for stdin")
+        ->type_name("FILE|-")
+        ->required();
+    detail::add_value(
+        app, "--format",
+        [&request](const std::string& text) {
+            if (text == "gmsh")
+                request.format = MeshFormat::gmsh;
+            else if (text == "neper")
+                request.format = MeshFormat::neper;
+            else if (text == "abaqus")
+                request.format = MeshFormat::abaqus;
+            else
+                throw UsageError("--format: \"" + text.substr(0, 40) + "\" is not known; gmsh, neper or abaqus fits");
+        },
+        "format of the file; default: told by its content", "gmsh|neper|abaqus", "");
+    detail::add_value(
+        app, "--grain",
+        [&request](const std::string& text) {
+            if (text == "element")
+                request.grains = GrainChoice::element;
+            else if (text == "entity")
+                request.grains = GrainChoice::entity;
+            else if (text == "physical")
+                request.grains = GrainChoice::physical;
+            else
+                throw UsageError("--grain: \"" + text.substr(0, 40) + "\" is not known; element, entity or physical fits");
+        },
+        "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus), or what is connected of a physical "
+        "group; "
+        "default: entity, or element where there is one entity only",
+        "element|entity|physical", "");
+    detail::add_value(
+        app, "--phase-key", [&request](const std::string& text) { request.phase_key = text; },
+        "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset) and phase; default: "
+        "names of physical groups and elsets",
+        "FILE", "");
+    add_quantity(app, "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
+    detail::add_value(
+        app, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
+        "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");
+    detail::add_value(
+        app, "--shape",
+        [&request](const std::string& text) {
+            static const std::vector<std::string> shapes{"rectangle", "disc", "ring", "beam", "half-disc", "polygon"};
+            if (std::find(shapes.begin(), shapes.end(), text) == shapes.end()) {
+                throw UsageError("--shape: \"" + text.substr(0, 40) +
+                                 "\" is not known; rectangle, disc, ring, beam, half-disc or polygon fits");
+            }
+            request.placement.shape = text;
+        },
+        "shape of the specimen, which says how it can be tested; default: told by its outline, which takes a beam for a "
+        "rectangle",
+        "NAME", "");
+}
+
 }  // namespace
 
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
@@ -287,13 +364,24 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         CLI::App* sub = app.add_subcommand(kind.name, kind.help);
         kind.add_options(*sub, kind_options);
         add_cuts(*sub, cuts);
-        add_mesh_options(*sub, options);
+        add_grain_options(*sub, options.request);
+        add_fabric_options(*sub, options);
     }
+    ImportRequest imported;
+    CLI::App* import_command = app.add_subcommand("import", "a mesh of another program: Gmsh, Neper or Abaqus");
+    add_import(*import_command, imported);
+    add_fabric_options(*import_command, options);
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
     for (const Kind& kind : kinds) {
         if (app.get_subcommand(kind.name)->parsed()) kind.make(kind_options, options.request);
     }
-    options.moved = make_cuts(cuts, options.request);
+    if (import_command->parsed()) {
+        check(options.request.phases);
+        check(options.request.strength);
+        options.imported = imported;
+    } else {
+        options.moved = make_cuts(cuts, options.request);
+    }
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;
     options.configuration = effective_configuration(app);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "mesher/import/mesh_file.hpp"
 #include "mesher/specimen_maker.hpp"
 #include "share/base/progress.hpp"
 
@@ -12,9 +13,10 @@ namespace graincrack::mesher {
 /// The options of a call.
 struct MeshOptions {
     SpecimenRequest request;
-    std::string material;  ///< name or file for the checks of the grain size; empty for none
-    std::string output;    ///< file or "-"
-    Point moved;           ///< translation of a polygon to the origin, m
+    std::optional<ImportRequest> imported;  ///< a mesh from elsewhere, of which the request has the fabric and the seed
+    std::string material;                   ///< name or file for the checks of the grain size; empty for none
+    std::string output;                     ///< file or "-"
+    Point moved;                            ///< translation of a polygon to the origin, m
     Verbosity verbosity = Verbosity::normal;
     bool dry_run = false;
     std::string configuration;  ///< effective options as TOML

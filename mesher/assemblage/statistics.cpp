@@ -35,6 +35,19 @@ double angle(Point at, Point to, Point other) {
     return std::atan2(std::abs(cross(to - at, other - at)), dot(to - at, other - at));
 }
 
+MeshStatistics statistics_of(const Distribution& edges, const Distribution& diameters) {
+    MeshStatistics statistics;
+    statistics.mean_edge = edges.mean;
+    statistics.edge_variation = edges.variation();
+    statistics.min_edge = edges.min;
+    statistics.max_edge = edges.max;
+    statistics.mean_diameter = diameters.mean;
+    statistics.diameter_variation = diameters.variation();
+    statistics.min_diameter = diameters.min;
+    statistics.max_diameter = diameters.max;
+    return statistics;
+}
+
 }  // namespace
 
 MeshStatistics statistics_of(const Region& region, const PlaneCells& cells) {
@@ -55,18 +68,38 @@ MeshStatistics statistics_of(const Region& region, const PlaneCells& cells) {
         total_area += cell_area;
         diameters.add(std::sqrt(4 * cell_area / std::numbers::pi));
     }
-    MeshStatistics statistics;
-    statistics.mean_edge = edges.mean;
-    statistics.edge_variation = edges.variation();
-    statistics.min_edge = edges.min;
-    statistics.max_edge = edges.max;
-    statistics.mean_diameter = diameters.mean;
-    statistics.diameter_variation = diameters.variation();
-    statistics.min_diameter = diameters.min;
-    statistics.max_diameter = diameters.max;
+    MeshStatistics statistics = statistics_of(edges, diameters);
     statistics.min_angle = min_angle;
     statistics.psi6 = psi6(cells.points, cells.edges);
     statistics.area_error = total_area / area(region) - 1;
+    return statistics;
+}
+
+MeshStatistics statistics_of(const Specimen& specimen) {
+    std::vector<Point> points;
+    for (const auto& p : specimen.node_position) points.push_back({p[0], p[1]});
+    const auto at = [&](std::int32_t node) { return points[static_cast<std::size_t>(node)]; };
+    std::vector<Edge> sides;  // of grains
+    for (const auto& nodes : specimen.contact_nodes) sides.push_back({nodes[0], nodes[1]});
+    for (const auto& nodes : specimen.boundary_edges) sides.push_back({nodes[0], nodes[1]});
+    const bool are_triangles = specimen.n_elements() == specimen.n_grains();
+    Distribution edges;
+    Distribution diameters;
+    for (const double area : specimen.grain_area) {
+        diameters.add(std::sqrt(4 * area / std::numbers::pi));
+        if (!are_triangles) edges.add(std::sqrt(4 * area / std::numbers::sqrt3));
+    }
+    for (const Edge& side : sides) {
+        if (are_triangles) edges.add(length(at(side[1]) - at(side[0])));
+    }
+    MeshStatistics statistics = statistics_of(edges, diameters);
+    statistics.min_angle = std::numbers::pi;
+    for (const auto& e : specimen.element_nodes) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            statistics.min_angle = std::min(statistics.min_angle, angle(at(e[k]), at(e[(k + 1) % 3]), at(e[(k + 2) % 3])));
+        }
+    }
+    statistics.psi6 = psi6(points, sides);
     return statistics;
 }
 

@@ -24,6 +24,7 @@ struct ImportedMesh {
     std::vector<Triangle> triangles;
     std::vector<int> grain_of_triangle;       ///< from 0
     std::vector<std::string> phase_of_grain;  ///< "" where the file does not say
+    std::vector<std::string> phases;          ///< order of their numbers; others follow as they appear
     std::vector<NamedLine> lines;
     std::string format;              ///< "Gmsh 4.1, binary", for the report
     std::vector<std::string> notes;  ///< what was passed over or decided, a line each

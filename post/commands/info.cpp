@@ -152,6 +152,8 @@ void write_info(std::ostream& out, const std::string& path, bool check) {
              fmt::format("version {} ({})", file.attribute<std::string>("/provenance", "version"),
                          file.attribute<std::string>("/provenance", "commit")));
     }
+    const auto source = file.attribute_or<std::string>("/provenance", "input_digest", "");
+    if (file.kind() == "specimen" && !source.empty()) line(out, "imported_from", "SHA-256 " + source);
     if (file.kind() == "run") write_run_lines(out, file);
     write_specimen_lines(out, file);
     write_datasets(out, file);

@@ -1,36 +1,14 @@
 #include "share/file/h5_digest.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include "share/base/error.hpp"
+#include "share/base/sha256.hpp"
 #include "share/file/h5_detail.hpp"
 #include "share/file/h5_structure.hpp"
 
 namespace graincrack::h5 {
 namespace {
-
-/// SHA-256 by OpenSSL.
-class Sha256 {
-public:
-    Sha256() : context_(EVP_MD_CTX_new()) { EVP_DigestInit_ex(context_, EVP_sha256(), nullptr); }
-    ~Sha256() { EVP_MD_CTX_free(context_); }
-    Sha256(const Sha256&) = delete;
-    Sha256& operator=(const Sha256&) = delete;
-    void add(const void* data, std::size_t size) { EVP_DigestUpdate(context_, data, size); }
-    void add(const std::string& text) { add(text.c_str(), text.size() + 1); }
-    std::string hex() {
-        unsigned char bytes[EVP_MAX_MD_SIZE];
-        unsigned size = 0;
-        EVP_DigestFinal_ex(context_, bytes, &size);
-        std::string text;
-        for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", bytes[i]);
-        return text;
-    }
-
-private:
-    EVP_MD_CTX* context_;
-};
 
 /// Type in memory in which values are hashed: the same on every machine.
 hid_t hash_type(hid_t type) {

@@ -1,0 +1,148 @@
+#include "mesher/import/assemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mesher/assemblage/separate_bodies.hpp"
+#include "mesher/assemblage/statistics.hpp"
+#include "mesher/import/clean_mesh.hpp"
+#include "mesher/import/outline.hpp"
+#include "share/base/error.hpp"
+#include "share/base/union_find.hpp"
+#include "share/base/units.hpp"
+#include "share/file/specimen_validation.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double off_centre = 5e-4;  ///< of an extent: half of what a specimen file allows
+constexpr double largest = 1e4;      ///< m
+constexpr double smallest = 1e-9;
+
+/// The mesh with the middle of its extent, or the point that was asked for, at the origin.
+void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std::vector<std::string>& notes) {
+    Point origin = placement.origin.value_or(outline.middle);
+    if (!placement.origin) {
+        // What is off by no more than its roundness is not moved.
+        double longest = 0;
+        for (const Side& side : outline.sides) {
+            if (side.part < 0) continue;
+            longest = std::max(longest, length(mesh.points[static_cast<std::size_t>(side.to)] -
+                                               mesh.points[static_cast<std::size_t>(side.from)]));
+        }
+        const bool is_round = outline.shape != "rectangle" && outline.shape != "beam";
+        const auto slack = [&](double size) { return off_centre * size + (is_round ? longest * longest / (4 * size) : 0); };
+        if (std::abs(origin.x) <= slack(outline.width) && std::abs(origin.y) <= slack(outline.height)) origin = {};
+    }
+    if (origin == Point{}) return;
+    for (Point& p : mesh.points) p = p - origin;
+    outline.middle = outline.middle - origin;
+    notes.push_back(fmt::format("moved by ({}, {}), so that {} is the origin", format_quantity(-origin.x, Dimension::length),
+                                format_quantity(-origin.y, Dimension::length),
+                                placement.origin ? "the point that was given" : "the middle of its extent"));
+}
+
+PlaneMesh plane_mesh_of(ImportedMesh& mesh, std::vector<Side> sides) {
+    PlaneMesh plane;
+    std::vector<int> body_with(mesh.points.size(), -1);  ///< the last body that has a point
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const int body = mesh.grain_of_triangle[t];
+        if (body == static_cast<int>(plane.n_bodies())) {
+            if (body > 0) plane.body_start.push_back(static_cast<int>(plane.body_points.size()));
+            plane.crystal_of_body.push_back(body);
+            plane.area_of_body.push_back(0);
+        }
+        const Triangle& c = mesh.triangles[t];
+        for (const int p : c) {
+            if (std::exchange(body_with[static_cast<std::size_t>(p)], body) != body) plane.body_points.push_back(p);
+        }
+        const auto at = [&](int k) { return mesh.points[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]; };
+        plane.area_of_body.back() += signed_area(at(0), at(1), at(2));
+    }
+    plane.body_start.push_back(static_cast<int>(plane.body_points.size()));
+    plane.points = std::move(mesh.points);
+    plane.triangles = std::move(mesh.triangles);
+    plane.body_of_triangle = std::move(mesh.grain_of_triangle);
+    plane.sides = std::move(sides);
+    return plane;
+}
+
+/// Phases that grains have, those with an order first.
+void give_phases(Specimen& specimen, const std::vector<int>& crystal_of_grain, const ImportedMesh& mesh,
+                 std::vector<std::string>& notes) {
+    const auto name_of = [&](std::size_t crystal) {
+        return mesh.phase_of_grain[crystal].empty() ? "rock" : mesh.phase_of_grain[crystal];
+    };
+    std::vector<std::string> found;
+    for (std::size_t crystal = 0; crystal < mesh.phase_of_grain.size(); ++crystal) {
+        if (std::find(found.begin(), found.end(), name_of(crystal)) == found.end()) found.push_back(name_of(crystal));
+    }
+    std::vector<std::string>& names = specimen.phase_names;
+    names.clear();
+    for (const auto& list : {mesh.phases, found}) {
+        for (const std::string& phase : list) {
+            const bool is_there = std::find(found.begin(), found.end(), phase) != found.end();
+            if (is_there && std::find(names.begin(), names.end(), phase) == names.end()) names.push_back(phase);
+        }
+    }
+    if (names.size() > max_phases) throw InputError(fmt::format("{} phases; at most {} fit", names.size(), max_phases));
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        const auto phase = std::find(names.begin(), names.end(), name_of(static_cast<std::size_t>(crystal_of_grain[g])));
+        specimen.grain_phase[g] = static_cast<std::uint8_t>(phase - names.begin());
+    }
+    const auto unnamed = std::count(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
+    if (unnamed > 0 && names.size() > 1) notes.push_back(fmt::format("{} grains have no phase and are of \"rock\"", unnamed));
+}
+
+/// Grains that touch make one body of rock; more than one is told.
+void tell_bodies(const Specimen& specimen, std::vector<std::string>& notes) {
+    const auto grains = grain_of_nodes(specimen);
+    UnionFind bodies(specimen.n_grains());
+    std::size_t n_bodies = specimen.n_grains();
+    for (const auto& nodes : specimen.contact_nodes) {
+        const auto a = bodies.find(static_cast<std::size_t>(grains[static_cast<std::size_t>(nodes[0])]));
+        const auto b = bodies.find(static_cast<std::size_t>(grains[static_cast<std::size_t>(nodes[2])]));
+        if (a == b) continue;
+        bodies.join(a, b);
+        --n_bodies;
+    }
+    if (n_bodies > 1) notes.push_back(fmt::format("the grains make {} bodies that share no sides", n_bodies));
+}
+
+}  // namespace
+
+Specimen assemble(ImportedMesh mesh, const Placement& placement, const std::string& name, std::vector<std::string>& notes) {
+    if (placement.scale != 1) {
+        for (Point& p : mesh.points) p = placement.scale * p;
+    }
+    clean(mesh, name);
+    notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
+    Outline outline = outline_of(mesh, placement.shape, name, notes);
+    const double size = std::max(outline.width, outline.height);
+    if (!(size <= largest && size >= smallest)) {
+        throw InputError(fmt::format("{}: {} across; a specimen of {} to {} is needed (--scale 1mm for files in mm)", name,
+                                     format_quantity(size, Dimension::length), format_quantity(smallest, Dimension::length),
+                                     format_quantity(largest, Dimension::length)));
+    }
+    place(mesh, outline, placement, notes);
+
+    std::vector<int> crystal_of_grain;
+    Specimen specimen = separate_bodies(plane_mesh_of(mesh, std::move(outline.sides)), &crystal_of_grain);
+    specimen.shape = outline.shape;
+    specimen.width = outline.width;
+    specimen.height = outline.height;
+    specimen.loading_arc = outline.loading_arc;
+    specimen.tessellation = "imported";
+    specimen.part_names = std::move(outline.part_names);
+    give_phases(specimen, crystal_of_grain, mesh, notes);
+    specimen.statistics = statistics_of(specimen);
+    tell_bodies(specimen, notes);
+    validate(specimen, name);
+    return specimen;
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,295 @@
+#include "mesher/import/file_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "share/base/error.hpp"
+#include "share/base/printable.hpp"
+#include "share/file/specimen.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double off_chord = 1e-3;  ///< of a middle node, over its side: the area changes by less
+constexpr double off_plane = 1e-9;  ///< of z, over the extent: round-off of a written number
+constexpr std::size_t longest_name = 40;
+
+/// Numbers of nodes as indices, and elements of indices.
+class Reader {
+public:
+    Reader(const FileMesh& file, const std::string& name) : file_(file), name_(name) {
+        index_.reserve(file.node_numbers.size());
+        for (std::size_t i = 0; i < file.node_numbers.size(); ++i) {
+            if (!index_.emplace(file.node_numbers[i], static_cast<int>(i)).second) {
+                fail(fmt::format("node {} stands twice in the file", file.node_numbers[i]));
+            }
+        }
+    }
+
+    [[nodiscard]] int node(const FileElement& element, int k) const {
+        const std::int64_t number = element.nodes[static_cast<std::size_t>(k)];
+        const auto found = index_.find(number);
+        if (found == index_.end())
+            fail(fmt::format("element {} names node {}, which is not in the file", element.number, number));
+        return found->second;
+    }
+
+    [[nodiscard]] Point at(int node) const {
+        const auto& p = file_.positions[static_cast<std::size_t>(node)];
+        return {p[0], p[1]};
+    }
+
+    /// The corners of an element, whose middle nodes must lie on its sides.
+    [[nodiscard]] std::vector<int> corners(const FileElement& element) const {
+        std::vector<int> nodes;
+        for (int k = 0; k < element.n_corners; ++k) nodes.push_back(node(element, k));
+        if (!element.has_midsides) return nodes;
+        const int n_sides = element.n_corners == 2 ? 1 : element.n_corners;
+        for (int k = 0; k < n_sides; ++k) {
+            const Point from = at(nodes[static_cast<std::size_t>(k)]);
+            const Point along = at(nodes[static_cast<std::size_t>((k + 1) % element.n_corners)]) - from;
+            const int middle = node(element, element.n_corners + k);
+            const double size = length(along);
+            const double off = size > 0 ? std::abs(cross(along, at(middle) - from)) / (size * size) : 0;
+            if (off > off_chord) {
+                fail(
+                    fmt::format("element {} has its middle node {} beside the straight side, by {:.2g} % of its length; curved "
+                                "sides are not read, give elements of order 1",
+                                element.number, file_.node_numbers[static_cast<std::size_t>(middle)], 100 * off));
+            }
+        }
+        return nodes;
+    }
+
+    /// A quadrangle divided along the shorter diagonal that lies inside of it.
+    [[nodiscard]] std::array<Triangle, 2> halves(const FileElement& element, const std::vector<int>& c) const {
+        const auto are_inside = [&](const std::array<Triangle, 2>& pair) {
+            const auto area = [&](const Triangle& t) { return signed_area(at(t[0]), at(t[1]), at(t[2])); };
+            return area(pair[0]) * area(pair[1]) > 0;
+        };
+        std::array<Triangle, 2> first{Triangle{c[0], c[1], c[2]}, Triangle{c[0], c[2], c[3]}};
+        std::array<Triangle, 2> other{Triangle{c[0], c[1], c[3]}, Triangle{c[1], c[2], c[3]}};
+        if (length(at(c[3]) - at(c[1])) < length(at(c[2]) - at(c[0]))) std::swap(first, other);
+        if (are_inside(first)) return first;
+        if (!are_inside(other)) fail(fmt::format("quadrangle {} has no area or crosses itself", element.number));
+        return other;
+    }
+
+    [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
+
+private:
+    const FileMesh& file_;
+    const std::string& name_;
+    std::unordered_map<std::int64_t, int> index_;
+};
+
+/// All points of the elements must lie in a plane z = constant.
+void check_plane(const FileMesh& file, const ImportedMesh& mesh, const std::string& name) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    double extent = 0;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const int p : triangle) {
+            const auto& q = file.positions[static_cast<std::size_t>(p)];
+            low = std::min(low, q[2]);
+            high = std::max(high, q[2]);
+            extent = std::max({extent, std::abs(q[0]), std::abs(q[1])});
+        }
+    }
+    if (high - low > off_plane * extent) {
+        throw InputError(fmt::format(
+            "{}: z of the triangles' nodes runs from {:.6g} to {:.6g}; a plane mesh, with one z, is needed", name, low, high));
+    }
+}
+
+/// Names by which the phase of a grain may be known, the most telling first.
+std::vector<std::string> phase_names_of(const FileMesh& file, const FileElement& element, std::int64_t grain) {
+    std::vector<std::string> names;
+    if (const auto group = file.group_of_entity.find(element.entity); group != file.group_of_entity.end()) {
+        names.push_back(std::to_string(group->second));
+        return names;
+    }
+    if (const auto found = file.surface_names.find(element.physical); found != file.surface_names.end()) {
+        names.push_back(found->second);
+    }
+    if (element.physical > 0) names.push_back(std::to_string(element.physical));
+    if (const auto found = file.entity_names.find(element.entity); found != file.entity_names.end()) {
+        names.push_back(found->second);
+    }
+    names.push_back(std::to_string(grain));
+    return names;
+}
+
+/// The phase that a file itself gives a grain, "" if it gives none.
+std::string phase_of_file(const FileMesh& file, const FileElement& element) {
+    if (const auto group = file.group_of_entity.find(element.entity); group != file.group_of_entity.end()) {
+        return fmt::format("group_{}", group->second);
+    }
+    const auto found = file.surface_names.find(element.physical);
+    if (found != file.surface_names.end()) return plain_name(found->second);
+    return element.physical > 0 ? fmt::format("physical_{}", element.physical) : "";
+}
+
+}  // namespace
+
+std::string plain_name(const std::string& name) {
+    std::string plain;
+    for (const char c : name.substr(0, longest_name)) {
+        const auto byte = static_cast<unsigned char>(c);
+        plain += byte < 128 && (std::isalnum(byte) != 0 || c == '-') ? static_cast<char>(std::tolower(byte)) : '_';
+    }
+    return plain;
+}
+
+PhaseKey::PhaseKey(const std::string& path) : path_(path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path + ": cannot be read; a table with the columns key and phase is needed");
+    std::string line;
+    for (std::size_t number = 1; std::getline(file, line); ++number) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (line.empty() || line.front() == '#') continue;
+        const std::size_t tab = line.find('\t');
+        const std::string name = line.substr(0, tab);
+        const std::string phase = tab == std::string::npos ? "" : line.substr(tab + 1);
+        if (phases_.empty() && name == "key" && phase == "phase") continue;
+        if (phase.empty() || phase.size() > longest_name ||
+            phase.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
+            throw InputError(
+                fmt::format("{}: line {}: \"{}\" is no row; a key, a tab and the name of a phase (a-z, 0-9, _) are needed", path,
+                            number, printable(line.substr(0, longest_name))));
+        }
+        if (!phases_.emplace(name, phase).second) {
+            throw InputError(
+                fmt::format("{}: line {}: {} has a phase already", path, number, printable(name.substr(0, longest_name))));
+        }
+        order_.push_back(phase);
+    }
+    if (phases_.empty()) throw InputError(path + ": no rows; a table with the columns key and phase is needed");
+}
+
+std::string PhaseKey::phase(const std::vector<std::string>& names) const {
+    for (const std::string& name : names) {
+        const auto found = phases_.find(name);
+        if (found != phases_.end()) return found->second;
+    }
+    throw InputError(
+        fmt::format("{}: no row for {}; each grain needs one", path_, printable(names.front().substr(0, longest_name))));
+}
+
+ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key,
+                           const std::string& name) {
+    const Reader reader(file, name);
+    ImportedMesh mesh;
+    mesh.format = file.format;
+    mesh.notes = file.notes;
+    if (key.is_given()) mesh.phases = key.phases();
+    for (const auto& [number, group] : file.surface_names) mesh.phases.push_back(plain_name(group));
+    std::set<std::int64_t> entities;
+    std::size_t n_surfaces = 0;
+    bool has_physical = false;
+    for (const FileElement& element : file.elements) {
+        if (element.n_corners < 3) continue;
+        entities.insert(element.entity);
+        has_physical = has_physical || element.physical > 0;
+        ++n_surfaces;
+    }
+    if (n_surfaces == 0) {
+        reader.fail(fmt::format("no triangles or quadrangles, only {} lines; a plane mesh is needed", file.elements.size()));
+    }
+    if (!grains && entities.size() == 1) {
+        grains = GrainChoice::element;
+        mesh.notes.emplace_back("all elements are of one entity: each element is a grain (--grain element)");
+    }
+    const GrainChoice choice = grains.value_or(GrainChoice::entity);
+    if (choice == GrainChoice::physical && !has_physical) {
+        reader.fail("--grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
+    }
+
+    // Elements of one grain, in the order of the file; grains by their numbers.
+    const auto grain_of = [&](std::size_t i) {
+        const FileElement& element = file.elements[i];
+        if (choice == GrainChoice::element) return static_cast<std::int64_t>(i);
+        return choice == GrainChoice::entity ? element.entity : element.physical;
+    };
+    std::map<std::int64_t, int> number_of_grain;
+    for (std::size_t i = 0; i < file.elements.size(); ++i) {
+        if (file.elements[i].n_corners >= 3) number_of_grain.emplace(grain_of(i), 0);
+    }
+    int n_grains = 0;
+    for (auto& [grain, number] : number_of_grain) number = n_grains++;
+    mesh.phase_of_grain.resize(static_cast<std::size_t>(n_grains));
+    std::vector<const FileElement*> first_of_grain(static_cast<std::size_t>(n_grains), nullptr);
+    for (const auto& p : file.positions) mesh.points.push_back({p[0], p[1]});
+    std::set<std::array<int, 4>> seen;
+    std::size_t n_twice = 0;
+    std::size_t n_quadrangles = 0;
+    for (std::size_t i = 0; i < file.elements.size(); ++i) {
+        const FileElement& element = file.elements[i];
+        if (element.n_corners < 2) continue;
+        const std::vector<int> c = reader.corners(element);
+        if (element.n_corners == 2) {
+            const auto named = file.line_names.find(element.physical);
+            if (named != file.line_names.end()) mesh.lines.push_back({c[0], c[1], plain_name(named->second)});
+            continue;
+        }
+        // An element of several physical groups stands in the file once for each.
+        std::array<int, 4> nodes{-1, -1, -1, -1};
+        std::copy(c.begin(), c.end(), nodes.begin());
+        std::sort(nodes.begin(), nodes.end());
+        if (!seen.insert(nodes).second) {
+            ++n_twice;
+            continue;
+        }
+        const int grain = number_of_grain.at(grain_of(i));
+        const FileElement*& first = first_of_grain[static_cast<std::size_t>(grain)];
+        if (first == nullptr) {
+            first = &element;
+            mesh.phase_of_grain[static_cast<std::size_t>(grain)] =
+                key.is_given()
+                    ? key.phase(phase_names_of(file, element, choice == GrainChoice::element ? element.number : grain_of(i)))
+                    : phase_of_file(file, element);
+        } else if (first->physical != element.physical && choice == GrainChoice::entity) {
+            reader.fail(
+                fmt::format("elements {} and {} of entity {} are of the physical groups {} and {}; a grain is of one phase",
+                            first->number, element.number, element.entity, first->physical, element.physical));
+        }
+        const auto add = [&](int p, int q, int r) {
+            mesh.triangles.push_back({p, q, r});
+            mesh.grain_of_triangle.push_back(grain);
+        };
+        if (element.n_corners == 3) {
+            add(c[0], c[1], c[2]);
+            continue;
+        }
+        ++n_quadrangles;
+        for (const auto& t : reader.halves(element, c)) add(t[0], t[1], t[2]);
+    }
+    check_plane(file, mesh, name);
+    if (n_twice > 0) mesh.notes.push_back(fmt::format("{} elements stand in the file again: the first counts", n_twice));
+    if (n_quadrangles > 0)
+        mesh.notes.push_back(fmt::format("{} quadrangles were divided into two triangles each", n_quadrangles));
+    const std::set<std::string> phases(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end());
+    if (phases.size() > max_phases) {
+        if (key.is_given()) reader.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
+        mesh.notes.push_back(
+            fmt::format("{} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
+                        "--phase-key FILE gives them phases",
+                        phases.size(), max_phases));
+        std::fill(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
+    }
+    if (!has_physical && file.group_of_entity.empty() && !key.is_given() && !file.without_groups.empty()) {
+        mesh.notes.push_back(file.without_groups);
+    }
+    return mesh;
+}
+
+}  // namespace graincrack::mesher

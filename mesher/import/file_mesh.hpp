@@ -1,0 +1,69 @@
+// Nodes and elements as finite-element files have them, and what is taken of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesher/import/imported_mesh.hpp"
+
+namespace graincrack::mesher {
+
+/// What is one grain: an element, a geometrical entity (of Gmsh; the elset of Neper and Abaqus) or a physical group.
+enum class GrainChoice { element, entity, physical };
+
+/// A line, a triangle or a quadrangle.
+struct FileElement {
+    std::int64_t number = 0;
+    int n_corners = 0;                    ///< 2, 3 or 4
+    bool has_midsides = false;            ///< second order: side i has its middle node at nodes[n_corners + i]
+    std::array<std::int64_t, 8> nodes{};  ///< by their numbers in the file
+    std::int64_t entity = 0;              ///< 0: none
+    std::int64_t physical = 0;            ///< 0: none
+};
+
+struct FileMesh {
+    std::string format;
+    std::vector<std::int64_t> node_numbers;
+    std::vector<std::array<double, 3>> positions;  ///< in the unit of the file
+    std::vector<FileElement> elements;
+    std::map<std::int64_t, std::string> surface_names;     ///< of physical groups of triangles
+    std::map<std::int64_t, std::string> line_names;        ///< of physical groups of lines
+    std::map<std::int64_t, std::string> entity_names;      ///< of grains, where a format names them
+    std::map<std::int64_t, std::int64_t> group_of_entity;  ///< of Neper
+    std::string without_groups;                            ///< what to say if nothing gives the phases
+    std::vector<std::string> notes;
+};
+
+/// Phases by what a file calls them: names or numbers of physical groups, groups, elsets or labels.
+class PhaseKey {
+public:
+    PhaseKey() = default;
+    /// A table with the columns `key` and `phase`. \throws InputError naming the file and the line
+    explicit PhaseKey(const std::string& path);
+    [[nodiscard]] bool is_given() const { return !path_.empty(); }
+    /// The phase of the first of the names that has one. \throws InputError if there is none
+    [[nodiscard]] std::string phase(const std::vector<std::string>& names) const;
+    /// In the order of the table.
+    [[nodiscard]] const std::vector<std::string>& phases() const { return order_; }
+
+private:
+    std::string path_;
+    std::map<std::string, std::string> phases_;
+    std::vector<std::string> order_;
+};
+
+/// A name as one of a phase, a part or a flaw: small letters, digits, _ and, between them, -.
+std::string plain_name(const std::string& name);
+
+/// Triangles of a file: quadrangles are divided along their shorter diagonal; of second-order elements the corners are taken if
+/// the nodes in the middle of sides lie on them.
+/// \param grains none: entities, or elements where all are of one entity
+/// \param name of the file, for messages
+/// \throws InputError if there are no such elements, nodes are missing, lie beside a plane z = constant or beside their side
+ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key, const std::string& name);
+
+}  // namespace graincrack::mesher

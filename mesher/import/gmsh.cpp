@@ -1,0 +1,321 @@
+#include "mesher/import/gmsh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "mesher/import/mesh_text.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+/// Types of elements with the numbers that the format gives them. What is neither a point nor of a dimension of a plane mesh is
+/// refused.
+struct ElementType {
+    int number;
+    const char* name;
+    int n_nodes;
+    int n_corners;  ///< 1 a point, 2 a line, 3, 4; 0: refused
+    bool has_midsides = false;
+};
+constexpr std::array element_types{
+    ElementType{1, "2-node line", 2, 2},
+    ElementType{2, "3-node triangle", 3, 3},
+    ElementType{3, "4-node quadrangle", 4, 4},
+    ElementType{4, "4-node tetrahedron", 4, 0},
+    ElementType{5, "8-node hexahedron", 8, 0},
+    ElementType{6, "6-node prism", 6, 0},
+    ElementType{7, "5-node pyramid", 5, 0},
+    ElementType{8, "3-node line", 3, 2, true},
+    ElementType{9, "6-node triangle", 6, 3, true},
+    ElementType{10, "9-node quadrangle", 9, 4, true},
+    ElementType{11, "10-node tetrahedron", 10, 0},
+    ElementType{15, "point", 1, 1},
+    ElementType{16, "8-node quadrangle", 8, 4, true},
+    ElementType{20, "9-node triangle", 9, 0},
+    ElementType{21, "10-node triangle", 10, 0},
+    ElementType{26, "4-node line", 4, 1},
+    ElementType{27, "5-node line", 5, 1},
+};
+
+class GmshReader {
+public:
+    GmshReader(std::string_view bytes, const std::string& name) : text_(bytes, name) {}
+
+    FileMesh read() {
+        read_header();
+        while (!text_.at_end()) {
+            const std::string section(text_.line());
+            if (section.size() < 2 || section.front() != '$') {
+                text_.fail("a section is expected, such as $Nodes");
+            }
+            const bool is_binary = is_binary_ && section != "$PhysicalNames";
+            if (is_binary && version_ == 4) text_.begin_binary();
+            read_section(section);
+            text_.end_binary();
+            if (!text_.skip_to("$End" + section.substr(1))) text_.fail(fmt::format("{} has no end", section));
+        }
+        finish();
+        return std::move(mesh_);
+    }
+
+private:
+    /// What the format says about the entity of a block.
+    struct Entity {
+        std::int64_t parent = 0;    ///< of a part of a partitioned mesh; else itself
+        std::int64_t physical = 0;  ///< the first; 0: none
+    };
+
+    void read_header() {
+        if (text_.line() != "$MeshFormat") text_.fail("$MeshFormat is expected");
+        const double version = text_.number("the version of the format");
+        is_binary_ = text_.integer("the type of the file") == 1;
+        const std::int64_t size = text_.integer("the size of a number");
+        if (version >= 2 && version < 3) version_ = 2;
+        if (version >= 4.1 && version < 5) version_ = 4;
+        if (version_ == 0) {
+            text_.fail(fmt::format("the format is MSH {:g}; 2.2 or 4.1 is needed (gmsh FILE -save -format msh41)", version));
+        }
+        if (size != 8) text_.fail(fmt::format("numbers of {} bytes; 8 are needed", size));
+        mesh_.format = fmt::format("Gmsh {:g}, {}", version, is_binary_ ? "binary" : "text");
+        mesh_.without_groups =
+            "physical groups: none, so that all grains are of one phase (Gmsh's Mesh.SaveAll drops them in MSH 2.2)";
+        text_.line();
+        if (is_binary_) {
+            text_.begin_binary();
+            if (text_.int32("the order of bytes") != 1) text_.fail("the bytes have the order of another kind of machine");
+            text_.end_binary();
+        }
+        if (!text_.skip_to("$EndMeshFormat")) text_.fail("$MeshFormat has no end");
+    }
+
+    void read_section(const std::string& section) {
+        if (section == "$PhysicalNames") {
+            read_physical_names();
+        } else if (version_ == 4 && (section == "$Entities" || section == "$PartitionedEntities")) {
+            read_entities(section == "$PartitionedEntities");
+        } else if (section == "$Nodes") {
+            if (version_ == 2) read_nodes_2();
+            if (version_ == 4) read_nodes_4();
+        } else if (section == "$Elements") {
+            if (version_ == 2) read_elements_2();
+            if (version_ == 4) read_elements_4();
+        } else if (section == "$Groups") {
+            read_groups();
+        } else if (section == "$MeshVersion") {
+            is_neper_ = true;
+        }
+    }
+
+    void read_physical_names() {
+        for (std::size_t n = text_.count("the number of physical names", 5); n > 0; --n) {
+            const std::int64_t dimension = text_.integer("the dimension of a physical group");
+            const std::int64_t number = text_.integer("the number of a physical group");
+            const std::string name = text_.quoted("the name of a physical group");
+            if (dimension == 1) mesh_.line_names[number] = name;
+            if (dimension == 2) mesh_.surface_names[number] = name;
+        }
+    }
+
+    /// Neper's groups of elsets, such as minerals.
+    void read_groups() {
+        if (text_.word("the kind of a group") != "elset") return;
+        for (std::size_t n = text_.count("the number of elsets", 4); n > 0; --n) {
+            const std::int64_t elset = text_.integer("an elset");
+            mesh_.group_of_entity[elset] = text_.integer("the group of an elset");
+        }
+    }
+
+    void read_entities(bool is_partitioned) {
+        if (is_partitioned) {
+            text_.size("the number of partitions");
+            for (std::size_t n = text_.size_count("the number of ghost entities", 2); n > 0; --n) {
+                text_.int32("a ghost entity");
+                text_.int32("its partition");
+            }
+        }
+        std::array<std::size_t, 4> n_entities{};
+        for (std::size_t& n : n_entities) n = text_.size_count("the number of entities", 2);
+        for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+            for (std::size_t i = 0; i < n_entities[dimension]; ++i) read_entity(dimension, is_partitioned);
+        }
+    }
+
+    void read_entity(std::size_t dimension, bool is_partitioned) {
+        const std::int64_t tag = text_.int32("the tag of an entity");
+        Entity entity{tag, 0};
+        if (is_partitioned) {
+            const std::int64_t parent_dimension = text_.int32("the dimension of a parent");
+            const std::int64_t parent = text_.int32("the tag of a parent");
+            if (parent_dimension == static_cast<std::int64_t>(dimension)) entity.parent = parent;
+            for (std::size_t n = text_.size_count("the number of partitions of an entity", 2); n > 0; --n)
+                text_.int32("a partition");
+        }
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) text_.real("a bound of an entity");
+        const std::size_t n_physical = text_.size_count("the number of physical groups of an entity", 2);
+        for (std::size_t i = 0; i < n_physical; ++i) {
+            const std::int64_t physical = text_.int32("a physical group");
+            if (i == 0) entity.physical = physical;
+        }
+        if (n_physical > 1 && dimension == 2) {
+            mesh_.notes.push_back(
+                fmt::format("entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, entity.physical));
+        }
+        if (dimension > 0) {
+            for (std::size_t n = text_.size_count("the number of bounding entities", 2); n > 0; --n) text_.int32("an entity");
+        }
+        if (dimension == 1 || dimension == 2) entities_[{dimension, tag}] = entity;
+    }
+
+    void add_node(std::int64_t number, const std::array<double, 3>& position) {
+        mesh_.node_numbers.push_back(number);
+        mesh_.positions.push_back(position);
+    }
+
+    std::array<double, 3> position() {
+        std::array<double, 3> p{};
+        for (double& coordinate : p) coordinate = text_.real("a coordinate");
+        return p;
+    }
+
+    void read_nodes_2() {
+        const std::size_t n_nodes = text_.count("the number of nodes", 8);
+        begin_binary_after_line();
+        for (std::size_t i = 0; i < n_nodes; ++i) {
+            const std::int64_t number = text_.int32("the number of a node");
+            add_node(number, position());
+        }
+    }
+
+    /// What stands in a line is text, what follows is binary, if the file is.
+    void begin_binary_after_line() {
+        text_.line();
+        if (is_binary_) text_.begin_binary();
+    }
+
+    void read_nodes_4() {
+        const std::size_t n_blocks = text_.size_count("the number of blocks of nodes", 4);
+        for (int k = 0; k < 3; ++k) text_.size("the head of nodes");
+        std::vector<std::int64_t> numbers;
+        for (std::size_t block = 0; block < n_blocks; ++block) {
+            const std::int64_t dimension = text_.int32("the dimension of a block of nodes");
+            text_.int32("the entity of a block of nodes");
+            const std::int64_t parameters = text_.int32("whether nodes have parameters") != 0 ? dimension : 0;
+            const std::size_t n_nodes = text_.size_count("the number of nodes of a block", 8);
+            numbers.clear();
+            for (std::size_t i = 0; i < n_nodes; ++i) numbers.push_back(text_.size("the number of a node"));
+            for (const std::int64_t number : numbers) {
+                add_node(number, position());
+                for (std::int64_t k = 0; k < parameters; ++k) text_.real("a parameter of a node");
+            }
+        }
+    }
+
+    const ElementType& type_of(std::int64_t number) {
+        const auto* const found = std::find_if(element_types.begin(), element_types.end(),
+                                               [&](const ElementType& type) { return type.number == number; });
+        if (found == element_types.end()) {
+            text_.fail(
+                fmt::format("elements of type {} are not known; triangles (2, 9) or quadrangles (3, 10, 16) are needed", number));
+        }
+        if (found->n_corners == 0) {
+            text_.fail(
+                fmt::format("elements of type {} ({}) have no place in a specimen; triangles (2, 9) or quadrangles (3, 10, 16) "
+                            "are needed",
+                            number, found->name));
+        }
+        return *found;
+    }
+
+    /// Reads the nodes of an element and keeps it, if it is no point.
+    void add_element(const ElementType& type, FileElement element) {
+        for (int k = 0; k < type.n_nodes; ++k) {
+            const std::int64_t node = version_ == 2 ? text_.int32("a node of an element") : text_.size("a node of an element");
+            if (k < static_cast<int>(element.nodes.size())) element.nodes[static_cast<std::size_t>(k)] = node;
+        }
+        element.n_corners = type.n_corners;
+        element.has_midsides = type.has_midsides;
+        if (type.n_corners > 1) mesh_.elements.push_back(element);
+    }
+
+    void read_elements_2() {
+        std::size_t n_elements = text_.count("the number of elements", 4);
+        begin_binary_after_line();
+        while (n_elements > 0) {
+            FileElement element;
+            // In binary files elements of one type have one head.
+            std::int64_t n_block = 1;
+            if (!is_binary_) element.number = text_.int32("the number of an element");
+            const ElementType& type = type_of(text_.int32("the type of an element"));
+            if (is_binary_) n_block = text_.int32("the number of elements of a type");
+            const std::int64_t n_tags = text_.int32("the number of tags of an element");
+            if (n_block < 1 || n_block > static_cast<std::int64_t>(n_elements) || n_tags < 0 ||
+                n_tags > static_cast<std::int64_t>(text_.bytes_left())) {
+                text_.fail(fmt::format("{} elements with {} tags cannot be", n_block, n_tags));
+            }
+            for (; n_block > 0; --n_block, --n_elements) {
+                if (is_binary_) element.number = text_.int32("the number of an element");
+                element.physical = element.entity = 0;
+                for (std::int64_t k = 0; k < n_tags; ++k) {
+                    const std::int64_t tag = text_.int32("a tag of an element");
+                    if (k == 0) element.physical = tag;
+                    if (k == 1) element.entity = tag;
+                }
+                add_element(type, element);
+            }
+        }
+    }
+
+    void read_elements_4() {
+        const std::size_t n_blocks = text_.size_count("the number of blocks of elements", 4);
+        for (int k = 0; k < 3; ++k) text_.size("the head of elements");
+        for (std::size_t block = 0; block < n_blocks; ++block) {
+            const std::int64_t dimension = text_.int32("the dimension of a block of elements");
+            const std::int64_t tag = text_.int32("the entity of a block of elements");
+            const ElementType& type = type_of(text_.int32("the type of elements"));
+            const std::size_t n_elements = text_.size_count("the number of elements of a block", 4);
+            const auto found = entities_.find({static_cast<std::size_t>(std::max<std::int64_t>(dimension, 0)), tag});
+            const Entity entity = found == entities_.end() ? Entity{tag, 0} : found->second;
+            for (std::size_t i = 0; i < n_elements; ++i) {
+                FileElement element;
+                element.number = text_.size("the number of an element");
+                element.entity = entity.parent;
+                element.physical = entity.physical;
+                add_element(type, element);
+            }
+        }
+    }
+
+    /// What needs the whole file.
+    void finish() {
+        if (mesh_.node_numbers.empty()) text_.fail("no nodes");
+        if (mesh_.elements.empty()) text_.fail("no lines, triangles or quadrangles");
+        if (!is_neper_) return;
+        mesh_.format = "Neper (" + mesh_.format + ")";
+        mesh_.without_groups = "groups: none, so that all grains are of one phase";
+        // Its physical groups are its elsets: grains and the edges between them.
+        mesh_.line_names.clear();
+        mesh_.surface_names.clear();
+        for (FileElement& element : mesh_.elements) element.physical = 0;
+    }
+
+    MeshText text_;
+    FileMesh mesh_;
+    int version_ = 0;
+    bool is_binary_ = false;
+    bool is_neper_ = false;
+    std::map<std::pair<std::size_t, std::int64_t>, Entity> entities_;
+};
+
+}  // namespace
+
+bool is_gmsh(std::string_view bytes) { return bytes.substr(0, 11) == "$MeshFormat"; }
+
+FileMesh read_gmsh(std::string_view bytes, const std::string& name) { return GmshReader(bytes, name).read(); }
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,85 @@
+#include "mesher/import/import_specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "share/base/error.hpp"
+#include "share/base/sha256.hpp"
+#include "share/base/units.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+std::string mm(double length) { return fmt::format("{:.4g} mm", in_unit(length, Dimension::length, "mm")); }
+
+/// Parts of the boundary with their lengths.
+std::string parts_line(const Specimen& specimen) {
+    std::vector<double> lengths(specimen.part_names.size(), 0);
+    for (std::size_t b = 0; b < specimen.n_boundary_edges(); ++b) {
+        const auto& [i, j] = specimen.boundary_edges[b];
+        const auto& p = specimen.node_position[static_cast<std::size_t>(i)];
+        const auto& q = specimen.node_position[static_cast<std::size_t>(j)];
+        lengths[specimen.boundary_part[b]] += std::hypot(q[0] - p[0], q[1] - p[1]);
+    }
+    std::string line = "  parts of the boundary:";
+    bool is_first = true;
+    for (std::size_t part = 0; part < lengths.size(); ++part) {
+        if (lengths[part] == 0) continue;
+        line += fmt::format("{} {} {}", is_first ? "" : ",", specimen.part_names[part], mm(lengths[part]));
+        is_first = false;
+    }
+    return line;
+}
+
+}  // namespace
+
+Import import_specimen(const ImportRequest& request) {
+    const std::string bytes = read_bytes(request.file);
+    Import import;
+    import.digest = sha256_of(bytes);
+    ImportedMesh mesh = import_mesh(bytes, request);
+    import.format = mesh.format;
+    import.specimen = assemble(std::move(mesh), request.placement, request.file == "-" ? "stdin" : request.file, import.notes);
+    return import;
+}
+
+void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, std::uint64_t seed) {
+    import.specimen.seed = seed;
+    if (!phases.fractions.empty() && import.has_phases()) {
+        throw UsageError("--phases: the file says of what phases its grains are; leave the option out, or give --phase-key");
+    }
+    std::vector<int> grains(import.specimen.n_grains());
+    std::iota(grains.begin(), grains.end(), 0);
+    assign_phases(import.specimen, grains, phases);
+    assign_strength_factors(import.specimen, grains, 0, strength);
+}
+
+std::vector<std::string> describe(const Import& import) {
+    const Specimen& specimen = import.specimen;
+    const MeshStatistics& s = specimen.statistics;
+    std::vector<std::string> lines{
+        fmt::format("{} of {} grains from {}: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
+                    specimen.n_grains(), import.format, specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts(),
+                    specimen.n_boundary_edges()),
+        fmt::format("  {} wide, {} high; edge mean {}, CV {:.4f}, min {}, max {}; smallest angle {:.1f} deg, psi6 {:.3f}",
+                    mm(specimen.width), mm(specimen.height), mm(s.mean_edge), s.edge_variation, mm(s.min_edge), mm(s.max_edge),
+                    s.min_angle * 180 / std::numbers::pi, s.psi6),
+        parts_line(specimen),
+    };
+    const std::vector<double> fractions = phase_fractions(specimen);
+    if (import.has_phases()) {
+        std::string line = "  phases by area:";
+        for (std::size_t p = 0; p < fractions.size(); ++p) {
+            line += fmt::format("{} {} {:.4f}", p == 0 ? "" : ",", specimen.phase_names[p], fractions[p]);
+        }
+        lines.push_back(line);
+    }
+    for (const std::string& note : import.notes) lines.push_back("  note: " + note);
+    return lines;
+}
+
+}  // namespace graincrack::mesher

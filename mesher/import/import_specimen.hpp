@@ -1,0 +1,35 @@
+// A specimen from a file of another program: the interface of the importer.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesher/fabric/phases.hpp"
+#include "mesher/fabric/strength_field.hpp"
+#include "mesher/import/mesh_file.hpp"
+#include "share/file/specimen.hpp"
+
+namespace graincrack::mesher {
+
+struct Import {
+    Specimen specimen;
+    std::string digest;              ///< SHA-256 of the file
+    std::string format;              ///< "Gmsh 4.1, binary"
+    std::vector<std::string> notes;  ///< what was decided, a line each
+
+    /// Whether the file says of what phases its grains are.
+    [[nodiscard]] bool has_phases() const { return specimen.phase_names != Specimen{}.phase_names; }
+};
+
+/// Reads a file and makes it a specimen. \throws InputError naming the file, what was found and what would be right
+Import import_specimen(const ImportRequest& request);
+
+/// Gives the grains phases, if the file has none, and scattered strengths. \throws UsageError if the file has phases and others
+/// are requested
+void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, std::uint64_t seed);
+
+/// What came out, a line each. Lengths in mm, angles in degrees.
+std::vector<std::string> describe(const Import& import);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,68 @@
+#include "mesher/import/mesh_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <limits>
+
+#include "mesher/import/abaqus.hpp"
+#include "mesher/import/gmsh.hpp"
+#include "mesher/import/neper_tess.hpp"
+#include "share/base/error.hpp"
+#include "share/base/printable.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr const char* known_formats =
+    "a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp) is needed, or --format for one that is not told by its content";
+
+std::optional<MeshFormat> format_of(std::string_view bytes) {
+    if (is_gmsh(bytes)) return MeshFormat::gmsh;
+    if (is_neper_tess(bytes)) return MeshFormat::neper;
+    if (is_abaqus(bytes)) return MeshFormat::abaqus;
+    return std::nullopt;
+}
+
+std::string beginning(std::string_view bytes) {
+    const std::string_view line = bytes.substr(0, std::min<std::size_t>(bytes.find_first_of("\r\n"), 40));
+    return printable(std::string(line));
+}
+
+}  // namespace
+
+std::string read_bytes(const std::string& file) {
+    if (file == "-") {
+        std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+        if (bytes.empty()) throw InputError("stdin: empty: the program before wrote nothing; see its message");
+        return bytes;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
+    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (stream.bad() || bytes.empty()) throw InputError(file + ": is empty or no file; " + known_formats);
+    return bytes;
+}
+
+ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
+    const std::string name = request.file == "-" ? "stdin" : request.file;
+    if (bytes.size() > std::numeric_limits<std::int32_t>::max()) throw InputError(name + ": larger than 2 GB, which is not read");
+    const PhaseKey key = request.phase_key.empty() ? PhaseKey{} : PhaseKey(request.phase_key);
+    const auto format = request.format ? request.format : format_of(bytes);
+    if (!format) throw InputError(fmt::format("{}: begins with \"{}\"; {}", name, beginning(bytes), known_formats));
+    switch (*format) {
+        case MeshFormat::abaqus: return imported_mesh(read_abaqus(bytes, name), request.grains, key, name);
+        case MeshFormat::neper:
+            if (is_neper_tess(bytes)) return import_neper_tess(bytes, key, name);
+            [[fallthrough]];
+        case MeshFormat::gmsh: break;
+    }
+    return imported_mesh(read_gmsh(bytes, name), request.grains, key, name);
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,30 @@
+// Files of meshes from elsewhere: which format they have, and who reads it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mesher/import/assemble.hpp"
+#include "mesher/import/file_mesh.hpp"
+
+namespace graincrack::mesher {
+
+/// Neper has two formats: its meshes, which are told from Gmsh's by their sections, and its tessellations.
+enum class MeshFormat { gmsh, neper, abaqus };
+
+struct ImportRequest {
+    std::string file;                   ///< "-" for stdin
+    std::optional<MeshFormat> format;   ///< none: told by the content
+    std::optional<GrainChoice> grains;  ///< none: entities, or elements where all are of one entity
+    std::string phase_key;              ///< table of phases, "" for none
+    Placement placement;
+};
+
+/// All bytes of a file, or of stdin for "-". \throws InputError
+std::string read_bytes(const std::string& file);
+
+/// Reads a mesh. \param bytes of the file \throws InputError naming the file, what was found and what would be right
+ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,19 @@
+// Tessellation files of Neper (.tess): polygonal cells without elements.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesher/import/file_mesh.hpp"
+
+namespace graincrack::mesher {
+
+/// Whether bytes begin as such a file does.
+bool is_neper_tess(std::string_view bytes);
+
+/// Reads the cells of a tessellation of two dimensions (formats 2.0 and 3.3 to 3.5) and divides each into triangles between its
+/// vertices. Grains are cells; phases come from the key alone, by the numbers of cells. \param name for messages
+/// \throws InputError naming the file, the line, what was found and what would be right
+ImportedMesh import_neper_tess(std::string_view bytes, const PhaseKey& key, const std::string& name);
+
+}  // namespace graincrack::mesher

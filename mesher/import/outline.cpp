@@ -1,0 +1,273 @@
+#include "mesher/import/outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "mesher/import/clean_mesh.hpp"
+#include "share/base/error.hpp"
+#include "share/file/specimen.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double off_straight = 1e-6;  ///< of points from the sides of a rectangle, over its size
+constexpr double off_round = 0.01;     ///< of points from a circle, over its radius: as polygons of the circle's area have it
+constexpr std::size_t fewest_of_round = 8;  ///< sides of what is taken for a circle
+
+constexpr std::uint8_t bottom = 0;
+constexpr std::uint8_t right = 1;
+constexpr std::uint8_t top = 2;
+constexpr std::uint8_t left = 3;
+constexpr std::uint8_t rim = 4;
+
+/// Sides that follow one another, closed.
+using Chain = std::vector<OpenSide>;
+
+std::vector<Chain> chains_of(const std::vector<OpenSide>& sides) {
+    std::multimap<int, std::size_t> from;
+    for (std::size_t i = 0; i < sides.size(); ++i) from.emplace(sides[i].from, i);
+    std::vector<bool> is_taken(sides.size(), false);
+    std::vector<Chain> chains;
+    for (std::size_t first = 0; first < sides.size(); ++first) {
+        if (is_taken[first]) continue;
+        Chain chain;
+        for (std::size_t i = first; !is_taken[i];) {
+            is_taken[i] = true;
+            chain.push_back(sides[i]);
+            const auto [begin, end] = from.equal_range(sides[i].to);
+            const auto next = std::find_if(begin, end, [&](const auto& each) { return !is_taken[each.second]; });
+            if (next == end) break;
+            i = next->second;
+        }
+        chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
+class OutlineFinder {
+public:
+    OutlineFinder(const ImportedMesh& mesh, const std::string& name, std::vector<std::string>& notes)
+        : mesh_(mesh), name_(name), notes_(notes) {}
+
+    Outline find(const std::string& shape) {
+        chains_ = chains_of(open_sides(mesh_.triangles));
+        const auto outer =
+            std::max_element(chains_.begin(), chains_.end(), [&](const Chain& l, const Chain& r) { return area(l) < area(r); });
+        std::swap(*outer, chains_.front());
+        measure();
+        outline_.shape = shape_by_outline();
+        if (!shape.empty()) outline_.shape = shape;
+        outline_.part_names = Specimen{}.part_names;
+        name_sides();
+        return std::move(outline_);
+    }
+
+private:
+    [[nodiscard]] Point at(int p) const { return mesh_.points[static_cast<std::size_t>(p)]; }
+
+    [[nodiscard]] double area(const Chain& chain) const {
+        const Point origin = at(chain.front().from);
+        return std::accumulate(chain.begin(), chain.end(), 0.0, [&](double sum, const OpenSide& side) {
+            return sum + signed_area(origin, at(side.from), at(side.to));
+        });
+    }
+
+    void measure() {
+        for (const OpenSide& side : chains_.front()) {
+            low_ = {std::min(low_.x, at(side.from).x), std::min(low_.y, at(side.from).y)};
+            high_ = {std::max(high_.x, at(side.from).x), std::max(high_.y, at(side.from).y)};
+        }
+        outline_.middle = midpoint(low_, high_);
+        outline_.width = high_.x - low_.x;
+        outline_.height = high_.y - low_.y;
+    }
+
+    [[nodiscard]] double size() const { return std::max(outline_.width, outline_.height); }
+
+    /// The side of the extent on which a side lies.
+    [[nodiscard]] std::optional<std::uint8_t> straight_part(const OpenSide& side) const {
+        const auto are = [&](auto distance) {
+            return std::abs(distance(at(side.from))) <= off_straight * size() &&
+                   std::abs(distance(at(side.to))) <= off_straight * size();
+        };
+        if (are([&](Point p) { return p.y - low_.y; })) return bottom;
+        if (are([&](Point p) { return p.x - high_.x; })) return right;
+        if (are([&](Point p) { return p.y - high_.y; })) return top;
+        if (are([&](Point p) { return p.x - low_.x; })) return left;
+        return std::nullopt;
+    }
+
+    [[nodiscard]] bool is_round(const Chain& chain, Point centre, double radius) const {
+        return chain.size() >= fewest_of_round && std::all_of(chain.begin(), chain.end(), [&](const OpenSide& side) {
+                   return std::abs(length(at(side.from) - centre) - radius) <= off_round * radius;
+               });
+    }
+
+    [[nodiscard]] std::string shape_by_outline() {
+        const Chain& outer = chains_.front();
+        if (std::all_of(outer.begin(), outer.end(), [&](const OpenSide& side) { return straight_part(side).has_value(); })) {
+            return "rectangle";
+        }
+        const double radius = outline_.height / 2;
+        if (is_round(outer, outline_.middle, radius)) {
+            outline_.width = outline_.height;
+            outline_.loading_arc = pole_arc(radius);
+            if (chains_.size() == 2) {
+                const Chain& inner = chains_.back();
+                double sum = 0;
+                for (const OpenSide& side : inner) sum += length(at(side.from) - outline_.middle);
+                if (is_round(inner, outline_.middle, sum / static_cast<double>(inner.size()))) return "ring";
+            }
+            return "disc";
+        }
+        const Point foot{outline_.middle.x, low_.y};
+        Chain arc;
+        std::copy_if(outer.begin(), outer.end(), std::back_inserter(arc),
+                     [&](const OpenSide& side) { return straight_part(side) != bottom; });
+        if (arc.size() < outer.size() && is_round(arc, foot, outline_.width / 2) &&
+            std::abs(outline_.height - outline_.width / 2) <= off_round * outline_.width) {
+            return "half-disc";
+        }
+        return "polygon";
+    }
+
+    /// The angle under which a facet across the top is seen from the middle, 0 without one.
+    [[nodiscard]] double pole_arc(double radius) const {
+        for (const OpenSide& side : chains_.front()) {
+            if (straight_part(side) == top) return 2 * std::atan2(length(at(side.to) - at(side.from)) / 2, radius);
+        }
+        return 0;
+    }
+
+    std::uint8_t part_of_name(const std::string& part) {
+        std::vector<std::string>& names = outline_.part_names;
+        const auto found = std::find(names.begin(), names.end(), part);
+        if (found != names.end()) return static_cast<std::uint8_t>(found - names.begin());
+        if (names.size() > std::numeric_limits<std::uint8_t>::max()) {
+            throw InputError(name_ + ": more than 251 names of parts of the boundary");
+        }
+        names.push_back(part);
+        return static_cast<std::uint8_t>(names.size() - 1);
+    }
+
+    /// The part of a side that has no name.
+    std::uint8_t part_of(const OpenSide& side, std::size_t chain, std::size_t hole) {
+        const std::string& shape = outline_.shape;
+        if (chain > 0) {
+            if (shape == "ring") return part_of_name("inner");
+            return part_of_name(hole > 0 ? fmt::format("hole_{}", hole) : "side");
+        }
+        const auto straight = straight_part(side);
+        if (shape == "rectangle" || shape == "beam") return straight ? *straight : part_of_name("side");
+        if (shape == "half-disc") return straight == bottom ? bottom : rim;
+        return shape == "disc" || shape == "ring" ? rim : part_of_name("side");
+    }
+
+    void name_sides() {
+        if (outline_.shape == "ring") outline_.part_names[rim] = "outer";
+        // Names of sides, by their ends, with their places in the file.
+        std::map<Edge, std::pair<std::size_t, const std::string*>> named;
+        for (std::size_t i = 0; i < mesh_.lines.size(); ++i) {
+            const NamedLine& line = mesh_.lines[i];
+            named.try_emplace({std::min(line.from, line.to), std::max(line.from, line.to)}, i, &line.name);
+        }
+        std::vector<std::pair<std::size_t, Side>> sides;
+        std::size_t n_holes = 0;
+        std::size_t place = mesh_.lines.size();
+        for (std::size_t c = 0; c < chains_.size(); ++c) {
+            const bool is_hole = area(chains_[c]) < 0;
+            if (is_hole) ++n_holes;
+            for (const OpenSide& side : chains_[c]) {
+                const auto found = named.find({std::min(side.from, side.to), std::max(side.from, side.to)});
+                const bool has_name = found != named.end() && !flaw_of_line(*found->second.second);
+                const std::uint8_t part =
+                    has_name ? part_of_name(*found->second.second) : part_of(side, c, is_hole ? n_holes : 0);
+                sides.push_back({has_name ? found->second.first : place++, {side.from, side.to, part, {}}});
+            }
+        }
+        std::sort(sides.begin(), sides.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+        std::set<Edge> on_boundary;
+        for (const auto& [order, side] : sides) {
+            outline_.sides.push_back(side);
+            on_boundary.insert({std::min(side.from, side.to), std::max(side.from, side.to)});
+        }
+        add_flaws(on_boundary);
+    }
+
+    /// Contacts of a kind of their own along lines between grains.
+    void add_flaws(const std::set<Edge>& on_boundary) {
+        std::map<Edge, std::set<int>> grains;  // on both sides of what has a name
+        for (const NamedLine& line : mesh_.lines) grains[{std::min(line.from, line.to), std::max(line.from, line.to)}];
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int p = mesh_.triangles[t][k];
+                const int q = mesh_.triangles[t][(k + 1) % 3];
+                const auto found = grains.find({std::min(p, q), std::max(p, q)});
+                if (found != grains.end()) found->second.insert(mesh_.grain_of_triangle[t]);
+            }
+        }
+        std::set<std::string> unused;
+        std::size_t n_lost = 0;
+        std::set<Edge> done;
+        for (const NamedLine& line : mesh_.lines) {
+            const Edge edge{std::min(line.from, line.to), std::max(line.from, line.to)};
+            const auto kind = flaw_of_line(line.name);
+            if (on_boundary.contains(edge)) {
+                if (kind) ++n_lost;
+            } else if (!kind) {
+                unused.insert(line.name);
+            } else if (grains[edge].size() < 2) {
+                ++n_lost;
+            } else if (done.insert(edge).second) {
+                outline_.sides.push_back({line.from, line.to, -1, *kind});
+            }
+        }
+        if (n_lost > 0)
+            notes_.push_back(fmt::format("{} lines of cracks and flaws lie between no two grains and were passed over", n_lost));
+        for (const std::string& each : unused) {
+            notes_.push_back(
+                fmt::format("lines \"{}\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
+                            "flaw-NAME-broken are cracks or of a class of flaws",
+                            each));
+        }
+    }
+
+    const ImportedMesh& mesh_;
+    const std::string& name_;
+    std::vector<std::string>& notes_;
+    std::vector<Chain> chains_;  ///< the outer one first
+    Point low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Point high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Outline outline_;
+};
+
+}  // namespace
+
+Outline outline_of(const ImportedMesh& mesh, const std::string& shape, const std::string& name, std::vector<std::string>& notes) {
+    return OutlineFinder(mesh, name, notes).find(shape);
+}
+
+std::optional<FlawKind> flaw_of_line(const std::string& name) {
+    constexpr std::string_view prefix = "flaw-";
+    constexpr std::string_view suffix = "-broken";
+    if (name == "crack") return FlawKind{ContactKind::pre_existing_crack};
+    if (name.substr(0, prefix.size()) != prefix) return std::nullopt;
+    std::string flaw = name.substr(prefix.size());
+    const bool is_broken = flaw.size() > suffix.size() && flaw.substr(flaw.size() - suffix.size()) == suffix;
+    if (is_broken) flaw.resize(flaw.size() - suffix.size());
+    if (!is_flaw_name(flaw)) return std::nullopt;
+    return FlawKind{is_broken ? ContactKind::pre_existing_crack : ContactKind::grain_boundary, flaw};
+}
+
+}  // namespace graincrack::mesher
