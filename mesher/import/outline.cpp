@@ -108,7 +108,11 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] bool is_round(const Chain& chain, Point centre, double radius) const {
+    /// Whether the corners of a chain lie on a circle.
+    [[nodiscard]] bool is_round(const Chain& chain, Point centre) const {
+        double sum = 0;
+        for (const OpenSide& side : chain) sum += length(at(side.from) - centre);
+        const double radius = sum / static_cast<double>(chain.size());
         return chain.size() >= fewest_of_round && std::all_of(chain.begin(), chain.end(), [&](const OpenSide& side) {
                    return std::abs(length(at(side.from) - centre) - radius) <= off_round * radius;
                });
@@ -119,23 +123,16 @@ private:
         if (std::all_of(outer.begin(), outer.end(), [&](const OpenSide& side) { return straight_part(side).has_value(); })) {
             return "rectangle";
         }
-        const double radius = outline_.height / 2;
-        if (is_round(outer, outline_.middle, radius)) {
+        if (is_round(outer, outline_.middle)) {
             outline_.width = outline_.height;
-            outline_.loading_arc = pole_arc(radius);
-            if (chains_.size() == 2) {
-                const Chain& inner = chains_.back();
-                double sum = 0;
-                for (const OpenSide& side : inner) sum += length(at(side.from) - outline_.middle);
-                if (is_round(inner, outline_.middle, sum / static_cast<double>(inner.size()))) return "ring";
-            }
-            return "disc";
+            outline_.loading_arc = pole_arc(outline_.height / 2);
+            return chains_.size() == 2 && is_round(chains_.back(), outline_.middle) ? "ring" : "disc";
         }
         const Point foot{outline_.middle.x, low_.y};
         Chain arc;
         std::copy_if(outer.begin(), outer.end(), std::back_inserter(arc),
                      [&](const OpenSide& side) { return straight_part(side) != bottom; });
-        if (arc.size() < outer.size() && is_round(arc, foot, outline_.width / 2) &&
+        if (arc.size() < outer.size() && is_round(arc, foot) &&
             std::abs(outline_.height - outline_.width / 2) <= off_round * outline_.width) {
             return "half-disc";
         }

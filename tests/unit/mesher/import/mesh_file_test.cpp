@@ -1,0 +1,231 @@
+#include "mesher/import/mesh_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+
+#include "mesher/import/abaqus.hpp"
+#include "mesher/import/gmsh.hpp"
+#include "mesher/import/mesh_text.hpp"
+#include "mesher/import/neper_tess.hpp"
+#include "share/base/error.hpp"
+#include "tests/unit/mesher/import/mesh_files.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+using test::read;
+using test::with;
+
+/// The message of an error.
+std::string message_of(const std::string& bytes, const ImportRequest& request = {}) {
+    try {
+        read(bytes, request);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+struct Case {
+    const char* name;
+    std::string bytes;
+    bool has_lines;
+    std::vector<std::string> phases;
+};
+void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
+
+class Formats : public testing::TestWithParam<Case> {};
+
+TEST_P(Formats, GiveTheSameMesh) {
+    const ImportedMesh mesh = read(GetParam().bytes);
+    ASSERT_EQ(mesh.triangles.size(), 4U);
+    EXPECT_EQ(mesh.grain_of_triangle, (std::vector<int>{0, 0, 1, 1}));
+    EXPECT_EQ(mesh.phase_of_grain, GetParam().phases);
+    double left = 0;
+    double right = 0;
+    for (std::size_t t = 0; t < 4; ++t) {
+        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
+        (t < 2 ? left : right) += (at(0).x + at(1).x + at(2).x) / 6;
+        EXPECT_DOUBLE_EQ(std::abs(signed_area(at(0), at(1), at(2))), 0.5);
+    }
+    EXPECT_DOUBLE_EQ(left, 0.5);  // mean of two centres
+    EXPECT_DOUBLE_EQ(right, 1.5);
+    ASSERT_EQ(mesh.lines.size(), GetParam().has_lines ? 2U : 0U);
+    if (!GetParam().has_lines) return;
+    EXPECT_EQ(mesh.lines[0].name, "crack");
+    EXPECT_EQ(mesh.lines[1].name, "loaded");
+    EXPECT_EQ(mesh.points[static_cast<std::size_t>(mesh.lines[0].from)], (Point{1, 0}));
+    EXPECT_EQ(mesh.points[static_cast<std::size_t>(mesh.lines[1].to)], (Point{2, 1}));
+}
+
+const std::vector<std::string> minerals{"quartz", "feld_spar"};
+INSTANTIATE_TEST_SUITE_P(
+    All, Formats,
+    testing::Values(Case{"msh_22", test::msh_22, true, minerals}, Case{"msh_41", test::msh_41, true, minerals},
+                    Case{"binary_22", test::binary_22(), true, minerals}, Case{"binary_41", test::binary_41(), true, minerals},
+                    Case{"partitioned", test::msh_41_partitioned, false, minerals},
+                    Case{"neper_msh", test::neper_msh, false, {"group_1", "group_2"}},
+                    Case{"neper_tess", test::neper_tess, false, {"", ""}}, Case{"abaqus", test::abaqus, true, minerals}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(MeshFile, TellsFormatsByTheirContent) {
+    EXPECT_TRUE(is_gmsh(test::msh_22) && !is_abaqus(test::msh_22) && !is_neper_tess(test::msh_22));
+    EXPECT_TRUE(is_neper_tess(test::neper_tess) && !is_abaqus(test::neper_tess));
+    EXPECT_TRUE(is_abaqus(test::abaqus) && is_abaqus("\n *NODE\n") && !is_abaqus("*** a list"));
+    EXPECT_EQ(read(test::msh_22).format, "Gmsh 2.2, text");
+    EXPECT_EQ(read(test::binary_41()).format, "Gmsh 4.1, binary");
+    EXPECT_EQ(read(test::neper_msh).format, "Neper (Gmsh 2.2, text)");
+    EXPECT_EQ(
+        message_of("solid cube\n"),
+        "file: begins with \"solid cube\"; a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp) is needed, or --format "
+        "for one that is not told by its content");
+}
+
+TEST(MeshFile, GrainsAreElementsEntitiesOrPhysicalGroups) {
+    ImportRequest request;
+    request.grains = GrainChoice::element;
+    EXPECT_EQ(read(test::msh_22, request).grain_of_triangle, (std::vector<int>{0, 1, 2, 3}));
+    request.grains = GrainChoice::physical;
+    const std::string one_entity = with(with(test::msh_22, "2 2 2 9 2 3 6", "2 2 2 7 2 3 6"), "2 2 2 9 2 6 5", "2 2 2 7 2 6 5");
+    EXPECT_EQ(read(one_entity, request).grain_of_triangle, (std::vector<int>{0, 0, 1, 1}));
+    request.grains.reset();
+    const ImportedMesh told = read(one_entity, request);
+    EXPECT_EQ(told.grain_of_triangle, (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(told.notes.front(), "all elements are of one entity: each element is a grain (--grain element)");
+    request.grains = GrainChoice::entity;
+    EXPECT_EQ(message_of(one_entity, request),
+              "file: elements 4 and 6 of entity 7 are of the physical groups 1 and 2; a grain is of one phase");
+    request.grains = GrainChoice::physical;
+    EXPECT_EQ(message_of(test::neper_msh, request),
+              "file: --grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
+}
+
+TEST(MeshFile, AKeyGivesPhases) {
+    const std::string path = testing::TempDir() + "/mesh_file_key.tsv";
+    const auto phases = [&](const std::string& key, const std::string& bytes) {
+        std::ofstream(path) << key;
+        ImportRequest request;
+        request.phase_key = path;
+        const ImportedMesh mesh = read(bytes, request);
+        return mesh.phase_of_grain;
+    };
+    EXPECT_EQ(phases("key\tphase\nQuartz\tq\nfeld spar\tf\n", test::msh_22), (std::vector<std::string>{"q", "f"}));
+    EXPECT_EQ(phases("key\tphase\n1\tq\n2\tf\n", test::msh_41), (std::vector<std::string>{"q", "f"}));
+    EXPECT_EQ(phases("2\tf\n1\tq\n", test::neper_msh), (std::vector<std::string>{"q", "f"}));
+    EXPECT_EQ(phases("# cells\n4\tq\n8\tf\n", test::neper_tess), (std::vector<std::string>{"q", "f"}));
+    const auto error = [&](const std::string& key) {
+        std::ofstream(path) << key;
+        ImportRequest request;
+        request.phase_key = path;
+        const std::string message = message_of(test::msh_22, request);
+        return message.substr(0, path.size()) == path ? message.substr(path.size()) : message;
+    };
+    EXPECT_EQ(error("key\tphase\nQuartz\tq\n"), ": no row for feld spar; each grain needs one");
+    EXPECT_EQ(error("Quartz\n"), ": line 1: \"Quartz\" is no row; a key, a tab and the name of a phase (a-z, 0-9, _) are needed");
+    EXPECT_EQ(error("1\tQ\n"), ": line 1: \"1\\x09Q\" is no row; a key, a tab and the name of a phase (a-z, 0-9, _) are needed");
+    EXPECT_EQ(error("1\tq\n1\tf\n"), ": line 2: 1 has a phase already");
+    EXPECT_EQ(error("key\tphase\n"), ": no rows; a table with the columns key and phase is needed");
+}
+
+TEST(MeshFile, SecondOrderByCornersIfSidesAreStraight) {
+    const auto file = [](const char* middle) {
+        return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 .5 " + std::string(middle) +
+               " 0\n5 .5 .5 0\n6 0 .5 0\n$EndNodes\n$Elements\n1\n1 9 2 0 1 1 2 3 4 5 6\n$EndElements\n";
+    };
+    EXPECT_EQ(read(file("0")).triangles, (std::vector<Triangle>{{0, 1, 2}}));
+    EXPECT_EQ(
+        message_of(file("-.02")),
+        "file: element 1 has its middle node 4 beside the straight side, by 2 % of its length; curved sides are not read, give "
+        "elements of order 1");
+}
+
+TEST(MeshFile, QuadranglesAlongTheirShorterInnerDiagonal) {
+    const auto file = [](const char* third) {
+        return "*Node\n1,0,0\n2,2,0\n3," + std::string(third) + "\n4,0,2\n*Element, type=CPE4R\n1,1,2,3,4\n";
+    };
+    EXPECT_EQ(read(file("1.5,1.5")).triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(read(file("2.5,2.5")).triangles, (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
+    EXPECT_EQ(read(file(".5,.5")).triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));  // not convex at 3
+    EXPECT_EQ(message_of(file("-1,3")), "file: quadrangle 1 has no area or crosses itself");
+}
+
+TEST(MeshFile, SaysWhatWasFound) {
+    const std::string& m = test::msh_22;
+    const std::pair<std::string, std::string> cases[] = {
+        {with(m, "2.2 0 8", "4.0 0 8"),
+         "file: line 2: the format is MSH 4; 2.2 or 4.1 is needed (gmsh FILE -save -format msh41)"},
+        {with(m, "2.2 0 8", "2.2 0 4"), "file: line 2: numbers of 4 bytes; 8 are needed"},
+        {with(m, "$Nodes\n6", "$Nodes\n60000"), "file: line 12: the number of nodes is 60000, for which the file is too short"},
+        {with(m, "2 1 0 0", "2 1 nan 0"), "file: line 14: \"nan\" stands where a coordinate is expected, a number"},
+        {with(m, "6 2 1 0", "5 2 1 0"), "file: node 5 stands twice in the file"},
+        {with(m, "9 2 6 5", "9 2 6 15"), "file: element 7 names node 15, which is not in the file"},
+        {with(m, "7 2 2 2 9 2 6 5", "7 4 2 2 9 2 6 5 1"),
+         "file: line 28: elements of type 4 (4-node tetrahedron) have no place in a specimen; triangles (2, 9) or quadrangles "
+         "(3, 10, "
+         "16) are needed"},
+        {with(m, "7 2 2 2 9 2 6 5", "7 99 2 2 9 2 6 5"),
+         "file: line 28: elements of type 99 are not known; triangles (2, 9) or quadrangles (3, 10, 16) are needed"},
+        {with(m, "6 2 1 0", "6 2 1 .5"),
+         "file: z of the triangles' nodes runs from 0 to 0.5; a plane mesh, with one z, is needed"},
+        {with(m, "$EndElements", "$End"), "file: line 30: $Elements has no end"},
+        {m.substr(0, m.find("$Elements")), "file: line 20: no lines, triangles or quadrangles"},
+        {m.substr(0, m.find("4 2 2 1")) + "$EndElements",
+         "file: line 25: \"$EndElements\" stands where the number of an element is expected, an integer"},
+        {with(test::binary_41(), "$Nodes", "$Odes"), "file: line 21: $Odes has no end"},
+        {test::binary_22().substr(0, 200), "file: byte 198: the file ends where a coordinate is expected"},
+        {with(test::neper_tess, "3.5", "1.9"), "file: line 3: the format is 1.9; 2.0 or 3.3 to 3.5 is needed"},
+        {with(test::neper_tess, "2 standard", "3 standard"),
+         "file: line 5: the tessellation has 3 dimensions; 2 are needed (neper -T -dim 2)"},
+        {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 5 2 7"), "file: line 26: face 1 names vertex 7, which is not in the file"},
+        {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 2 5 1"),
+         "file: a cell is no simple polygon: its sides cross or touch each other"},
+        {test::neper_tess.substr(0, test::neper_tess.find(" **domain")), "file: line 34: the file ends before ***end"},
+        {with(test::abaqus, "type=CPE3R", "type=C3D4"),
+         "file: line 19: elements of type \"C3D4\" are not read; triangles or quadrangles of the plane (CPE3, CPS3, CPE6, CPE4, "
+         "…) are "
+         "needed"},
+        {with(test::abaqus, "3, 4,\n", "3, 44,\n"), "file: elset feld spar names element 44, which is not in the file"},
+        {with(test::abaqus, "3, 4,\n", "2, 3, 4,\n"),
+         "file: element 2 is in the elsets Quartz and feld spar; which of them is its phase is not clear, rename the others"},
+        {with(test::abaqus, "1, 2\n*Elset, elset=ELSET", "1, 2, 0\n*Elset, elset=ELSET"),
+         "file: line 23: 1 to 2 by 0 cannot be elements of this file"},
+        {with(test::abaqus, "*Nset, nset=ends", "*Include, input=other.inp"),
+         "file: line 30: *INCLUDE is in another file, which is not read; put it into this one"},
+    };
+    for (const auto& [bytes, message] : cases) EXPECT_EQ(message_of(bytes), message);
+}
+
+TEST(MeshText, TakesNoCountThatTheFileCannotHold) {
+    MeshText text("12 3 4", "file");
+    EXPECT_THROW(text.count("a number", 2), InputError);
+    MeshText enough("2 3 4", "file");
+    EXPECT_EQ(enough.count("a number", 2), 2U);
+}
+
+/// Whatever is cut off or changed in a file, the answer is a mesh or an error that names the file.
+TEST(MeshFile, NoDamageCrashes) {
+    int n_read = 0;
+    for (const std::string& bytes : {test::msh_22, test::msh_41, test::binary_22(), test::binary_41(), test::msh_41_partitioned,
+                                     test::neper_msh, test::neper_tess, test::abaqus}) {
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            for (const char c : {'\0', '9', '-', '\n', '\xff'}) {
+                std::string damaged = bytes;
+                damaged[i] = c;
+                for (const std::string& each : {damaged, bytes.substr(0, i)}) {
+                    try {
+                        read(each);
+                        ++n_read;
+                    } catch (const InputError& error) {
+                        EXPECT_EQ(std::string(error.what()).substr(0, 5), "file:");
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(n_read, 100);  // names of phases can be anything
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
