@@ -37,23 +37,9 @@ inline const std::string msh_41_partitioned =
     "$Nodes\n1 6 1 6\n2 21 0 6\n1\n2\n3\n4\n5\n6\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
     "$Elements\n3 4 1 4\n2 21 2 1\n1 1 2 5\n2 22 2 1\n2 1 5 4\n2 23 2 2\n3 2 3 6\n4 2 6 5\n$EndElements\n";
 
-inline const std::string neper_msh =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$MeshVersion\n2.2.3\n$EndMeshVersion\n$Domain\nsquare\n$EndDomain\n"
-    "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
-    "$Elements\n6\n1 1 3 1 1 0 2 5\n2 1 3 2 2 0 3 6\n"
-    "3 2 3 1 1 4 1 2 5\n4 2 3 1 1 5 1 5 4\n5 2 3 2 2 4 2 3 6\n6 2 3 2 2 5 2 6 5\n$EndElements\n"
-    "$NSets\n1\ny0\n3\n1\n2\n3\n$EndNSets\n"
-    "$PhysicalNames\n4\n1 1 \"edge1\"\n1 2 \"edge2\"\n2 1 \"face1\"\n2 2 \"face2\"\n$EndPhysicalNames\n"
-    "$ElsetOrientations\n2 rodrigues:active\n1 .1 .2 .3\n2 .1 .2 .3\n$EndElsetOrientations\n"
-    "$Groups\nelset\n2\n1 1\n2 2\n$EndGroups\n";
+inline const std::string neper_msh = read_bytes(GRAINCRACK_TEST_DATA "/meshes/two-squares-neper.msh");
 
-inline const std::string neper_tess =
-    "***tess\n **format\n   3.5\n **general\n   2 standard\n **cell\n  2\n  *id\n   4 8\n  *crysym\n   triclinic\n"
-    " **vertex\n 6\n   1 0 0 0 0\n   2 1 0 0 0\n   3 2 0 0 0\n   4 0 1 0 0\n   5 1 1 0 0\n   6 2 1 0 0\n"
-    " **edge\n 2\n   1 2 5 0\n   2 3 6 0\n"
-    " **face\n 2\n   1 4 4 5 2 1\n     4 1 2 3 4\n    0 0 0 -1\n     0 -1 0 0 0\n   2 4 2 3 6 5\n     4 1 2 3 4\n    0 0 0 1\n"
-    "     0 -1 0 0 0\n"
-    " **domain\n  *general\n   square\n***end\n";
+inline const std::string neper_tess = read_bytes(GRAINCRACK_TEST_DATA "/meshes/two-squares.tess");
 
 inline const std::string abaqus =
     "** by hand\n*Heading\n two squares\n*Node\n1, 0., 0., 0.\n2, 1, 0\n3, 2, 0\n4, 0, 1\n5, 1.e0, +1\n6, 2, 1\n"

@@ -1,0 +1,130 @@
+// Meshes of other programs become specimens; what was exported comes back as it was.
+#include "tests/end_to_end/same_arrays.hpp"
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+const std::string meshes = GRAINCRACK_TEST_DATA "/meshes/";
+
+std::string digest(const Shell& shell, const std::string& file) {
+    return shell.must("graincrack-post info --digest " + file + " | cut -d ' ' -f 1");
+}
+
+/// Written by Gmsh 4.8.4 in every format; those with the same digits are the same specimen.
+TEST(Import, FilesOfGmshAgree) {
+    const Shell shell;
+    const auto import = [&](const std::string& name) {
+        shell.must("graincrack-mesh import " + meshes + "two-minerals-" + name + " --scale 1mm --grain element --quiet -o " +
+                   name + ".h5 && graincrack-post info --check " + name + ".h5");
+        return digest(shell, name + ".h5");
+    };
+    const std::string text = import("msh22.msh");
+    EXPECT_EQ(import("msh41.msh"), text);
+    EXPECT_EQ(import("msh41-order2.msh"), text);
+    EXPECT_EQ(import("msh41-binary.msh"), import("msh22-binary.msh"));
+    EXPECT_EQ(import("msh41-partitioned.msh"), import("msh22-partitioned.msh"));
+    // The other element order of Abaqus is another order of contacts; the specimen has the same parts.
+    const auto lines = [&](const std::string& name) {
+        import(name);
+        return shell.must("graincrack-post info " + name +
+                          ".h5 | grep -E '^  (grains|contacts|mean_edge|phases|boundary_parts) '");
+    };
+    EXPECT_EQ(lines("inp.inp"), lines("msh22.msh"));
+    const std::string all = lines("msh22-all.msh");
+    EXPECT_EQ(all.find("phases"), std::string::npos);
+    EXPECT_NE(shell.must("graincrack-mesh import " + meshes + "two-minerals-msh22-all.msh --scale 1mm --dry-run")
+                  .find("physical groups: none"),
+              std::string::npos);
+    EXPECT_NE(lines("msh41-quadrangles.msh").find("grains                   22"), std::string::npos);
+}
+
+/// Shapes, flaws, phases: by Gmsh's format and by Abaqus' the arrays and a test's history are the same to the byte.
+class RoundTrip : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+
+TEST_P(RoundTrip, GivesTheSameStrength) {
+    const Shell shell;
+    const auto& [kind, mesh] = GetParam();
+    const bool is_disc = kind.substr(0, 4) == "disc";
+    shell.must(
+        "printf 'x1_mm\\ty1_mm\\tx2_mm\\ty2_mm\\tclass\\n-3\\t-4\\t3\\t2\\tbroken\\n' >flaws.tsv\n"
+        "graincrack-mesh " +
+        kind +
+        " --quiet -o made.h5\n"
+        "graincrack-post export made.h5 -o " +
+        mesh +
+        "\n"
+        "graincrack-mesh import " +
+        mesh + " --quiet -o back.h5");
+    const H5Input made(shell.file("made.h5"));
+    const H5Input back(shell.file("back.h5"));
+    for (const char* group : {"/nodes", "/elements", "/contacts", "/boundary", "/grains"}) {
+        ASSERT_EQ(made.children(group), back.children(group));
+        expect_same_arrays(made, back, group);
+    }
+    const std::string test = is_disc ? "brazilian " : "uniaxial ";
+    for (const std::string file : {"made", "back"}) {
+        shell.must("graincrack-solve " + test + file + ".h5" + past_peak + "-o run-" + file + ".h5");
+    }
+    const std::string columns =
+        "peak_compressive_stress_MPa tensile_strength_MPa strain_at_peak tensile_cracks shear_cracks steps";
+    const std::string table = shell.must("graincrack-post strength run-made.h5");
+    const std::string other = shell.must("graincrack-post strength run-back.h5");
+    std::istringstream names(columns);
+    for (std::string name; names >> name;) EXPECT_EQ(cell(table, name), cell(other, name)) << name;
+    expect_same_arrays(H5Input(shell.file("run-made.h5")), H5Input(shell.file("run-back.h5")), "/history");
+}
+INSTANTIATE_TEST_SUITE_P(All, RoundTrip,
+                         testing::Combine(testing::Values("rectangle --width 20mm --height 40mm --grains 150",
+                                                          "rectangle --width 20mm --height 40mm --grains 200 --flaws flaws.tsv "
+                                                          "--phases quartz=0.4,mica=0.6 --hole 5mm,8mm,3mm",
+                                                          "disc --diameter 20mm --grains 90"),
+                                          testing::Values("mesh.msh", "mesh.inp")));
+
+TEST(Import, SaysWhatItFound) {
+    const Shell shell;
+    const Outcome outcome = shell.run("graincrack-mesh import " + meshes + "two-squares-neper.msh --scale 10mm -o s.h5");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(
+        outcome.err,
+        "rectangle of 2 grains from Neper (Gmsh 2.2, text): 8 nodes, 4 elements, 1 contacts, 6 boundary edges\n"
+        "  20 mm wide, 10 mm high; edge mean 15.2 mm, CV 0.0000, min 15.2 mm, max 15.2 mm; smallest angle 45.0 deg, psi6 0.143\n"
+        "  parts of the boundary: bottom 20 mm, right 10 mm, top 20 mm, left 10 mm\n"
+        "  phases by area: group_1 0.5000, group_2 0.5000\n"
+        "  note: moved by (-10 mm, -5 mm), so that the middle of its extent is the origin\n");
+    const std::string source = shell.must("sha256sum " + meshes + "two-squares-neper.msh | cut -d ' ' -f 1");
+    EXPECT_NE(shell.must("graincrack-post info s.h5").find("imported_from            SHA-256 " + source), std::string::npos);
+    EXPECT_NE(
+        shell.must("cat " + meshes + "two-squares.tess | graincrack-mesh import - --scale 10mm --phases a=0.5,b=0.5 --dry-run")
+            .find("rectangle of 2 grains from Neper tessellation 3.5"),
+        std::string::npos);
+}
+
+TEST(Import, RefusesInOneLine) {
+    const Shell shell;
+    shell.must("printf '\\x89PNG' >x.png; printf 'key\\tphase\\nx\\ty\\n' >key.tsv; mkdir folder");
+    const std::string squares = meshes + "two-squares-neper.msh";
+    const std::tuple<std::string, int, std::string> cases[] = {
+        {"nothing.msh", 3, "nothing.msh: cannot be read: No such file or directory"},
+        {"folder", 3, "folder: is empty or no file; a mesh of Gmsh"},
+        {squares + " --format tetgen", 2, "--format: \"tetgen\" is not known; "},
+        {squares + " --grain grain", 2, "--grain: \"grain\" is not known; element, entity or physical fits"},
+        {squares + " --shape cube", 2, "--shape: \"cube\" is not known; rectangle, disc, ring, beam, half-disc or polygon fits"},
+        {squares + " --origin 1", 2, "--origin: \"1\" is not understood; give X,Y as 40mm,80mm"},
+        {squares + " --scale 0mm", 2, "--scale: "},
+        {squares + " --phase-key key.tsv", 3, "key.tsv: no row for 1; each grain needs one"},
+        {squares + " --phases a=0.5,b=0.5", 2, "--phases: the file says of what phases its grains are"},
+        {squares + " --edge 4mm", 2, "--edge"},
+        {"- </dev/null", 3, "stdin: empty: the program before wrote nothing; see its message"},
+    };
+    for (const auto& [call, code, message] : cases) {
+        const Outcome outcome = shell.run("graincrack-mesh import " + call + " -o s.h5");
+        EXPECT_EQ(outcome.exit_code, code) << call;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+        EXPECT_EQ(content_of(shell.file("s.h5")), "");
+    }
+}
+
+}  // namespace
+}  // namespace graincrack::test
