@@ -1,0 +1,76 @@
+#include "mesher/import/label_network.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+
+#include "mesher/import/label_crossings.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr Clearance clearance{0.5, 25 * std::numbers::pi / 180};
+
+/// The network of the chains as they are divided now; the chain of each segment and its number within the chain.
+struct Division {
+    LabelNetwork network;
+    std::vector<std::size_t> chain_of_segment;
+    std::vector<std::size_t> number_in_chain;
+};
+
+Division divide(const LabelBoundaries& boundaries, const std::vector<SmoothChain>& chains) {
+    Division division;
+    LabelNetwork& network = division.network;
+    network.points = boundaries.nodes;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        const BoundaryChain& boundary = boundaries.chains[c];
+        const SmoothChain& chain = chains[c];
+        const int first = static_cast<int>(network.points.size());
+        const std::size_t begin = boundary.closed() ? 0 : 1;
+        const std::size_t end = boundary.closed() ? chain.size() : chain.size() - 1;
+        for (std::size_t i = begin; i < end; ++i) network.points.push_back(chain.point(i));
+        const auto number = [&](std::size_t i) {
+            if (boundary.closed()) return first + static_cast<int>(i % chain.size());
+            if (i == 0) return boundary.from;
+            return i == end ? boundary.to : first + static_cast<int>(i) - 1;
+        };
+        for (std::size_t i = 0; i < chain.n_segments(); ++i) {
+            network.segments.push_back({number(i), number(i + 1), boundary.left, boundary.right});
+            division.chain_of_segment.push_back(c);
+            division.number_in_chain.push_back(i);
+        }
+    }
+    return division;
+}
+
+}  // namespace
+
+LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& smoothing) {
+    std::vector<SmoothChain> chains;
+    chains.reserve(boundaries.chains.size());
+    for (const BoundaryChain& chain : boundaries.chains) chains.emplace_back(chain, smoothing);
+    std::vector<bool> refined(chains.size());
+    while (true) {
+        Division division = divide(boundaries, chains);
+        std::vector<Edge> segments;
+        for (const RegionEdge& s : division.network.segments) segments.push_back({s.from, s.to});
+        const std::vector<std::size_t> crowded = crowded_segments(division.network.points, segments, clearance);
+        bool changed = false;
+        for (std::size_t i = 0; i < crowded.size();) {
+            const std::size_t chain = division.chain_of_segment[crowded[i]];
+            std::vector<std::size_t> numbers;
+            for (; i < crowded.size() && division.chain_of_segment[crowded[i]] == chain; ++i) {
+                numbers.push_back(division.number_in_chain[crowded[i]]);
+            }
+            if (!chains[chain].refine(numbers)) continue;
+            refined[chain] = true;
+            changed = true;
+        }
+        if (changed) continue;
+        division.network.refined_chains = static_cast<int>(std::count(refined.begin(), refined.end(), true));
+        return std::move(division.network);
+    }
+}
+
+}  // namespace graincrack::mesher

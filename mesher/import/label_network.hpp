@@ -1,0 +1,24 @@
+// All boundaries of a picture as segments that do not cross.
+#pragma once
+
+#include <vector>
+
+#include "mesher/import/label_boundaries.hpp"
+#include "mesher/import/label_smoothing.hpp"
+#include "mesher/plane/geometry.hpp"
+#include "mesher/plane/refined_triangulation.hpp"
+
+namespace graincrack::mesher {
+
+/// Points and segments with the pieces on both sides, lengths in pixels.
+struct LabelNetwork {
+    std::vector<Point> points;
+    std::vector<RegionEdge> segments;
+    int refined_chains = 0;  ///< chains that needed finer segments
+};
+
+/// Smooths the boundaries and divides them; where two come closer than half a pixel, cross, or meet at less than 25°, they are
+/// divided more finely, down to the middles of the sides of pixels (jagged: to their corners).
+LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& smoothing);
+
+}  // namespace graincrack::mesher
