@@ -126,16 +126,15 @@ private:
 
     void trace(Corner c, int k) {
         BoundaryChain chain{node_at(c, k), -1, left_of_step(c, k), right_of_step(c, k), {}};
-        chain.path.push_back(boundaries_.nodes[static_cast<std::size_t>(chain.from)]);
+        chain.path.push_back(point(c));
         while (true) {
             mark(c, k) = true;
             c = next(c, k);
+            chain.path.push_back(point(c));
             chain.to = node_at(c, (k + 2) % 4);
             if (chain.to >= 0) break;
-            chain.path.push_back(point(c));
             k = onward(c, k);
         }
-        chain.path.push_back(boundaries_.nodes[static_cast<std::size_t>(chain.to)]);
         boundaries_.chains.push_back(std::move(chain));
     }
 

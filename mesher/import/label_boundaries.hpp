@@ -14,7 +14,7 @@ struct BoundaryChain {
     int to = -1;
     int left = -1;            ///< piece on the left, −1 outside of the picture
     int right = -1;           ///< piece on the right
-    std::vector<Point> path;  ///< corners of pixels, with both nodes; each once if closed
+    std::vector<Point> path;  ///< corners of pixels, also where a node was moved away from its corner; each once if closed
     bool on_outline() const { return left < 0 || right < 0; }
     bool closed() const { return from < 0; }
 };

@@ -49,7 +49,8 @@ Division divide(const LabelBoundaries& boundaries, const std::vector<SmoothChain
 LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& smoothing) {
     std::vector<SmoothChain> chains;
     chains.reserve(boundaries.chains.size());
-    for (const BoundaryChain& chain : boundaries.chains) chains.emplace_back(chain, smoothing);
+    const auto node = [&](int i) { return i < 0 ? Point{} : boundaries.nodes[static_cast<std::size_t>(i)]; };
+    for (const BoundaryChain& chain : boundaries.chains) chains.emplace_back(chain, node(chain.from), node(chain.to), smoothing);
     std::vector<bool> refined(chains.size());
     while (true) {
         Division division = divide(boundaries, chains);

@@ -16,16 +16,22 @@ constexpr double most_width = 4;
 constexpr double squared_step = 0.75;
 constexpr std::size_t least_points_closed = 6;
 
-/// The middles of the sides of pixels, with both ends of what is not closed.
-std::vector<Point> middles(const BoundaryChain& chain) {
+/// The corners of pixels, in place of the first and last the nodes of what is not closed.
+std::vector<Point> corners(const BoundaryChain& chain, Point from, Point to) {
+    std::vector<Point> points = chain.path;
+    if (chain.closed()) return points;
+    points.front() = from;
+    points.back() = to;
+    return points;
+}
+
+/// The middles of the sides of pixels, with the nodes of what is not closed.
+std::vector<Point> middles(const BoundaryChain& chain, Point from, Point to) {
     const std::vector<Point>& path = chain.path;
     std::vector<Point> points;
-    if (!chain.closed()) points.push_back(path.front());
-    // A chain of one side goes from node to node.
-    for (std::size_t i = 0; i + 1 < path.size() && (chain.closed() || path.size() > 2); ++i) {
-        points.push_back(midpoint(path[i], path[i + 1]));
-    }
-    points.push_back(chain.closed() ? midpoint(path.back(), path.front()) : path.back());
+    if (!chain.closed()) points.push_back(from);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) points.push_back(midpoint(path[i], path[i + 1]));
+    points.push_back(chain.closed() ? midpoint(path.back(), path.front()) : to);
     return points;
 }
 
@@ -45,9 +51,10 @@ double doubled_area(std::size_t n, const PointOf& point_of) {
 
 }  // namespace
 
-SmoothChain::SmoothChain(const BoundaryChain& chain, const Smoothing& smoothing) : closed_(chain.closed()) {
+SmoothChain::SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing) : closed_(chain.closed()) {
     const bool straight = chain.on_outline() || smoothing.jagged;
-    dense_ = straight ? chain.path : middles(chain);
+    const std::vector<Point> along_pixels = corners(chain, from, to);
+    dense_ = straight ? along_pixels : middles(chain, from, to);
     smooth_ = dense_;
     if (!straight) make_smooth(std::clamp(width_over_spacing * smoothing.spacing, least_width, most_width));
     if (smoothing.jagged) {
@@ -57,7 +64,7 @@ SmoothChain::SmoothChain(const BoundaryChain& chain, const Smoothing& smoothing)
     take(smoothing.spacing);
     if (!straight) {
         // Points of corrected lines lie a little apart from those taken before.
-        const double wanted = doubled_area(chain.path.size(), [&](std::size_t i) { return chain.path[i]; });
+        const double wanted = doubled_area(along_pixels.size(), [&](std::size_t i) { return along_pixels[i]; });
         for (int round = 0; round < 2; ++round) keep_area(smoothing.spacing, wanted);
     }
 }

@@ -22,7 +22,8 @@ class SmoothChain {
 public:
     static constexpr double farthest = 0.75;  ///< pixels
 
-    SmoothChain(const BoundaryChain& chain, const Smoothing& smoothing);
+    /// \param from, to the places of its nodes, of no meaning for a closed chain
+    SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing);
 
     /// The points taken, with both nodes; of a closed chain each once.
     [[nodiscard]] std::size_t size() const { return taken_.size(); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesher/import/label_boundaries.hpp"
+#include "mesher/import/label_junctions.hpp"
 #include "mesher/import/label_network.hpp"
 #include "mesher/import/label_pieces.hpp"
 #include "mesher/plane/refined_triangulation.hpp"
@@ -19,7 +20,8 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double elements_across_grain = 3;
-constexpr double least_element = 2;  ///< by default, pixels
+constexpr double element_of_side = 3;  ///< for each side of pixels of boundaries that are too short for elements
+constexpr double least_element = 2;    ///< by default, pixels
 constexpr double most_triangles = 20'000'000;
 /// Longest side over the wanted one. Refinement stops below the bound: the mean side is about the wanted one.
 constexpr double longest_side = 1.5;
@@ -138,12 +140,18 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
     const double element = element_in_pixels(pieces, options, name);
     imported.notes = notes_on_pieces(pieces, options);
 
-    const LabelBoundaries boundaries = label_boundaries(pieces);
+    LabelBoundaries boundaries = label_boundaries(pieces);
+    const int joined_junctions =
+        options.jagged ? 0 : join_near_junctions(boundaries, static_cast<int>(std::min(element / element_of_side, 2.0)));
     const LabelNetwork network = label_network(boundaries, {element, options.jagged});
     RefinedMesh mesh = triangles_of(network, element, name);
     if (boundaries.opened_corners > 0) {
         imported.notes.push_back(fmt::format("where a grain met itself in a point, the other two got a boundary: {}",
                                              count(boundaries.opened_corners, "corner of pixels", "corners of pixels")));
+    }
+    if (joined_junctions > 0) {
+        imported.notes.push_back(fmt::format("{} of one or two sides of pixels became a point where four grains meet",
+                                             count(joined_junctions, "grain boundary", "grain boundaries")));
     }
     if (network.refined_chains > 0) {
         imported.notes.push_back(fmt::format("{} narrow places or small angles divided more finely",
