@@ -116,7 +116,7 @@ private:
         return found == nodes_at_.end() ? -1 : found->second[static_cast<std::size_t>(k)];
     }
 
-    /// The direction in which a boundary goes on from a corner without a node, which it reached by direction k.
+    /// The direction in which a boundary leaves a corner without a node, which it reached by direction k.
     [[nodiscard]] int onward(Corner c, int k) const {
         for (const int turn : {0, 1, 3}) {
             if (separates(c, (k + turn) % 4)) return (k + turn) % 4;

@@ -1,6 +1,7 @@
 #include "mesher/import/label_network.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -10,7 +11,27 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr Clearance clearance{0.5, 25 * std::numbers::pi / 180};
+constexpr Clearance clearance{0.3, 20 * std::numbers::pi / 180};
+
+/// Longest over shortest of the segments that meet in a point, and the length in pixels that need not be divided for it.
+constexpr double most_ratio = 3;
+constexpr double short_enough = 2.5;
+
+/// The segments that are too long beside their neighbours.
+std::vector<std::size_t> long_segments(const std::vector<Point>& points, const std::vector<Edge>& segments) {
+    std::vector<double> shortest(points.size(), INFINITY);
+    const auto at = [](int p) { return static_cast<std::size_t>(p); };
+    const auto length_of = [&](const Edge& s) { return length(points[at(s[1])] - points[at(s[0])]); };
+    for (const Edge& s : segments) {
+        for (const int p : s) shortest[at(p)] = std::min(shortest[at(p)], length_of(s));
+    }
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const double least = std::min(shortest[at(segments[i][0])], shortest[at(segments[i][1])]);
+        if (length_of(segments[i]) > std::max(most_ratio * least, short_enough)) found.push_back(i);
+    }
+    return found;
+}
 
 /// The network of the chains as they are divided now; the chain of each segment and its number within the chain.
 struct Division {
@@ -56,18 +77,22 @@ LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& s
         Division division = divide(boundaries, chains);
         std::vector<Edge> segments;
         for (const RegionEdge& s : division.network.segments) segments.push_back({s.from, s.to});
-        const std::vector<std::size_t> crowded = crowded_segments(division.network.points, segments, clearance);
         bool changed = false;
-        for (std::size_t i = 0; i < crowded.size();) {
-            const std::size_t chain = division.chain_of_segment[crowded[i]];
-            std::vector<std::size_t> numbers;
-            for (; i < crowded.size() && division.chain_of_segment[crowded[i]] == chain; ++i) {
-                numbers.push_back(division.number_in_chain[crowded[i]]);
+        const auto refine = [&](const std::vector<std::size_t>& crowded) {
+            for (std::size_t i = 0; i < crowded.size();) {
+                const std::size_t chain = division.chain_of_segment[crowded[i]];
+                std::vector<std::size_t> numbers;
+                for (; i < crowded.size() && division.chain_of_segment[crowded[i]] == chain; ++i) {
+                    numbers.push_back(division.number_in_chain[crowded[i]]);
+                }
+                if (!chains[chain].refine(numbers)) continue;
+                refined[chain] = true;
+                changed = true;
             }
-            if (!chains[chain].refine(numbers)) continue;
-            refined[chain] = true;
-            changed = true;
-        }
+        };
+        refine(crowded_segments(division.network.points, segments, clearance));
+        // Grading comes last: it divides where no two boundaries are in each other's way any more.
+        if (!changed) refine(long_segments(division.network.points, segments));
         if (changed) continue;
         division.network.refined_chains = static_cast<int>(std::count(refined.begin(), refined.end(), true));
         return std::move(division.network);

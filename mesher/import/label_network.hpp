@@ -17,8 +17,9 @@ struct LabelNetwork {
     int refined_chains = 0;  ///< chains that needed finer segments
 };
 
-/// Smooths the boundaries and divides them; where two come closer than half a pixel, cross, or meet at less than 25°, they are
-/// divided more finely, down to the middles of the sides of pixels (jagged: to their corners).
+/// Smooths the boundaries and divides them. Where two come closer than 0.3 pixels, cross, or meet at less than 20°, they are
+/// divided more finely, down to the middles of the sides of pixels (jagged: to their corners); so are segments that are more than
+/// three times as long as one that they meet.
 LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& smoothing);
 
 }  // namespace graincrack::mesher

@@ -154,8 +154,8 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
                                              count(joined_junctions, "grain boundary", "grain boundaries")));
     }
     if (network.refined_chains > 0) {
-        imported.notes.push_back(fmt::format("{} narrow places or small angles divided more finely",
-                                             count(network.refined_chains, "grain boundary is at", "grain boundaries are at")));
+        imported.notes.push_back(fmt::format("{} finer sides in places: near others, at small angles or beside short ones",
+                                             count(network.refined_chains, "grain boundary has", "grain boundaries have")));
     }
     imported.notes.push_back(
         fmt::format("boundaries {}; sides of about {}, the shortest {}; the smallest angle is {:.1f}°",
