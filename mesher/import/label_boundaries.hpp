@@ -27,7 +27,7 @@ struct LabelBoundaries {
 };
 
 /// Finds the boundaries. Where four pieces meet, they share one node. Where a piece meets itself across a corner of pixels, the
-/// corner is opened: the two others, which are different pieces, get a short boundary with each other, and no piece touches
+/// corner is opened: the two others, which are different pieces, get a short boundary with each other, and no piece meets
 /// itself in a point.
 LabelBoundaries label_boundaries(const LabelPieces& pieces);
 

@@ -192,8 +192,8 @@ LabelPieces label_pieces(const LabelImage& image, int smallest_piece, const std:
     pieces.height = image.height;
     number_pieces(image, pieces, name);
     const auto is_small = [&](int pixels) { return pixels < smallest_piece; };
-    if (std::any_of(pieces.pixels_of_piece.begin(), pieces.pixels_of_piece.end(), is_small))
-        join_small_pieces(pieces, smallest_piece);
+    const std::vector<int>& pixels = pieces.pixels_of_piece;
+    if (std::any_of(pixels.begin(), pixels.end(), is_small)) join_small_pieces(pieces, smallest_piece);
     if (pieces.size() > most_grains) {
         throw InputError(fmt::format("{}: {} grains; at most {} are made, so a larger smallest piece is needed", name,
                                      pieces.size(), most_grains));

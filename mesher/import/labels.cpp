@@ -31,8 +31,9 @@ constexpr double triangles_of_square = 2.3;
 void check_options(const LabelOptions& options) {
     const auto is_length = [](double x) { return std::isfinite(x) && x > 0; };
     if (!is_length(options.pixel_size)) throw UsageError("size of a pixel: a length above 0 m is needed");
-    if (options.element_size && !is_length(*options.element_size))
+    if (options.element_size && !is_length(*options.element_size)) {
         throw UsageError("size of elements: a length above 0 m is needed");
+    }
 }
 
 /// The wanted side of triangles, pixels.

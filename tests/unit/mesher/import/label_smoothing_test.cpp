@@ -59,8 +59,9 @@ TEST(SmoothChain, KeepsTheAreaThatItEncloses) {
         const SmoothChain smooth(square, {}, {}, {side / 3.0, false});
         EXPECT_GE(smooth.size(), side == 1 ? 4U : 6U);
         double area = 0;
-        for (std::size_t i = 0; i < smooth.size(); ++i)
+        for (std::size_t i = 0; i < smooth.size(); ++i) {
             area += 0.5 * cross(smooth.point(i), smooth.point((i + 1) % smooth.size()));
+        }
         EXPECT_NEAR(area, side * side, 0.01 * side * side) << side;
     }
 }

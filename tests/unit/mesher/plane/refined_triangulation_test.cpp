@@ -51,7 +51,7 @@ TEST(RefinedTriangles, RefuseBordersThatCross) {
     points[6] = {12, 6};
     EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError);
     points[6] = {10, 6};
-    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "touches";
+    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "a corner on a border";
     points[6] = points[5];
     EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "two points at one place";
 }
