@@ -1,0 +1,102 @@
+#include "mesher/import/label_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "mesher/import/label_crossings.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr Clearance clearance{0.3, 20 * std::numbers::pi / 180};
+
+/// Longest over shortest of the segments that meet in a point, and the length in pixels that need not be divided for it.
+constexpr double most_ratio = 3;
+constexpr double short_enough = 2.5;
+
+/// The segments that are too long beside their neighbours.
+std::vector<std::size_t> long_segments(const std::vector<Point>& points, const std::vector<Edge>& segments) {
+    std::vector<double> shortest(points.size(), INFINITY);
+    const auto at = [](int p) { return static_cast<std::size_t>(p); };
+    const auto length_of = [&](const Edge& s) { return length(points[at(s[1])] - points[at(s[0])]); };
+    for (const Edge& s : segments) {
+        for (const int p : s) shortest[at(p)] = std::min(shortest[at(p)], length_of(s));
+    }
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const double least = std::min(shortest[at(segments[i][0])], shortest[at(segments[i][1])]);
+        if (length_of(segments[i]) > std::max(most_ratio * least, short_enough)) found.push_back(i);
+    }
+    return found;
+}
+
+/// The network of the chains as they are divided now; the chain of each segment and its number within the chain.
+struct Division {
+    LabelNetwork network;
+    std::vector<std::size_t> chain_of_segment;
+    std::vector<std::size_t> number_in_chain;
+};
+
+Division divide(const LabelBoundaries& boundaries, const std::vector<SmoothChain>& chains) {
+    Division division;
+    LabelNetwork& network = division.network;
+    network.points = boundaries.nodes;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        const BoundaryChain& boundary = boundaries.chains[c];
+        const SmoothChain& chain = chains[c];
+        const int first = static_cast<int>(network.points.size());
+        const std::size_t begin = boundary.closed() ? 0 : 1;
+        const std::size_t end = boundary.closed() ? chain.size() : chain.size() - 1;
+        for (std::size_t i = begin; i < end; ++i) network.points.push_back(chain.point(i));
+        const auto number = [&](std::size_t i) {
+            if (boundary.closed()) return first + static_cast<int>(i % chain.size());
+            if (i == 0) return boundary.from;
+            return i == end ? boundary.to : first + static_cast<int>(i) - 1;
+        };
+        for (std::size_t i = 0; i < chain.n_segments(); ++i) {
+            network.segments.push_back({number(i), number(i + 1), boundary.left, boundary.right});
+            division.chain_of_segment.push_back(c);
+            division.number_in_chain.push_back(i);
+        }
+    }
+    return division;
+}
+
+}  // namespace
+
+LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& smoothing) {
+    std::vector<SmoothChain> chains;
+    chains.reserve(boundaries.chains.size());
+    const auto node = [&](int i) { return i < 0 ? Point{} : boundaries.nodes[static_cast<std::size_t>(i)]; };
+    for (const BoundaryChain& chain : boundaries.chains) chains.emplace_back(chain, node(chain.from), node(chain.to), smoothing);
+    std::vector<bool> refined(chains.size());
+    while (true) {
+        Division division = divide(boundaries, chains);
+        std::vector<Edge> segments;
+        for (const RegionEdge& s : division.network.segments) segments.push_back({s.from, s.to});
+        bool changed = false;
+        const auto refine = [&](const std::vector<std::size_t>& crowded) {
+            for (std::size_t i = 0; i < crowded.size();) {
+                const std::size_t chain = division.chain_of_segment[crowded[i]];
+                std::vector<std::size_t> numbers;
+                for (; i < crowded.size() && division.chain_of_segment[crowded[i]] == chain; ++i) {
+                    numbers.push_back(division.number_in_chain[crowded[i]]);
+                }
+                if (!chains[chain].refine(numbers)) continue;
+                refined[chain] = true;
+                changed = true;
+            }
+        };
+        refine(crowded_segments(division.network.points, segments, clearance));
+        // Grading comes last: it divides where no two boundaries are in each other's way any more.
+        if (!changed) refine(long_segments(division.network.points, segments));
+        if (changed) continue;
+        division.network.refined_chains = static_cast<int>(std::count(refined.begin(), refined.end(), true));
+        return std::move(division.network);
+    }
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,39 @@
+// Connected pieces of the pixels of a picture; those too small for a grain join a neighbour.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "mesher/import/label_image.hpp"
+
+namespace graincrack::mesher {
+
+/// The pieces of a picture, each connected by sides of pixels, numbered in the order of their first pixels, row by row from the
+/// top.
+struct LabelPieces {
+    int width = 0;
+    int height = 0;
+    std::vector<int> piece_of_pixel;
+    std::vector<int> label_of_piece;
+    std::vector<int> pixels_of_piece;
+    int joined = 0;            ///< pieces that were too small
+    int labels_in_pieces = 0;  ///< labels of several pieces
+    int added_by_pieces = 0;   ///< pieces above one a label
+
+    [[nodiscard]] std::size_t size() const { return label_of_piece.size(); }
+    /// The piece of a pixel, −1 outside of the picture.
+    [[nodiscard]] int at(int column, int row) const {
+        if (column < 0 || row < 0 || column >= width || row >= height) return -1;
+        return piece_of_pixel[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+    }
+};
+
+inline constexpr std::size_t most_grains = 1'000'000;
+
+/// Divides a picture into pieces of one label. Those of fewer pixels than `smallest_piece` join the neighbour with which they
+/// share most sides of pixels, the smallest first; of several such neighbours the larger, then the one that comes first in the
+/// picture. \throws InputError if more than `most_grains` are left, or ten times as many are there at first
+LabelPieces label_pieces(const LabelImage& image, int smallest_piece, const std::string& name);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,52 @@
+// A boundary of pixels as a smooth line with points at distances of the size of elements.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mesher/import/label_boundaries.hpp"
+#include "mesher/plane/geometry.hpp"
+
+namespace graincrack::mesher {
+
+/// How boundaries are smoothed; lengths in pixels.
+struct Smoothing {
+    double spacing = 2;   ///< wanted between points
+    bool jagged = false;  ///< no smoothing: along sides of pixels
+};
+
+/// A chain that was smoothed, and the points that were taken of it. Its dense points are the middles of the sides of pixels (of a
+/// jagged chain the corners of pixels); the smooth line stays within `farthest` of them. The line through all dense points where
+/// they were before crosses no other such line, so that ever finer chains end in what cannot cross.
+class SmoothChain {
+public:
+    static constexpr double farthest = 0.75;  ///< pixels
+
+    /// \param from, to the places of its nodes, of no meaning for a closed chain
+    SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing);
+
+    /// The points taken, with both nodes; of a closed chain each once.
+    [[nodiscard]] std::size_t size() const { return taken_.size(); }
+    [[nodiscard]] Point point(std::size_t i) const { return smooth_[taken_[i]]; }
+    [[nodiscard]] std::size_t n_segments() const { return closed_ ? size() : size() - 1; }
+
+    /// Takes another point on a segment; where there is none left, moves its ends and their neighbours to where they were before
+    /// smoothing. Segments are given by their first points, ascending.
+    /// \return whether anything changed
+    bool refine(const std::vector<std::size_t>& segments);
+
+private:
+    void make_smooth(double width);
+    void take(double spacing);
+    void take_corners(double spacing);
+    void keep_area(double spacing, double wanted);
+    bool restore(std::size_t i);
+    [[nodiscard]] std::size_t least_points() const;
+
+    bool closed_;
+    std::vector<Point> dense_;   ///< before smoothing
+    std::vector<Point> smooth_;  ///< the same points after it
+    std::vector<std::size_t> taken_;
+};
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,186 @@
+#include "mesher/plane/refined_triangulation.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "share/base/error.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// A vertex knows its number, −1 of one that was added; a face its region.
+using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
+using Face = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_face_base_2<Kernel>>;
+using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
+using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Constrained>;
+using Mesher = CGAL::Delaunay_mesher_2<Constrained, Criteria>;
+using VertexHandle = Constrained::Vertex_handle;
+using FaceHandle = Constrained::Face_handle;
+
+constexpr int outside = -1;
+constexpr int unknown = -2;
+constexpr const char* crossing = "borders of regions cross or touch each other";
+
+std::vector<VertexHandle> insert(Constrained& triangulation, std::span<const Point> points, std::span<const RegionEdge> borders) {
+    std::vector<VertexHandle> vertices(points.size());
+    FaceHandle hint;
+    for (const int i : hilbert_order(points)) {
+        const auto p = static_cast<std::size_t>(i);
+        vertices[p] = triangulation.insert({points[p].x, points[p].y}, hint);
+        vertices[p]->info() = i;
+        hint = vertices[p]->face();
+    }
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (vertices[p]->info() != static_cast<int>(p)) throw UsageError(crossing);  // two points at one place
+    }
+    try {
+        for (const RegionEdge& e : borders) {
+            triangulation.insert_constraint(vertices[static_cast<std::size_t>(e.from)], vertices[static_cast<std::size_t>(e.to)]);
+        }
+    } catch (const Constrained::Intersection_of_constraints_exception&) {
+        throw UsageError(crossing);
+    }
+    return vertices;
+}
+
+/// Spreads the regions of some faces over all faces that no border separates from them.
+void flood(Constrained& triangulation, const std::vector<std::pair<FaceHandle, int>>& known) {
+    for (const auto face : triangulation.all_face_handles()) face->info() = unknown;
+    std::vector<FaceHandle> reached;
+    for (const auto& [start, region] : known) {
+        if (start->info() == region) continue;
+        if (start->info() != unknown) throw UsageError(crossing);
+        start->info() = region;
+        reached.assign(1, start);
+        while (!reached.empty()) {
+            const auto face = reached.back();
+            reached.pop_back();
+            for (int i = 0; i < 3; ++i) {
+                const auto next = face->neighbor(i);
+                if (face->is_constrained(i) || next->info() == region) continue;
+                next->info() = region;
+                reached.push_back(next);
+            }
+        }
+    }
+}
+
+/// The faces on both sides of the borders, with the regions they are in.
+std::vector<std::pair<FaceHandle, int>> sides(const Constrained& triangulation, const std::vector<VertexHandle>& vertices,
+                                              std::span<const RegionEdge> borders) {
+    std::vector<std::pair<FaceHandle, int>> known{{triangulation.infinite_face(), outside}};
+    for (const RegionEdge& e : borders) {
+        FaceHandle face;
+        int i = 0;
+        const auto from = vertices[static_cast<std::size_t>(e.from)];
+        const auto to = vertices[static_cast<std::size_t>(e.to)];
+        if (!triangulation.is_edge(from, to, face, i)) throw UsageError(crossing);
+        const FaceHandle other = face->neighbor(i);
+        const bool is_left = face->vertex(Constrained::ccw(i)) == from;
+        known.emplace_back(face, is_left ? e.left : e.right);
+        known.emplace_back(other, is_left ? e.right : e.left);
+    }
+    return known;
+}
+
+Point centroid(FaceHandle face) {
+    Point sum;
+    for (int i = 0; i < 3; ++i) sum = sum + Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()};
+    return (1.0 / 3) * sum;
+}
+
+double area(FaceHandle face) {
+    const auto at = [&](int i) { return Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()}; };
+    return signed_area(at(0), at(1), at(2));
+}
+
+/// A point inside each connected part of a region that is far from its borders: the centroid of its largest face.
+std::vector<std::pair<Point, int>> places_inside(const Constrained& triangulation) {
+    CGAL::Unique_hash_map<FaceHandle, bool> seen(false);
+    std::vector<std::pair<Point, int>> places;
+    std::vector<FaceHandle> reached;
+    for (const auto start : triangulation.finite_face_handles()) {
+        if (seen[start] || start->info() < 0) continue;
+        seen[start] = true;
+        reached.assign(1, start);
+        FaceHandle largest = start;
+        while (!reached.empty()) {
+            const auto face = reached.back();
+            reached.pop_back();
+            if (area(face) > area(largest)) largest = face;
+            for (int i = 0; i < 3; ++i) {
+                const auto next = face->neighbor(i);
+                if (face->is_constrained(i) || seen[next]) continue;
+                seen[next] = true;
+                reached.push_back(next);
+            }
+        }
+        places.emplace_back(centroid(largest), start->info());
+    }
+    return places;
+}
+
+void refine(Constrained& triangulation, const Refinement& refinement) {
+    const double sine = std::sin(refinement.smallest_angle * std::numbers::pi / 180);
+    Mesher mesher(triangulation, Criteria(sine * sine, refinement.longest_side));
+    // Which faces are to be refined is known: those that have a region.
+    for (const auto face : triangulation.all_face_handles()) face->set_in_domain(face->info() >= 0);
+    mesher.init(true);
+    while (!mesher.is_refinement_done()) {
+        if (triangulation.number_of_vertices() > refinement.most_points) {
+            throw UsageError(fmt::format("more than {} points are needed", refinement.most_points));
+        }
+        mesher.try_one_step_refine_mesh();
+    }
+}
+
+}  // namespace
+
+RefinedMesh refined_triangles(std::span<const Point> points, std::span<const RegionEdge> borders, const Refinement& refinement) {
+    Constrained triangulation;
+    const std::vector<VertexHandle> vertices = insert(triangulation, points, borders);
+    flood(triangulation, sides(triangulation, vertices, borders));
+    const auto places = places_inside(triangulation);
+    // New vertices are -1 until they are numbered; so is the region of faces that the refinement makes.
+    refine(triangulation, refinement);
+
+    std::vector<std::pair<FaceHandle, int>> known{{triangulation.infinite_face(), outside}};
+    FaceHandle hint;
+    for (const auto& [place, region] : places) {
+        hint = triangulation.locate({place.x, place.y}, hint);
+        known.emplace_back(hint, region);
+    }
+    flood(triangulation, known);
+
+    RefinedMesh mesh;
+    mesh.points.assign(points.begin(), points.end());
+    std::vector<VertexHandle> given = vertices;
+    for (const auto vertex : triangulation.finite_vertex_handles()) vertex->info() = unknown;
+    for (std::size_t i = 0; i < given.size(); ++i) given[i]->info() = static_cast<int>(i);
+    for (const auto vertex : triangulation.finite_vertex_handles()) {
+        if (vertex->info() != unknown) continue;
+        vertex->info() = static_cast<int>(mesh.points.size());
+        mesh.points.push_back({vertex->point().x(), vertex->point().y()});
+    }
+    for (const auto face : triangulation.finite_face_handles()) {
+        if (face->info() < 0) continue;
+        mesh.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+        mesh.region_of_triangle.push_back(face->info());
+    }
+    return mesh;
+}
+
+}  // namespace graincrack::mesher

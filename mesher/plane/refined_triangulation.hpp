@@ -1,0 +1,40 @@
+// Triangles of bounded size and angle in regions that share their borders.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mesher/plane/geometry.hpp"
+#include "mesher/plane/triangulation.hpp"
+
+namespace graincrack::mesher {
+
+/// A segment between two points that is a border of regions; a region is a number from 0, −1 is outside.
+struct RegionEdge {
+    int from = 0;
+    int to = 0;
+    int left = -1;
+    int right = -1;
+};
+
+/// What is asked of triangles.
+struct Refinement {
+    double longest_side = 0;
+    /// Triangles with an angle below it are divided, degrees, where the borders do not force one; up to 20.7 it always ends.
+    double smallest_angle = 20;
+    std::size_t most_points = 10'000'000;
+};
+
+/// Triangles, counter-clockwise, each of one region. The first points are those that were given.
+struct RefinedMesh {
+    std::vector<Point> points;
+    std::vector<Triangle> triangles;
+    std::vector<int> region_of_triangle;
+};
+
+/// Delaunay refinement of the regions within borders that do not cross. Points that it adds on borders belong to both sides.
+/// \throws UsageError if borders cross or touch, or if more than `most_points` are needed
+RefinedMesh refined_triangles(std::span<const Point> points, std::span<const RegionEdge> borders, const Refinement& refinement);
+
+}  // namespace graincrack::mesher

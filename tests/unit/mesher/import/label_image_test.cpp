@@ -1,0 +1,120 @@
+#include "mesher/import/label_image.hpp"
+
+#include <gtest/gtest.h>
+
+#include "share/base/error.hpp"
+#include "tests/unit/mesher/import/png_writer.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+using test::png_of;
+
+std::string error_of(std::string_view bytes) {
+    try {
+        read_label_image(bytes, "section");
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        return message;
+    }
+    return "";
+}
+
+TEST(LabelImage, ReadsTheLabelsOfEveryKindOfPng) {
+    const std::vector<int> bytes{0, 1, 2, 255, 7, 7};
+    for (const bool interlaced : {false, true}) {
+        const LabelImage grey = read_label_image(png_of(3, 2, bytes, {PNG_COLOR_TYPE_GRAY, 8, interlaced}), "");
+        EXPECT_EQ(grey.width, 3);
+        EXPECT_EQ(grey.height, 2);
+        EXPECT_EQ(grey.labels, bytes);
+        EXPECT_EQ(grey.format, "PNG, grey, 8 bits");
+        EXPECT_EQ(read_label_image(png_of(3, 2, bytes, {PNG_COLOR_TYPE_PALETTE, 8, interlaced}), "").labels, bytes);
+        const std::vector<int> words{0, 1, 256, 65535, 30000, 255};
+        EXPECT_EQ(read_label_image(png_of(3, 2, words, {PNG_COLOR_TYPE_GRAY, 16, interlaced}), "").labels, words);
+    }
+    for (const int bits : {1, 2, 4}) {
+        const std::vector<int> few{0, 1, 1, 0, (1 << bits) - 1, 1};
+        EXPECT_EQ(read_label_image(png_of(3, 2, few, {PNG_COLOR_TYPE_GRAY, bits}), "").labels, few) << bits;
+        EXPECT_EQ(read_label_image(png_of(3, 2, few, {PNG_COLOR_TYPE_PALETTE, bits}), "").labels, few) << bits;
+    }
+}
+
+TEST(LabelImage, TakesEachColourForALabel) {
+    const auto labels = [](const std::vector<int>& samples, int colour_type, int bits = 8) {
+        return read_label_image(png_of(2, 1, samples, {colour_type, bits}), "").labels;
+    };
+    EXPECT_EQ(labels({0, 0, 0, 1, 2, 3}, PNG_COLOR_TYPE_RGB), (std::vector<int>{0, 0x010203}));
+    EXPECT_EQ(labels({1, 2, 3, 255, 1, 2, 3, 254}, PNG_COLOR_TYPE_RGB_ALPHA), (std::vector<int>{0x010203, 0x01010203}));
+    EXPECT_EQ(labels({9, 255, 9, 0}, PNG_COLOR_TYPE_GRAY_ALPHA), (std::vector<int>{9, static_cast<int>(0xff000009U)}));
+    EXPECT_EQ(labels({9, 65535, 300, 65534}, PNG_COLOR_TYPE_GRAY_ALPHA, 16), (std::vector<int>{9, 0x1012c}));
+    EXPECT_EQ(error_of(png_of(1, 1, {1, 2, 3}, {PNG_COLOR_TYPE_RGB, 16})),
+              "section: the PNG has colours of 16 bits; colours of 8 bits, greys of 8 or 16 bits or a palette are needed");
+}
+
+TEST(LabelImage, ReadsText) {
+    const LabelImage image = read_label_image("1\t2  3\r\n 4\t5\t2147483647 \n\n", "");
+    EXPECT_EQ(image.width, 3);
+    EXPECT_EQ(image.height, 2);
+    EXPECT_EQ(image.labels, (std::vector<int>{1, 2, 3, 4, 5, 2147483647}));
+    EXPECT_EQ(image.at(1, 1), 5);
+    EXPECT_EQ(read_label_image("\xef\xbb\xbf"
+                               "5",
+                               "")
+                  .labels,
+              std::vector<int>{5});
+}
+
+TEST(LabelImage, SaysWhatIsWrongWithText) {
+    EXPECT_EQ(error_of("1 2\n3 4\n5\n"), "section: row 3 has 1 number, the rows above 2; all need as many");
+    EXPECT_EQ(error_of("1 2\n\n5 6\n"), "section: row 2 has 0 numbers, the rows above 2; all need as many");
+    EXPECT_EQ(error_of("\n5 6\n"), "section: row 1 has no number; each row of the picture needs as many");
+    EXPECT_EQ(error_of(" \n"), "section: there is no number in it; the rows of a picture are needed");
+    for (const std::string bad : {"-1", "1.5", "x", "2147483648", "1,2", "+1", "0x1"}) {
+        EXPECT_EQ(
+            error_of("1 2\n3 " + bad),
+            "section: row 2 has \"" + bad + "\"; whole numbers from 0 to 2147483647, separated by tabs or blanks, are needed");
+    }
+    EXPECT_NE(error_of(std::string("1 \x1b[1m", 6)).find("\\x1b"), std::string::npos);
+}
+
+TEST(LabelImage, RefusesDamagedPictures) {
+    std::vector<int> samples(400);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i * i % 251);
+    for (const bool interlaced : {false, true}) {
+        const std::string whole = png_of(20, 20, samples, {PNG_COLOR_TYPE_GRAY, 8, interlaced});
+        for (std::size_t n = 8; n < whole.size(); ++n) {
+            EXPECT_EQ(error_of(whole.substr(0, n)).rfind("section: the PNG is damaged: ", 0), 0U) << n;
+        }
+        for (std::size_t i = 8; i < whole.size(); ++i) {
+            std::string damaged = whole;
+            damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
+            EXPECT_FALSE(error_of(damaged).empty()) << i;
+        }
+    }
+    const std::string signature = "\x89PNG\r\n\x1a\n";
+    EXPECT_EQ(error_of(signature), "section: the PNG is damaged: it ends too early; a whole picture is needed");
+}
+
+TEST(LabelImage, RefusesMorePixelsThanItReads) {
+    // A picture of one row of 20,000 pixels whose header says that it has 20,000 rows.
+    std::string bytes = png_of(20000, 1, std::vector<int>(20000), {PNG_COLOR_TYPE_GRAY, 1});
+    const std::string height("\0\0\x4e\x20", 4);
+    bytes.replace(20, 4, height);
+    const unsigned long check = crc32(0, reinterpret_cast<const unsigned char*>(bytes.data()) + 12, 17);
+    for (std::size_t k = 0; k < 4; ++k) bytes[29 + k] = static_cast<char>(check >> (24 - 8 * k) & 0xffU);
+    EXPECT_EQ(error_of(bytes), "section: the picture has 20000 × 20000 pixels; at most 100000000 are read");
+}
+
+TEST(LabelImage, KnowsWhatLooksLikeOne) {
+    EXPECT_TRUE(looks_like_labels(png_of(1, 1, {0})));
+    EXPECT_TRUE(looks_like_labels("1 2\t3\r\n4 5 6\n"));
+    EXPECT_TRUE(looks_like_labels("1 -2"));
+    EXPECT_FALSE(looks_like_labels(""));
+    EXPECT_FALSE(looks_like_labels("\n \n"));
+    EXPECT_FALSE(looks_like_labels("$MeshFormat\n4.1 0 8\n"));
+    EXPECT_FALSE(looks_like_labels("1.5 2"));
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

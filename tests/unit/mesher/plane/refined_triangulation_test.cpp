@@ -1,0 +1,69 @@
+#include "mesher/plane/refined_triangulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "share/base/error.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+/// A square of 10 with a square of 2 inside it, region 0 and 1.
+const std::vector<Point> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {4, 4}, {6, 4}, {6, 6}, {4, 6}};
+const std::vector<RegionEdge> borders{{0, 1, 0, -1}, {1, 2, 0, -1}, {2, 3, 0, -1}, {0, 3, -1, 0},
+                                      {4, 5, 1, 0},  {5, 6, 1, 0},  {6, 7, 1, 0},  {4, 7, 0, 1}};
+
+TEST(RefinedTriangles, FillRegionsWithinBounds) {
+    const RefinedMesh mesh = refined_triangles(square, borders, {1.5});
+    ASSERT_EQ(mesh.triangles.size(), mesh.region_of_triangle.size());
+    for (std::size_t i = 0; i < square.size(); ++i) EXPECT_EQ(mesh.points[i], square[i]);
+    double area[2] = {};
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k % 3])]; };
+        const double own = signed_area(at(0), at(1), at(2));
+        EXPECT_GT(own, 0);
+        area[mesh.region_of_triangle[i]] += own;
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_LE(length(at(k + 1) - at(k)), 1.5);
+            const double angle =
+                std::atan2(cross(at(k + 1) - at(k), at(k + 2) - at(k)), dot(at(k + 1) - at(k), at(k + 2) - at(k)));
+            EXPECT_GE(angle * 180 / std::numbers::pi, 20);
+        }
+    }
+    EXPECT_NEAR(area[0], 96, 1e-12);
+    EXPECT_NEAR(area[1], 4, 1e-12);
+}
+
+TEST(RefinedTriangles, AreTheSameEachTime) {
+    const RefinedMesh mesh = refined_triangles(square, borders, {0.3});
+    std::vector<std::vector<int>> other_memory(1000, std::vector<int>(17));
+    const RefinedMesh again = refined_triangles(square, borders, {0.3});
+    EXPECT_EQ(again.points, mesh.points);
+    EXPECT_EQ(again.triangles, mesh.triangles);
+    EXPECT_EQ(again.region_of_triangle, mesh.region_of_triangle);
+}
+
+TEST(RefinedTriangles, RefuseBordersThatCross) {
+    std::vector<Point> points = square;
+    points[6] = {12, 6};
+    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError);
+    points[6] = {10, 6};
+    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "a corner on a border";
+    points[6] = points[5];
+    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "two points at one place";
+}
+
+TEST(RefinedTriangles, RefuseMorePointsThanAllowed) {
+    try {
+        refined_triangles(square, borders, {0.1, 20, 1000});
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "more than 1000 points are needed");
+    }
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
