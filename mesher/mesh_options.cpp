@@ -1,12 +1,16 @@
 #include "mesher/mesh_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/region/region_files.hpp"
 #include "share/base/error.hpp"
+#include "share/base/printable.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/units.hpp"
 #include "share/options/command_line.hpp"
@@ -20,7 +24,8 @@ constexpr const char* examples =
     "  graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5\n"
     "  graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 "
     "--strength-modulus 5 -o minerals.h5\n"
-    "  graincrack-mesh import section.msh --scale 1mm -o section.h5";
+    "  graincrack-mesh import section.msh --scale 1mm -o section.h5\n"
+    "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv -o section.h5";
 
 /// What the options of a kind of specimens set; kinds share them.
 struct KindOptions {
@@ -291,35 +296,38 @@ void add_fabric_options(CLI::App& shape, MeshOptions& options) {
         "specimen file to write; - for stdout", "FILE|-", "");
 }
 
-/// A mesh from elsewhere.
+/// The choice that a word names. \throws UsageError naming the option
+template <class T>
+T chosen(const std::vector<std::pair<std::string, T>>& choices, const std::string& word, const char* option, const char* words) {
+    for (const auto& [name, choice] : choices) {
+        if (name == word) return choice;
+    }
+    throw UsageError(fmt::format("{}: \"{}\" is not known; {} fits", option, printable(word.substr(0, 40)), words));
+}
+
+/// A mesh or a picture from elsewhere.
 void add_import(CLI::App& app, ImportRequest& request) {
-    app.add_option("file", request.file, "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh, .tess) or Abaqus (.inp); - for stdin")
+    app.add_option("file", request.file,
+                   "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh, .tess) or Abaqus (.inp), or picture of labels (PNG, or integers as "
+                   "text); - for stdin")
         ->type_name("FILE|-")
         ->required();
     detail::add_value(
         app, "--format",
         [&request](const std::string& text) {
-            if (text == "gmsh")
-                request.format = MeshFormat::gmsh;
-            else if (text == "neper")
-                request.format = MeshFormat::neper;
-            else if (text == "abaqus")
-                request.format = MeshFormat::abaqus;
-            else
-                throw UsageError("--format: \"" + text.substr(0, 40) + "\" is not known; gmsh, neper or abaqus fits");
+            static const std::vector<std::pair<std::string, MeshFormat>> formats{{"gmsh", MeshFormat::gmsh},
+                                                                                 {"neper", MeshFormat::neper},
+                                                                                 {"abaqus", MeshFormat::abaqus},
+                                                                                 {"labels", MeshFormat::labels}};
+            request.format = chosen(formats, text, "--format", "gmsh, neper, abaqus or labels");
         },
-        "format of the file; default: told by its content", "gmsh|neper|abaqus", "");
+        "format of the file; default: told by its content", "gmsh|neper|abaqus|labels", "");
     detail::add_value(
         app, "--grain",
         [&request](const std::string& text) {
-            if (text == "element")
-                request.grains = GrainChoice::element;
-            else if (text == "entity")
-                request.grains = GrainChoice::entity;
-            else if (text == "physical")
-                request.grains = GrainChoice::physical;
-            else
-                throw UsageError("--grain: \"" + text.substr(0, 40) + "\" is not known; element, entity or physical fits");
+            static const std::vector<std::pair<std::string, GrainChoice>> choices{
+                {"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}};
+            request.grains = chosen(choices, text, "--grain", "element, entity or physical");
         },
         "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus), or what is connected of a physical "
         "group; "
@@ -330,6 +338,18 @@ void add_import(CLI::App& app, ImportRequest& request) {
         "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset) and phase; default: "
         "names of physical groups and elsets",
         "FILE", "");
+    detail::add_value(
+        app, "--pixel-size",
+        [&request](const std::string& text) {
+            request.labels.pixel_size = parse_quantity(text, quantity::pixel_size, "--pixel-size");
+        },
+        "side of a pixel of a picture, as 0.1mm", "LENGTH", "");
+    add_quantity(app, "--element-size", request.labels.element_size, quantity::element_size,
+                 "side of the triangles into which the grains of a picture are divided; default: a third of the mean diameter of "
+                 "grains, at least 2 pixels");
+    add_integer<int>(app, "--smallest-piece", request.labels.smallest_piece,
+                     "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);
+    app.add_flag("--jagged", request.labels.jagged, "grain boundaries along the sides of pixels instead of smooth ones");
     add_quantity(app, "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
     detail::add_value(
         app, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
@@ -337,12 +357,10 @@ void add_import(CLI::App& app, ImportRequest& request) {
     detail::add_value(
         app, "--shape",
         [&request](const std::string& text) {
-            static const std::vector<std::string> shapes{"rectangle", "disc", "ring", "beam", "half-disc", "polygon"};
-            if (std::find(shapes.begin(), shapes.end(), text) == shapes.end()) {
-                throw UsageError("--shape: \"" + text.substr(0, 40) +
-                                 "\" is not known; rectangle, disc, ring, beam, half-disc or polygon fits");
-            }
-            request.placement.shape = text;
+            static const std::vector<std::pair<std::string, std::string>> shapes{
+                {"rectangle", "rectangle"}, {"disc", "disc"},           {"ring", "ring"},
+                {"beam", "beam"},           {"half-disc", "half-disc"}, {"polygon", "polygon"}};
+            request.placement.shape = chosen(shapes, text, "--shape", "rectangle, disc, ring, beam, half-disc or polygon");
         },
         "shape of the specimen, which says how it can be tested; default: told by its outline, which takes a beam for a "
         "rectangle",
@@ -368,7 +386,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         add_fabric_options(*sub, options);
     }
     ImportRequest imported;
-    CLI::App* import_command = app.add_subcommand("import", "a mesh of another program: Gmsh, Neper or Abaqus");
+    CLI::App* import_command = app.add_subcommand("import", "a mesh of Gmsh, Neper or Abaqus, or a picture of labels");
     add_import(*import_command, imported);
     add_fabric_options(*import_command, options);
     if (!parse_command_line(app, argc, argv)) return std::nullopt;

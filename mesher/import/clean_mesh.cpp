@@ -98,8 +98,8 @@ private:
         }
         if (points.size() < mesh_.points.size()) {
             const std::size_t n = mesh_.points.size() - points.size();
-            note(fmt::format("{} that no corner of a triangle lies at {} left out", n == 1 ? "1 point" : fmt::format("{} points", n),
-                             n == 1 ? "was" : "were"));
+            note(fmt::format("{} that no corner of a triangle lies at {} left out",
+                             n == 1 ? "1 point" : fmt::format("{} points", n), n == 1 ? "was" : "were"));
         }
         renumber(number, std::move(points));
         if (!(extent_.size() > 0) || !std::isfinite(extent_.size())) fail("all points lie at one place, or too far apart");

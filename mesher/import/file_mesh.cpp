@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -183,6 +184,20 @@ std::string PhaseKey::phase(const std::vector<std::string>& names) const {
     }
     throw InputError(
         fmt::format("{}: no row for {}; each grain needs one", path_, printable(names.front().substr(0, longest_name))));
+}
+
+std::map<int, std::string> PhaseKey::phase_by_number() const {
+    std::map<int, std::string> phases;
+    for (const auto& [name, phase] : phases_) {
+        int number = 0;
+        const auto result = std::from_chars(name.data(), name.data() + name.size(), number);
+        if (result.ec != std::errc{} || result.ptr != name.data() + name.size()) {
+            throw InputError(fmt::format("{}: the key \"{}\" is no label; of pictures keys are integers", path_,
+                                         printable(name.substr(0, longest_name))));
+        }
+        phases[number] = phase;
+    }
+    return phases;
 }
 
 ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key,

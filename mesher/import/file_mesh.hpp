@@ -47,6 +47,8 @@ public:
     [[nodiscard]] bool is_given() const { return !path_.empty(); }
     /// The phase of the first of the names that has one. \throws InputError if there is none
     [[nodiscard]] std::string phase(const std::vector<std::string>& names) const;
+    /// Those of labels. \throws InputError for a key that is none
+    [[nodiscard]] std::map<int, std::string> phase_by_number() const;
     /// In the order of the table.
     [[nodiscard]] const std::vector<std::string>& phases() const { return order_; }
 

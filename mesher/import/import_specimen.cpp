@@ -14,6 +14,8 @@ namespace graincrack::mesher {
 
 namespace {
 
+constexpr double preferred = 0.15;  ///< psi6 from which a mesh counts as one with a preferred direction, as of meshes made here
+
 std::string mm(double length) { return fmt::format("{:.4g} mm", in_unit(length, Dimension::length, "mm")); }
 
 /// Parts of the boundary with their lengths.
@@ -77,6 +79,10 @@ std::vector<std::string> describe(const Import& import) {
             line += fmt::format("{} {} {:.4f}", p == 0 ? "" : ",", specimen.phase_names[p], fractions[p]);
         }
         lines.push_back(line);
+    }
+    if (specimen.n_elements() == specimen.n_grains() && s.psi6 > preferred) {
+        lines.push_back(
+            "  note: edges have preferred directions (psi6), which steer cracks; Gmsh's Mesh.Algorithm = 5 makes meshes without");
     }
     for (const std::string& note : import.notes) lines.push_back("  note: " + note);
     return lines;

@@ -165,6 +165,9 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
 
     for (const int label : pieces.label_of_piece) {
         const auto phase = options.phase_by_label.find(label);
+        if (phase == options.phase_by_label.end() && !options.phase_by_label.empty()) {
+            throw InputError(fmt::format("{}: the label {} has no phase; the key needs a row for each label", name, label));
+        }
         imported.phase_of_grain.push_back(phase == options.phase_by_label.end() ? "" : phase->second);
     }
     imported.lines = outline(mesh, pieces.width, pieces.height);

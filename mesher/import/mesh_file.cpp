@@ -20,12 +20,13 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr const char* known_formats =
-    "a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp) is needed, or --format for one that is not told by its content";
+    "a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp), or a picture of labels (PNG, or integers as text) is needed";
 
 std::optional<MeshFormat> format_of(std::string_view bytes) {
     if (is_gmsh(bytes)) return MeshFormat::gmsh;
     if (is_neper_tess(bytes)) return MeshFormat::neper;
     if (is_abaqus(bytes)) return MeshFormat::abaqus;
+    if (looks_like_labels(bytes)) return MeshFormat::labels;
     return std::nullopt;
 }
 
@@ -55,7 +56,20 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
     const PhaseKey key = request.phase_key.empty() ? PhaseKey{} : PhaseKey(request.phase_key);
     const auto format = request.format ? request.format : format_of(bytes);
     if (!format) throw InputError(fmt::format("{}: begins with \"{}\"; {}", name, beginning(bytes), known_formats));
+    if (*format == MeshFormat::labels && !(request.labels.pixel_size > 0)) {
+        throw UsageError("--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm");
+    }
+    if (*format != MeshFormat::labels && request.labels.pixel_size > 0) {
+        throw UsageError("--pixel-size: " + name + " is no picture; give --scale for the unit of a mesh");
+    }
     switch (*format) {
+        case MeshFormat::labels: {
+            LabelOptions options = request.labels;
+            options.phase_by_label = key.phase_by_number();
+            ImportedMesh mesh = import_labels(bytes, options, name);
+            mesh.phases = key.phases();
+            return mesh;
+        }
         case MeshFormat::abaqus: return imported_mesh(read_abaqus(bytes, name), request.grains, key, name);
         case MeshFormat::neper:
             if (is_neper_tess(bytes)) return import_neper_tess(bytes, key, name);

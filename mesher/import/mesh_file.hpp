@@ -7,17 +7,19 @@
 
 #include "mesher/import/assemble.hpp"
 #include "mesher/import/file_mesh.hpp"
+#include "mesher/import/labels.hpp"
 
 namespace graincrack::mesher {
 
 /// Neper has two formats: its meshes, which are told from Gmsh's by their sections, and its tessellations.
-enum class MeshFormat { gmsh, neper, abaqus };
+enum class MeshFormat { gmsh, neper, abaqus, labels };
 
 struct ImportRequest {
     std::string file;                   ///< "-" for stdin
     std::optional<MeshFormat> format;   ///< none: told by the content
     std::optional<GrainChoice> grains;  ///< none: entities, or elements where all are of one entity
     std::string phase_key;              ///< table of phases, "" for none
+    LabelOptions labels;                ///< of pictures; their phases are those of the key
     Placement placement;
 };
 

@@ -100,6 +100,8 @@ inline constexpr Quantity joint_length{"joint_length", Dimension::length, 0, 1e4
 inline constexpr Quantity persistence{"persistence", Dimension::one, 0, 1, "share of a line that is jointed", true};
 inline constexpr Quantity hole_radius{"radius", Dimension::length, 0, 1e4, "radius of a hole", true};
 inline constexpr Quantity mesh_scale{"scale", Dimension::length, 1e-12, 1e6, "length of the unit of a mesh file"};
+inline constexpr Quantity pixel_size{"pixel_size", Dimension::length, 0, 1e4, "side of a pixel of a picture", true};
+inline constexpr Quantity element_size{"element_size", Dimension::length, 0, 1e4, "side of the elements of a grain", true};
 inline constexpr Quantity coordinate{"coordinate", Dimension::length, -1e4, 1e4, "coordinate"};
 inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
 inline constexpr Quantity relative_edge{"relative_edge", Dimension::one, 0.1, 10, "relative edge of graded grains"};
