@@ -1,6 +1,7 @@
 #include "post/export/mesh_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -182,12 +183,13 @@ std::string mesh_name(std::string_view name, MeshFormat format) {
 }
 
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
-    std::vector<std::string> lost;
-    if (mesh.has_strength_factors) lost.emplace_back("leaves out strength factors of contacts");
-    if (format == MeshFormat::vtu) {
-        if (!mesh.side_names.empty()) lost.emplace_back("leaves out parts of the boundary, pre-existing cracks and flaws");
-        return lost;
+    std::vector<std::string> left_out;
+    if (mesh.has_strength_factors) left_out.emplace_back("strength factors of contacts");
+    if (format == MeshFormat::vtu && !mesh.sides.empty()) {
+        left_out.emplace_back("parts of the boundary, pre-existing cracks and flaws");
     }
+    std::vector<std::string> lost;
+    if (!left_out.empty()) lost.push_back(fmt::format("leaves out {}", fmt::join(left_out, ", ")));
     for (const auto* names : {&mesh.phase_names, &mesh.side_names}) {
         for (const std::string& name : *names) {
             const std::string written = mesh_name(name, format);
