@@ -18,6 +18,7 @@
 #include "post/commands/claims.hpp"
 #include "post/commands/cracks.hpp"
 #include "post/commands/envelope.hpp"
+#include "post/commands/export.hpp"
 #include "post/commands/fpz.hpp"
 #include "post/commands/history.hpp"
 #include "post/commands/info.hpp"
@@ -63,6 +64,7 @@ std::vector<Command> commands() {
         claims_command(),
         cracks_command(),
         classes_command(),
+        export_command(),
         report_command(),
         page_command(),
         plot_command(),

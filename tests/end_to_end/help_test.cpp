@@ -87,6 +87,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post material value",
                                 "post material with",
                                 "post cracks",
+                                "post export",
                                 "post size-effect",
                                 "post ccd design",
                                 "post ccd fit",

@@ -1,0 +1,36 @@
+// Meshes as text for other programs: MSH 2.2 of Gmsh, and the input file of Abaqus.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "post/export/shared_mesh.hpp"
+
+namespace graincrack {
+
+enum class MeshFormat { gmsh, vtu, abaqus };
+
+/// The format that the name of a file asks for: .msh, .vtu or .inp. \throws UsageError for another ending, or a stream
+MeshFormat mesh_format_of(const std::string& output);
+/// Checks that a format that was chosen is not that of another ending. \throws UsageError
+void require_mesh_format(const std::string& output, MeshFormat format);
+
+/// MSH 2.2 ASCII. Triangles are numbered as elements are, from 1: their tags are phase + 1 and grain + 1. Lines follow, with tags
+/// beyond those of the phases and the grains. Coordinates in m, in the fewest digits that read back exactly.
+std::string gmsh_text(const SharedMesh& mesh);
+
+/// The input file of Abaqus: *Node, CPE3 elements numbered as those of the specimen, from 1, and sets of them: `faceN`, the
+/// grains from 1, and `PHASE_NAME`. Lines are T2D2 elements in a set of their name, with ascending numbers that follow those of
+/// the triangles: their order is that of `SharedMesh::sides`. Coordinates as in `gmsh_text`. \param where of the specimen, for
+/// messages \throws InputError if two sets would have one name, in any case of letters
+std::string abaqus_text(const SharedMesh& mesh, const std::string& where);
+
+/// A name of a phase or of sides as a format has it. Gmsh: without quotes and control characters; Abaqus: a letter, then letters,
+/// digits, - and _, with a prefix at most the 80 of a label.
+std::string mesh_name(std::string_view name, MeshFormat format);
+
+/// What a format does not carry of a mesh, or carries by another name: "leaves out strength factors of contacts", …
+std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format);
+
+}  // namespace graincrack

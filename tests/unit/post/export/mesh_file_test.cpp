@@ -1,0 +1,183 @@
+#include "post/export/mesh_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Two grains of two minerals, one of two triangles, with a crack between them.
+SharedMesh two_grains() {
+    Specimen s = test::specimen_of_grains({{-0.1, 0}, {0.1, 0}, {0.1, 0.1}, {-0.1, 0.1}, {0, -0.1}},
+                                          {{0, 1, 2}, {0, 2, 3}, {4, 1, 0}}, {0, 0, 1});
+    s.phase_names = {"quartz", "mica"};
+    s.grain_phase = {0, 1};
+    test::break_contacts(s, [](double, double) { return true; });
+    return share_nodes(s);
+}
+
+TEST(MeshFile, GmshTextIsMsh2) {
+    EXPECT_EQ(
+        gmsh_text(two_grains()),
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+        "$PhysicalNames\n7\n2 1 \"quartz\"\n2 2 \"mica\"\n1 3 \"right\"\n1 4 \"top\"\n1 5 \"left\"\n1 6 \"rim\"\n1 7 \"crack\"\n"
+        "$EndPhysicalNames\n"
+        "$Nodes\n5\n1 -0.1 0 0\n2 0.1 0 0\n3 0.1 0.1 0\n4 -0.1 0.1 0\n5 0 -0.1 0\n$EndNodes\n"
+        "$Elements\n9\n"
+        "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 2 2 2 2 5 2 1\n"                                         // grains
+        "4 1 2 5 5 4 1\n5 1 2 6 6 1 5\n6 1 2 3 3 2 3\n7 1 2 6 6 5 2\n8 1 2 4 4 3 4\n9 1 2 7 7 1 2\n"  // sides
+        "$EndElements\n");
+}
+
+TEST(MeshFile, AbaqusTextHasSetsOfGrainsPhasesAndSides) {
+    EXPECT_EQ(
+        abaqus_text(two_grains(), "two.h5"),
+        "*Heading\nGrains of a specimen; coordinates in m\n"
+        "*Node\n1,-0.1,0\n2,0.1,0\n3,0.1,0.1\n4,-0.1,0.1\n5,0,-0.1\n"
+        "*Element, type=CPE3\n1,1,2,3\n2,1,3,4\n3,5,2,1\n"
+        "*Element, type=T2D2, elset=right\n6,2,3\n*Element, type=T2D2, elset=top\n8,3,4\n"
+        "*Element, type=T2D2, elset=left\n4,4,1\n*Element, type=T2D2, elset=rim\n5,1,5\n7,5,2\n"
+        "*Element, type=T2D2, elset=crack\n9,1,2\n"
+        "*Elset, elset=face1\n1, 2\n*Elset, elset=face2\n3\n*Elset, elset=PHASE_quartz\n1, 2\n*Elset, elset=PHASE_mica\n3\n");
+}
+
+/// The words of the lines behind a line, up to the next that begins with a sign.
+std::vector<std::vector<std::string>> rows_behind(const std::string& text, const std::string& head) {
+    std::istringstream lines(text.substr(std::min(text.size(), text.find(head + "\n"))));
+    std::vector<std::vector<std::string>> rows;
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line) && line[0] != '$' && line[0] != '*') {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream words(line);
+        rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
+    }
+    return rows;
+}
+
+TEST(MeshFile, CoordinatesReadBackExactly) {
+    Specimen s = test::jittered_grid(9, 9, 0.1 / 3, std::numbers::pi / 100, 0.2);
+    s.node_position[0][0] = -0.0;
+    s.node_position[1][1] = 5e-324;
+    const SharedMesh mesh = share_nodes(s);
+    auto gmsh = rows_behind(gmsh_text(mesh), "$Nodes");
+    gmsh.erase(gmsh.begin());  // their number
+    const auto abaqus = rows_behind(abaqus_text(mesh, ""), "*Node");
+    ASSERT_EQ(gmsh.size(), mesh.points.size());
+    ASSERT_EQ(abaqus.size(), mesh.points.size());
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        for (const auto& row : {gmsh[i], abaqus[i]}) {
+            EXPECT_EQ(row[0], std::to_string(i + 1));
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                double value = 1;
+                const std::string& digits = row[axis + 1];
+                EXPECT_EQ(std::from_chars(digits.data(), digits.data() + digits.size(), value).ptr,
+                          digits.data() + digits.size());
+                EXPECT_EQ(value, mesh.points[i][axis]);
+                EXPECT_EQ(std::signbit(value), std::signbit(mesh.points[i][axis]));
+            }
+        }
+    }
+}
+
+TEST(MeshFile, ElementsKeepTheirOrderCornersGrainsAndPhases) {
+    Specimen s = test::crossed_blocks(4, 4, 0.1, 0.1, [](int i, int j) { return j / 2 * 2 + i / 2; });
+    s.phase_names = {"quartz", "mica"};
+    s.grain_phase = {0, 1, 1, 0};
+    const SharedMesh mesh = share_nodes(s);
+    const auto gmsh = rows_behind(gmsh_text(mesh), "$Elements");
+    ASSERT_EQ(gmsh.size(), 1 + mesh.triangles.size() + mesh.sides.size());
+    EXPECT_EQ(gmsh[0], std::vector<std::string>{std::to_string(gmsh.size() - 1)});
+    const auto abaqus = rows_behind(abaqus_text(mesh, ""), "*Element, type=CPE3");
+    ASSERT_EQ(abaqus.size(), mesh.triangles.size());
+    const auto text = [](auto number) { return std::to_string(number); };
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [i, j, k] = mesh.triangles[t];
+        const std::size_t grain = static_cast<std::size_t>(mesh.triangle_grain[t]);
+        EXPECT_EQ(gmsh[t + 1], (std::vector<std::string>{text(t + 1), "2", "2", text(s.grain_phase[grain] + 1), text(grain + 1),
+                                                         text(i + 1), text(j + 1), text(k + 1)}));
+        EXPECT_EQ(abaqus[t], (std::vector<std::string>{text(t + 1), text(i + 1), text(j + 1), text(k + 1)}));
+    }
+    // Lines of a set have at most 16 numbers.
+    EXPECT_EQ(rows_behind(abaqus_text(mesh, ""), "*Elset, elset=face2").size(), 1U);
+    const auto mica = rows_behind(abaqus_text(mesh, ""), "*Elset, elset=PHASE_mica");
+    ASSERT_EQ(mica.size(), 2U);
+    EXPECT_EQ(mica[0].front(), "17");
+    EXPECT_EQ(mica[1].back(), "48");
+}
+
+TEST(MeshFile, LinesOfAbaqusHaveNumbersInTheOrderOfSides) {
+    const SharedMesh mesh = share_nodes(test::one_diagonal_grid(3, 3, 0.1, 0.1));
+    const std::string text = abaqus_text(mesh, "");
+    std::size_t n = 0;
+    for (const std::string& name : mesh.side_names) {
+        for (const auto& row : rows_behind(text, "*Element, type=T2D2, elset=" + name)) {
+            const NamedSide& side = mesh.sides.at(std::stoul(row[0]) - mesh.triangles.size() - 1);
+            EXPECT_EQ(mesh.side_names[side.name], name);
+            EXPECT_EQ(row[1], std::to_string(side.from + 1));
+            EXPECT_EQ(row[2], std::to_string(side.to + 1));
+            ++n;
+        }
+    }
+    EXPECT_EQ(n, mesh.sides.size());
+}
+
+TEST(MeshFile, NamesFitTheFormat) {
+    EXPECT_EQ(mesh_name("K-feldspar_2", MeshFormat::abaqus), "K-feldspar_2");
+    EXPECT_EQ(mesh_name("a, b=\"c\"\n", MeshFormat::abaqus), "a__b__c__");
+    EXPECT_EQ(mesh_name("2nd", MeshFormat::abaqus), "set_2nd");
+    EXPECT_EQ(mesh_name("", MeshFormat::abaqus), "set_");
+    EXPECT_LE(mesh_name(std::string(200, 'x'), MeshFormat::abaqus).size(), 74U);
+    EXPECT_EQ(mesh_name("a, \"b\"\n", MeshFormat::gmsh), "a, 'b'\\x0a");
+    EXPECT_EQ(mesh_name("Feldspat, weiß", MeshFormat::gmsh), "Feldspat, weiß");
+}
+
+TEST(MeshFile, SetsOfOneNameAreRefused) {
+    const auto named = [](const std::string& part) {
+        Specimen s = test::one_diagonal_grid(2, 2, 0.1, 0.1);
+        test::name_boundary(s, part, [](double, double y) { return y < -0.049; });
+        return share_nodes(s);
+    };
+    test::expect_one_line<InputError>([&] { (void)abaqus_text(named("Face12"), "disc.h5"); },
+                                      {"disc.h5: Face12 and a grain would both be the set Face12", "--format gmsh"});
+    test::expect_one_line<InputError>([&] { (void)abaqus_text(named("TOP"), "disc.h5"); }, {"disc.h5: TOP and top"});
+    test::expect_one_line<InputError>([&] { (void)abaqus_text(named("phase_rock"), "disc.h5"); }, {"phase_rock and rock"});
+    EXPECT_NO_THROW((void)abaqus_text(named("faces"), "disc.h5"));
+    EXPECT_NO_THROW((void)abaqus_text(named("face"), "disc.h5"));
+}
+
+TEST(MeshFile, LossesAreWhatAFormatDoesNotCarry) {
+    SharedMesh mesh = two_grains();
+    EXPECT_TRUE(losses(mesh, MeshFormat::gmsh).empty());
+    EXPECT_TRUE(losses(mesh, MeshFormat::abaqus).empty());
+    mesh.has_strength_factors = true;
+    mesh.phase_names[1] = "brown mica";
+    const std::string factors = "leaves out strength factors of contacts";
+    EXPECT_EQ(losses(mesh, MeshFormat::gmsh), std::vector<std::string>{factors});
+    EXPECT_EQ(losses(mesh, MeshFormat::abaqus), (std::vector<std::string>{factors, "has brown_mica for the name brown mica"}));
+    EXPECT_EQ(losses(mesh, MeshFormat::vtu),
+              (std::vector<std::string>{factors + ", parts of the boundary, pre-existing cracks and flaws"}));
+}
+
+TEST(MeshFile, FormatIsThatOfTheEnding) {
+    EXPECT_EQ(mesh_format_of("a.msh"), MeshFormat::gmsh);
+    EXPECT_EQ(mesh_format_of("a.b/c.vtu"), MeshFormat::vtu);
+    EXPECT_EQ(mesh_format_of("a.inp"), MeshFormat::abaqus);
+    test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.stl"); }, {"--output a.stl", ".msh, .vtu or .inp"});
+    test::expect_one_line<UsageError>([] { (void)mesh_format_of("-"); }, {"--output -", "--format gmsh, vtu or abaqus"});
+    test::expect_one_line<UsageError>([] { require_mesh_format("a.vtu", MeshFormat::gmsh); }, {"--output a.vtu", "--format"});
+    EXPECT_NO_THROW(require_mesh_format("a.vtu", MeshFormat::vtu));
+    EXPECT_NO_THROW(require_mesh_format("a.txt", MeshFormat::vtu));
+    EXPECT_NO_THROW(require_mesh_format("-", MeshFormat::abaqus));
+}
+
+}  // namespace
+}  // namespace graincrack
