@@ -1,6 +1,7 @@
 // All boundaries of a picture as segments that do not cross.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesher/import/label_boundaries.hpp"
@@ -18,8 +19,8 @@ struct LabelNetwork {
 };
 
 /// Smooths the boundaries and divides them. Where two come closer than 0.3 pixels, cross, or meet at less than 20°, they are
-/// divided more finely, down to the middles of the sides of pixels (jagged: to their corners); so are segments that are more than
-/// three times as long as one that they meet.
-LabelNetwork label_network(const LabelBoundaries& boundaries, const Smoothing& smoothing);
+/// divided more finely, down to the middles of the sides of pixels (jagged: to their corners); so are segments more than three
+/// times as long as one that they meet, and all around a piece whose area would be more than 10 % off that of its pixels.
+LabelNetwork label_network(const LabelBoundaries& boundaries, std::span<const int> pixels_of_piece, const Smoothing& smoothing);
 
 }  // namespace graincrack::mesher

@@ -51,32 +51,32 @@ double doubled_area(std::size_t n, const PointOf& point_of) {
 
 }  // namespace
 
-SmoothChain::SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing) : closed_(chain.closed()) {
+SmoothChain::SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing)
+    : closed_(chain.closed()), spacing_(smoothing.spacing) {
     const bool straight = chain.on_outline() || smoothing.jagged;
     const std::vector<Point> along_pixels = corners(chain, from, to);
     dense_ = straight ? along_pixels : middles(chain, from, to);
-    smooth_ = dense_;
-    if (!straight) make_smooth(std::clamp(width_over_spacing * smoothing.spacing, least_width, most_width));
+    fair_ = dense_;
+    restored_.assign(dense_.size(), straight);
+    if (!straight) make_smooth(std::clamp(width_over_spacing * spacing_, least_width, most_width));
+    smooth_ = fair_;
     if (smoothing.jagged) {
-        take_corners(smoothing.spacing);
+        take_corners(spacing_);
         return;
     }
-    take(smoothing.spacing);
-    if (!straight) {
-        // Points of corrected lines lie a little apart from those taken before.
-        const double wanted = doubled_area(along_pixels.size(), [&](std::size_t i) { return along_pixels[i]; });
-        for (int round = 0; round < 2; ++round) keep_area(smoothing.spacing, wanted);
-    }
+    take(spacing_);
+    wanted_area_ = doubled_area(along_pixels.size(), [&](std::size_t i) { return along_pixels[i]; });
+    keep_area();
 }
 
 void SmoothChain::make_smooth(double width) {
     const std::size_t n = dense_.size();
     if (n < 3) return;
     const int rounds = static_cast<int>(std::ceil(2 * width * width / squared_step));
-    std::vector<Point> next = smooth_;
+    std::vector<Point> next = fair_;
     for (int round = 0; round < rounds; ++round) {
         const auto average = [&](std::size_t before, std::size_t i, std::size_t after) {
-            const Point p = 0.25 * smooth_[before] + 0.5 * smooth_[i] + 0.25 * smooth_[after];
+            const Point p = 0.25 * fair_[before] + 0.5 * fair_[i] + 0.25 * fair_[after];
             next[i] = within(p, dense_[i], farthest);
         };
         for (std::size_t i = 1; i + 1 < n; ++i) average(i - 1, i, i + 1);
@@ -84,7 +84,7 @@ void SmoothChain::make_smooth(double width) {
             average(n - 1, 0, 1);
             average(n - 2, n - 1, 0);
         }
-        smooth_.swap(next);
+        fair_.swap(next);
     }
 }
 
@@ -132,13 +132,18 @@ void SmoothChain::take_corners(double spacing) {
     }
 }
 
-/// Moves the smooth line along its normals so that the points taken enclose with the chord, or all around, the area that the
-/// pixels do.
-void SmoothChain::keep_area(double spacing, double wanted) {
+/// Moves the smooth line so that the points taken enclose with the chord, or all around, the area that the pixels do.
+void SmoothChain::keep_area() {
+    smooth_ = fair_;
+    // The directions of a line that was moved differ a little from those before.
+    for (int round = 0; round < 2; ++round) move_along_normals();
+}
+
+void SmoothChain::move_along_normals() {
     const std::size_t n = smooth_.size();
     if (n < 3 || size() < 3) return;
     const auto taken_point = [&](std::size_t i) { return smooth_[taken_[i]]; };
-    const double missing = wanted - doubled_area(size(), taken_point);
+    const double missing = wanted_area_ - doubled_area(size(), taken_point);
 
     // Near its nodes the line moves less.
     std::vector<double> along(n, 0);
@@ -146,15 +151,15 @@ void SmoothChain::keep_area(double spacing, double wanted) {
     std::vector<Point> direction(n);
     for (std::size_t i = closed_ ? 0 : 1; i < (closed_ ? n : n - 1); ++i) {
         const Point tangent = smooth_[(i + 1) % n] - smooth_[(i + n - 1) % n];
-        if (squared_length(tangent) == 0) continue;
-        const double near = closed_ ? 1 : std::min({1.0, 2 * along[i] / spacing, 2 * (along[n - 1] - along[i]) / spacing});
+        if (restored_[i] || squared_length(tangent) == 0) continue;
+        const double near = closed_ ? 1 : std::min({1.0, 2 * along[i] / spacing_, 2 * (along[n - 1] - along[i]) / spacing_});
         direction[i] = near * left_of(unit(tangent));
     }
     const auto moved = [&](std::size_t i) { return smooth_[taken_[i]] + direction[taken_[i]]; };
     const auto moved_back = [&](std::size_t i) { return smooth_[taken_[i]] - direction[taken_[i]]; };
     const double change = 0.5 * (doubled_area(size(), moved) - doubled_area(size(), moved_back));
     if (std::abs(change) < 1e-9) return;
-    const double limit = 0.5 + 0.25 * spacing;
+    const double limit = 0.5 + 0.25 * spacing_;
     const double distance = std::clamp(missing / change, -limit, limit);
     for (std::size_t i = 0; i < n; ++i) smooth_[i] = smooth_[i] + distance * direction[i];
 }
@@ -165,8 +170,9 @@ bool SmoothChain::restore(std::size_t i) {
     for (std::ptrdiff_t k = static_cast<std::ptrdiff_t>(i) - 1; k <= static_cast<std::ptrdiff_t>(i) + 1; ++k) {
         if (!closed_ && (k < 0 || k >= n)) continue;
         const auto p = static_cast<std::size_t>((k + n) % n);
-        if (smooth_[p] == dense_[p]) continue;
-        smooth_[p] = dense_[p];
+        if (restored_[p] || (!closed_ && (k == 0 || k + 1 == n))) continue;
+        restored_[p] = true;
+        fair_[p] = dense_[p];
         changed = true;
     }
     return changed;
@@ -188,7 +194,9 @@ bool SmoothChain::refine(const std::vector<std::size_t>& segments) {
     const auto middle = static_cast<std::ptrdiff_t>(taken_.size());
     taken_.insert(taken_.end(), added.begin(), added.end());
     std::inplace_merge(taken_.begin(), taken_.begin() + middle, taken_.end());
-    return changed || !added.empty();
+    changed = changed || !added.empty();
+    if (changed) keep_area();
+    return changed;
 }
 
 }  // namespace graincrack::mesher

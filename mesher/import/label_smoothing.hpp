@@ -39,13 +39,18 @@ private:
     void make_smooth(double width);
     void take(double spacing);
     void take_corners(double spacing);
-    void keep_area(double spacing, double wanted);
+    void keep_area();
+    void move_along_normals();
     bool restore(std::size_t i);
     [[nodiscard]] std::size_t least_points() const;
 
     bool closed_;
-    std::vector<Point> dense_;   ///< before smoothing
-    std::vector<Point> smooth_;  ///< the same points after it
+    std::vector<Point> dense_;    ///< before smoothing
+    std::vector<Point> fair_;     ///< the same points after it
+    std::vector<Point> smooth_;   ///< these moved so that the points taken keep the area
+    std::vector<bool> restored_;  ///< points that are where they were before smoothing
+    double spacing_;
+    double wanted_area_ = 0;  ///< twice that between the corners of pixels and the chord, or inside
     std::vector<std::size_t> taken_;
 };
 

@@ -144,7 +144,7 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
     LabelBoundaries boundaries = label_boundaries(pieces);
     const int joined_junctions =
         options.jagged ? 0 : join_near_junctions(boundaries, static_cast<int>(std::min(element / element_of_side, 2.0)));
-    const LabelNetwork network = label_network(boundaries, {element, options.jagged});
+    const LabelNetwork network = label_network(boundaries, pieces.pixels_of_piece, {element, options.jagged});
     RefinedMesh mesh = triangles_of(network, element, name);
     if (boundaries.opened_corners > 0) {
         imported.notes.push_back(fmt::format("where a grain met itself in a point, the other two got a boundary: {}",
