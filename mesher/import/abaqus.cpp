@@ -138,8 +138,9 @@ private:
         }
         if (keyword_ == "*ELEMENT") begin_elements(type);
         if (keyword_ == "*ELSET" && set_.empty()) fail("*Elset has no name; elset=NAME is needed");
-        if (set_.size() > longest_name)
+        if (set_.size() > longest_name) {
             fail(fmt::format("the name of an elset has {} letters; at most {} are read", set_.size(), longest_name));
+        }
     }
 
     void begin_elements(const std::string& type) {
@@ -217,8 +218,9 @@ private:
         for (const std::string_view field : fields) {
             if (!field.empty() && std::isalpha(static_cast<unsigned char>(field.front())) != 0) {
                 const auto other = sets_.find(std::string(field));
-                if (other == sets_.end() || other->first == set_)
+                if (other == sets_.end() || other->first == set_) {
                     fail(fmt::format("elset \"{}\" stands in another before it is known", shown(field)));
+                }
                 set.insert(set.end(), other->second.begin(), other->second.end());
             } else {
                 set.push_back(integer(field, "an element"));

@@ -149,8 +149,9 @@ private:
             std::swap(t[1], t[2]);
             ++n_turned;
         }
-        if (n_turned > 0)
+        if (n_turned > 0) {
             note(fmt::format("{} of {} triangles were clockwise and were turned", n_turned, mesh_.triangles.size()));
+        }
     }
 
     /// Grains of several pieces, and the order of triangles.

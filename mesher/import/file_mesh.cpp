@@ -39,8 +39,9 @@ public:
     [[nodiscard]] int node(const FileElement& element, int k) const {
         const std::int64_t number = element.nodes[static_cast<std::size_t>(k)];
         const auto found = index_.find(number);
-        if (found == index_.end())
+        if (found == index_.end()) {
             fail(fmt::format("element {} names node {}, which is not in the file", element.number, number));
+        }
         return found->second;
     }
 
@@ -290,8 +291,9 @@ ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grai
     }
     check_plane(file, mesh, name);
     if (n_twice > 0) mesh.notes.push_back(fmt::format("{} elements stand in the file again: the first counts", n_twice));
-    if (n_quadrangles > 0)
+    if (n_quadrangles > 0) {
         mesh.notes.push_back(fmt::format("{} quadrangles were divided into two triangles each", n_quadrangles));
+    }
     const std::set<std::string> phases(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end());
     if (phases.size() > max_phases) {
         if (key.is_given()) reader.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));

@@ -51,9 +51,7 @@ public:
         read_header();
         while (!text_.at_end()) {
             const std::string section(text_.line());
-            if (section.size() < 2 || section.front() != '$') {
-                text_.fail("a section is expected, such as $Nodes");
-            }
+            if (section.size() < 2 || section.front() != '$') text_.fail("a section is expected, such as $Nodes");
             const bool is_binary = is_binary_ && section != "$PhysicalNames";
             if (is_binary && version_ == 4) text_.begin_binary();
             read_section(section);
@@ -153,8 +151,9 @@ private:
             const std::int64_t parent_dimension = text_.int32("the dimension of a parent");
             const std::int64_t parent = text_.int32("the tag of a parent");
             if (parent_dimension == static_cast<std::int64_t>(dimension)) entity.parent = parent;
-            for (std::size_t n = text_.size_count("the number of partitions of an entity", 2); n > 0; --n)
+            for (std::size_t n = text_.size_count("the number of partitions of an entity", 2); n > 0; --n) {
                 text_.int32("a partition");
+            }
         }
         for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) text_.real("a bound of an entity");
         const std::size_t n_physical = text_.size_count("the number of physical groups of an entity", 2);

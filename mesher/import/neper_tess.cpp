@@ -29,10 +29,11 @@ public:
             if (section == "**cell") read_cells();
             if (section == "**vertex") read_vertices();
             if (section == "**face") read_faces();
-            if (section == "**domain" || section == "**periodicity" || section == "**periodic")
+            if (section == "**domain" || section == "**periodicity" || section == "**periodic") {
                 break;  // nothing follows that is taken
+            }
+            if (cells_.size() == 0) text_.fail("no cells; **vertex and **face are needed");
         }
-        if (cells_.size() == 0) text_.fail("no cells; **vertex and **face are needed");
         return std::move(cells_);
     }
 
@@ -50,8 +51,9 @@ private:
 
     void read_general() {
         const std::int64_t dimension = text_.integer("the dimension of the tessellation");
-        if (dimension != 2)
+        if (dimension != 2) {
             text_.fail(fmt::format("the tessellation has {} dimensions; 2 are needed (neper -T -dim 2)", dimension));
+        }
         text_.line();
     }
 
@@ -93,8 +95,9 @@ private:
             for (std::size_t n = text_.count("the number of vertices of a face", 2); n > 0; --n) {
                 const std::int64_t vertex = text_.integer("a vertex of a face");
                 const auto found = index_.find(vertex);
-                if (found == index_.end())
+                if (found == index_.end()) {
                     text_.fail(fmt::format("face {} names vertex {}, which is not in the file", number, vertex));
+                }
                 loop.push_back(found->second);
             }
             for (std::size_t n = text_.count("the number of edges of a face", 2); n > 0; --n) text_.integer("an edge of a face");

@@ -230,8 +230,9 @@ private:
                 outline_.sides.push_back({line.from, line.to, -1, *kind});
             }
         }
-        if (n_lost > 0)
+        if (n_lost > 0) {
             notes_.push_back(fmt::format("{} lines of cracks and flaws lie between no two grains and were passed over", n_lost));
+        }
         for (const std::string& each : unused) {
             notes_.push_back(
                 fmt::format("lines \"{}\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
