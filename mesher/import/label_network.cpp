@@ -11,7 +11,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr Clearance clearance{0.3, 20 * std::numbers::pi / 180};
+constexpr Clearance clearance{0.5, 20 * std::numbers::pi / 180};
 
 /// Longest over shortest of the segments that meet in a point, and the length in pixels that need not be divided for it.
 constexpr double most_ratio = 3;

@@ -18,7 +18,7 @@ struct LabelNetwork {
     int refined_chains = 0;  ///< chains that needed finer segments
 };
 
-/// Smooths the boundaries and divides them. Where two come closer than 0.3 pixels, cross, or meet at less than 20°, they are
+/// Smooths the boundaries and divides them. Where two come closer than 0.5 pixels, cross, or meet at less than 20°, they are
 /// divided more finely, down to the middles of the sides of pixels (jagged: to their corners); so are segments more than three
 /// times as long as one that they meet, and all around a piece whose area would be more than 10 % off that of its pixels.
 LabelNetwork label_network(const LabelBoundaries& boundaries, std::span<const int> pixels_of_piece, const Smoothing& smoothing);

@@ -136,7 +136,7 @@ void SmoothChain::take_corners(double spacing) {
 void SmoothChain::keep_area() {
     smooth_ = fair_;
     // The directions of a line that was moved differ a little from those before.
-    for (int round = 0; round < 2; ++round) move_along_normals();
+    for (int round = 0; round < 3; ++round) move_along_normals();
 }
 
 void SmoothChain::move_along_normals() {
@@ -148,18 +148,19 @@ void SmoothChain::move_along_normals() {
     // Near its nodes the line moves less.
     std::vector<double> along(n, 0);
     for (std::size_t i = 1; i < n; ++i) along[i] = along[i - 1] + length(smooth_[i] - smooth_[i - 1]);
+    const double reach = std::min(spacing_, along.back() / static_cast<double>(n_segments()));
     std::vector<Point> direction(n);
     for (std::size_t i = closed_ ? 0 : 1; i < (closed_ ? n : n - 1); ++i) {
         const Point tangent = smooth_[(i + 1) % n] - smooth_[(i + n - 1) % n];
         if (restored_[i] || squared_length(tangent) == 0) continue;
-        const double near = closed_ ? 1 : std::min({1.0, 2 * along[i] / spacing_, 2 * (along[n - 1] - along[i]) / spacing_});
+        const double near = closed_ ? 1 : std::min({1.0, 2 * along[i] / reach, 2 * (along[n - 1] - along[i]) / reach});
         direction[i] = near * left_of(unit(tangent));
     }
     const auto moved = [&](std::size_t i) { return smooth_[taken_[i]] + direction[taken_[i]]; };
     const auto moved_back = [&](std::size_t i) { return smooth_[taken_[i]] - direction[taken_[i]]; };
     const double change = 0.5 * (doubled_area(size(), moved) - doubled_area(size(), moved_back));
     if (std::abs(change) < 1e-9) return;
-    const double limit = 0.5 + 0.25 * spacing_;
+    const double limit = 0.5 + 0.5 * reach;
     const double distance = std::clamp(missing / change, -limit, limit);
     for (std::size_t i = 0; i < n; ++i) smooth_[i] = smooth_[i] + distance * direction[i];
 }
