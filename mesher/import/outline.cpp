@@ -84,7 +84,7 @@ private:
     }
 
     void measure() {
-        for (const OpenSide& side : chains_.front()) {
+        for (const OpenSide& side : open_sides(mesh_.triangles)) {
             low_ = {std::min(low_.x, at(side.from).x), std::min(low_.y, at(side.from).y)};
             high_ = {std::max(high_.x, at(side.from).x), std::max(high_.y, at(side.from).y)};
         }
@@ -120,6 +120,9 @@ private:
 
     [[nodiscard]] std::string shape_by_outline() {
         const Chain& outer = chains_.front();
+        if (std::count_if(chains_.begin(), chains_.end(), [&](const Chain& chain) { return area(chain) > 0; }) > 1) {
+            return "polygon";  // of several bodies
+        }
         if (std::all_of(outer.begin(), outer.end(), [&](const OpenSide& side) { return straight_part(side).has_value(); })) {
             return "rectangle";
         }
@@ -159,12 +162,9 @@ private:
     }
 
     /// The part of a side that has no name.
-    std::uint8_t part_of(const OpenSide& side, std::size_t chain, std::size_t hole) {
+    std::uint8_t part_of(const OpenSide& side, std::size_t hole) {
         const std::string& shape = outline_.shape;
-        if (chain > 0) {
-            if (shape == "ring") return part_of_name("inner");
-            return part_of_name(hole > 0 ? fmt::format("hole_{}", hole) : "side");
-        }
+        if (hole > 0) return part_of_name(shape == "ring" ? "inner" : fmt::format("hole_{}", hole));
         const auto straight = straight_part(side);
         if (shape == "rectangle" || shape == "beam") return straight ? *straight : part_of_name("side");
         if (shape == "half-disc") return straight == bottom ? bottom : rim;
@@ -182,14 +182,13 @@ private:
         std::vector<std::pair<std::size_t, Side>> sides;
         std::size_t n_holes = 0;
         std::size_t place = mesh_.lines.size();
-        for (std::size_t c = 0; c < chains_.size(); ++c) {
-            const bool is_hole = area(chains_[c]) < 0;
+        for (const Chain& chain : chains_) {
+            const bool is_hole = area(chain) < 0;
             if (is_hole) ++n_holes;
-            for (const OpenSide& side : chains_[c]) {
+            for (const OpenSide& side : chain) {
                 const auto found = named.find({std::min(side.from, side.to), std::max(side.from, side.to)});
                 const bool has_name = found != named.end() && !flaw_of_line(*found->second.second);
-                const std::uint8_t part =
-                    has_name ? part_of_name(*found->second.second) : part_of(side, c, is_hole ? n_holes : 0);
+                const std::uint8_t part = has_name ? part_of_name(*found->second.second) : part_of(side, is_hole ? n_holes : 0);
                 sides.push_back({has_name ? found->second.first : place++, {side.from, side.to, part, {}}});
             }
         }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -99,6 +100,29 @@ TEST(Assemble, PiecesOfAGrainAreGrains) {
     const Specimen s = specimen_of(mesh, {}, &notes);
     EXPECT_EQ(s.n_grains(), 3U);
     EXPECT_EQ(notes, std::vector<std::string>{"grains of several pieces: 1 further piece is a grain of its own"});
+}
+
+TEST(Assemble, TellsBodiesThatDoNotTouch) {
+    ImportedMesh mesh = squares();
+    for (const Point& p : squares().points) mesh.points.push_back({p.x, p.y + 1.5});
+    for (const Triangle& t : squares().triangles) mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+    mesh.grain_of_triangle = {0, 0, 1, 1, 2, 2, 3, 3};
+    mesh.phase_of_grain.assign(4, "");
+    std::vector<std::string> notes;
+    Placement placement;
+    placement.shape = "rectangle";
+    const Specimen s = specimen_of(mesh, placement, &notes);
+    EXPECT_DOUBLE_EQ(s.height, 2.5);
+    EXPECT_EQ(notes.back(), "the grains make 2 bodies that share no sides");
+    const auto n_sides = [&](const std::string& part) {
+        return std::count_if(s.boundary_part.begin(), s.boundary_part.end(),
+                             [&](std::uint8_t number) { return s.part_names[number] == part; });
+    };
+    EXPECT_EQ(n_sides("bottom"), 2);
+    EXPECT_EQ(n_sides("top"), 2);
+    EXPECT_EQ(n_sides("side"), 4);  // of the gap
+    EXPECT_EQ(n_sides("left"), 2);
+    EXPECT_EQ(specimen_of(mesh).shape, "polygon");
 }
 
 TEST(Assemble, RefusesWhatDoesNotConform) {
