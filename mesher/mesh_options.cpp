@@ -345,7 +345,7 @@ void add_import(CLI::App& app, ImportRequest& request) {
         },
         "side of a pixel of a picture, as 0.1mm", "LENGTH", "");
     add_quantity(app, "--element-size", request.labels.element_size, quantity::element_size,
-                 "side of the triangles into which the grains of a picture are divided; default: a third of the mean diameter of "
+                 "side of the triangles into which grains of a picture or of a tessellation are divided; default: a third of the mean diameter of "
                  "grains, at least 2 pixels");
     add_integer<int>(app, "--smallest-piece", request.labels.smallest_piece,
                      "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);

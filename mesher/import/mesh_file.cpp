@@ -72,7 +72,11 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
         }
         case MeshFormat::abaqus: return imported_mesh(read_abaqus(bytes, name), request.grains, key, name);
         case MeshFormat::neper:
-            if (is_neper_tess(bytes)) return import_neper_tess(bytes, key, name);
+            if (is_neper_tess(bytes)) {
+                std::optional<double> element = request.labels.element_size;
+                if (element) *element /= request.placement.scale;
+                return import_neper_tess(bytes, key, element, name);
+            }
             [[fallthrough]];
         case MeshFormat::gmsh: break;
     }

@@ -3,16 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <unordered_map>
 #include <utility>
 
-#include "mesher/elements/constrained.hpp"
+#include "mesher/cells/plane_cells.hpp"
 #include "mesher/import/mesh_text.hpp"
+#include "mesher/plane/refined_triangulation.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 
 namespace {
+
+constexpr double elements_across_cell = 3;
+constexpr double longest_side = 1.5;  ///< over the wanted one: the mean side is about the wanted one
 
 class TessReader {
 public:
@@ -132,29 +139,61 @@ private:
     PlaneCells cells_;
 };
 
+double default_element(const PlaneCells& cells) {
+    double area = 0;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        const auto loop = cells.loop(cell);
+        const auto at = [&](std::size_t i) { return cells.points[static_cast<std::size_t>(loop[i])]; };
+        for (std::size_t i = 2; i < loop.size(); ++i) area += signed_area(at(0), at(i - 1), at(i));
+    }
+    return std::sqrt(4 / std::numbers::pi * area / static_cast<double>(cells.size())) / elements_across_cell;
+}
+
+/// Sides of cells with the cells at both of them.
+std::vector<RegionEdge> borders_of(const PlaneCells& cells, const std::string& name) {
+    std::map<Edge, int> cell_left_of;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        const auto loop = cells.loop(cell);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Edge side{loop[i], loop[(i + 1) % loop.size()]};
+            if (!cell_left_of.emplace(side, static_cast<int>(cell)).second)
+                throw InputError(name + ": two cells overlap: both have the same side");
+        }
+    }
+    std::vector<RegionEdge> borders;
+    for (const auto& [side, cell] : cell_left_of) {
+        const auto other = cell_left_of.find({side[1], side[0]});
+        if (other != cell_left_of.end() && side[0] > side[1]) continue;
+        borders.push_back({side[0], side[1], cell, other == cell_left_of.end() ? -1 : other->second});
+    }
+    return borders;
+}
+
 }  // namespace
 
 bool is_neper_tess(std::string_view bytes) { return bytes.substr(0, 7) == "***tess"; }
 
-ImportedMesh import_neper_tess(std::string_view bytes, const PhaseKey& key, const std::string& name) {
+ImportedMesh import_neper_tess(std::string_view bytes, const PhaseKey& key, std::optional<double> element_size,
+                               const std::string& name) {
     TessReader reader(bytes, name);
-    PlaneCells cells = reader.read();
-    PlaneMesh plane;
+    const PlaneCells cells = reader.read();
+    const double element = element_size.value_or(default_element(cells));
+    RefinedMesh refined;
     try {
-        plane = constrained_mesh(std::move(cells), Bodies::cells);
-    } catch (const UsageError&) {
-        throw InputError(name + ": a cell is no simple polygon: its sides cross or touch each other");
+        refined = refined_triangles(cells.points, borders_of(cells, name), {longest_side * element});
+    } catch (const UsageError& error) {
+        throw InputError(
+            fmt::format("{}: cells overlap, are no simple polygons, or the elements are too many ({})", name, error.what()));
     }
     ImportedMesh mesh;
     mesh.format = "Neper tessellation " + reader.version();
     if (key.is_given()) mesh.phases = key.phases();
-    mesh.points = std::move(plane.points);
-    mesh.triangles = std::move(plane.triangles);
-    mesh.grain_of_triangle = std::move(plane.body_of_triangle);
+    mesh.points = std::move(refined.points);
+    mesh.triangles = std::move(refined.triangles);
+    mesh.grain_of_triangle = std::move(refined.region_of_triangle);
     for (const std::int64_t number : reader.numbers()) {
         mesh.phase_of_grain.push_back(key.is_given() ? key.phase({std::to_string(number)}) : "");
     }
-    mesh.notes.emplace_back("cells have no elements of their own: each is divided into triangles between its vertices");
     return mesh;
 }
 

@@ -39,7 +39,9 @@ void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 class Formats : public testing::TestWithParam<Case> {};
 
 TEST_P(Formats, GiveTheSameMesh) {
-    const ImportedMesh mesh = read(GetParam().bytes);
+    ImportRequest request;
+    request.labels.element_size = 10;  // of cells: as large as they let it be
+    const ImportedMesh mesh = read(GetParam().bytes, request);
     ASSERT_EQ(mesh.triangles.size(), 4U);
     EXPECT_EQ(mesh.grain_of_triangle, (std::vector<int>{0, 0, 1, 1}));
     EXPECT_EQ(mesh.phase_of_grain, GetParam().phases);
@@ -149,6 +151,18 @@ TEST(MeshFile, QuadranglesAlongTheirShorterInnerDiagonal) {
     EXPECT_EQ(read(file("2.5,2.5")).triangles, (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
     EXPECT_EQ(read(file(".5,.5")).triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));  // not convex at 3
     EXPECT_EQ(message_of(file("-1,3")), "file: quadrangle 1 has no area or crosses itself");
+}
+
+TEST(MeshFile, CellsOfATessellationAreDivided) {
+    const ImportedMesh mesh = read(test::neper_tess);  // squares of a diameter of 1.13, so elements of 0.38
+    std::vector<double> area(2, 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(length(at((k + 1) % 3) - at(k)), 1.5 * 0.377);
+        area[static_cast<std::size_t>(mesh.grain_of_triangle[t])] += signed_area(at(0), at(1), at(2));
+    }
+    EXPECT_NEAR(area[0], 1, 1e-12);
+    EXPECT_NEAR(area[1], 1, 1e-12);
 }
 
 TEST(MeshFile, SaysWhatWasFound) {
