@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 namespace graincrack::mesher {
 
@@ -23,7 +24,10 @@ struct Entry {
     std::int32_t column = 0;
     std::int32_t row = 0;
     std::uint32_t segment = 0;
-    friend auto operator<=>(const Entry&, const Entry&) = default;
+    friend bool operator==(const Entry&, const Entry&) = default;
+    friend bool operator<(const Entry& a, const Entry& b) {
+        return std::tie(a.column, a.row, a.segment) < std::tie(b.column, b.row, b.segment);
+    }
 };
 
 class Crowding {

@@ -14,7 +14,7 @@ std::string error_of(std::string_view bytes) {
     try {
         read_label_image(bytes, "section");
     } catch (const InputError& error) {
-        const std::string message = error.what();
+        std::string message = error.what();
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
         return message;
     }
