@@ -39,8 +39,8 @@ public:
             if (section == "**domain" || section == "**periodicity" || section == "**periodic") {
                 break;  // nothing follows that is taken
             }
-            if (cells_.size() == 0) text_.fail("no cells; **vertex and **face are needed");
         }
+        if (cells_.size() == 0) text_.fail("no cells; **vertex and **face are needed");
         return std::move(cells_);
     }
 
