@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -43,10 +44,11 @@ std::string read_bytes(const std::string& file) {
         if (bytes.empty()) throw InputError("stdin: empty: the program before wrote nothing; see its message");
         return bytes;
     }
+    if (std::filesystem::is_directory(file)) throw InputError(fmt::format("{}: is a folder; {}", file, known_formats));
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
     std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (stream.bad() || bytes.empty()) throw InputError(file + ": is empty or no file; " + known_formats);
+    if (stream.bad() || bytes.empty()) throw InputError(fmt::format("{}: is empty; {}", file, known_formats));
     return bytes;
 }
 

@@ -100,13 +100,28 @@ TEST(Import, SaysWhatItFound) {
         std::string::npos);
 }
 
+TEST(Import, APictureBecomesGrainsWithMinerals) {
+    const Shell shell;
+    shell.must(
+        "for i in 1 2 3 4 5 6; do printf '7 7 7 9 9 9 9\\n'; done >picture.tsv\n"
+        "printf 'key\\tphase\\n9\\tmica\\n7\\tquartz\\n' >key.tsv\n"
+        "graincrack-mesh import picture.tsv --pixel-size 2mm --phase-key key.tsv --element-size 6mm --smallest-piece 4 --quiet "
+        "-o s.h5");
+    const std::string info = shell.must("graincrack-post info --check s.h5");
+    EXPECT_NE(info.find("  width                    14 mm\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("  phases                   mica 0.5714, quartz 0.4286\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("  boundary_parts           bottom, right, top, left\n"), std::string::npos) << info;
+    const Outcome jagged = shell.run("graincrack-mesh import picture.tsv --pixel-size 2mm --jagged --dry-run");
+    EXPECT_NE(jagged.out.find("boundaries along pixels"), std::string::npos) << jagged.err;
+}
+
 TEST(Import, RefusesInOneLine) {
     const Shell shell;
     shell.must("printf '\\x89PNG' >x.png; printf 'key\\tphase\\nx\\ty\\n' >key.tsv; mkdir folder");
     const std::string squares = meshes + "two-squares-neper.msh";
     const std::tuple<std::string, int, std::string> cases[] = {
         {"nothing.msh", 3, "nothing.msh: cannot be read: No such file or directory"},
-        {"folder", 3, "folder: is empty or no file; a mesh of Gmsh"},
+        {"folder", 3, "folder: is a folder; a mesh of Gmsh"},
         {squares + " --format tetgen", 2, "--format: \"tetgen\" is not known; "},
         {squares + " --grain grain", 2, "--grain: \"grain\" is not known; element, entity or physical fits"},
         {squares + " --shape cube", 2, "--shape: \"cube\" is not known; rectangle, disc, ring, beam, half-disc or polygon fits"},
@@ -115,6 +130,9 @@ TEST(Import, RefusesInOneLine) {
         {squares + " --phase-key key.tsv", 3, "key.tsv: no row for 1; each grain needs one"},
         {squares + " --phases a=0.5,b=0.5", 2, "--phases: the file says of what phases its grains are"},
         {squares + " --edge 4mm", 2, "--edge"},
+        {squares + " --pixel-size 1mm", 2, "--pixel-size: "},
+        {"x.png", 2, "--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm"},
+        {"x.png --pixel-size 1mm", 3, "x.png: begins with"},
         {"- </dev/null", 3, "stdin: empty: the program before wrote nothing; see its message"},
     };
     for (const auto& [call, code, message] : cases) {
