@@ -329,8 +329,8 @@ void add_import(CLI::App& app, ImportRequest& request) {
                 {"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}};
             request.grains = chosen(choices, text, "--grain", "element, entity or physical");
         },
-        "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus), or what is connected of a physical "
-        "group; "
+        "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, cell of a tessellation, piece of a "
+        "picture), or what is connected of a physical group; "
         "default: entity, or element where there is one entity only",
         "element|entity|physical", "");
     detail::add_value(
@@ -345,7 +345,8 @@ void add_import(CLI::App& app, ImportRequest& request) {
         },
         "side of a pixel of a picture, as 0.1mm", "LENGTH", "");
     add_quantity(app, "--element-size", request.labels.element_size, quantity::element_size,
-                 "side of the triangles into which grains of a picture or of a tessellation are divided; default: a third of the mean diameter of "
+                 "side of the triangles into which grains of a picture or of a tessellation are divided; default: a third of the "
+                 "mean diameter of "
                  "grains, at least 2 pixels");
     add_integer<int>(app, "--smallest-piece", request.labels.smallest_piece,
                      "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "mesher/import/abaqus.hpp"
 #include "mesher/import/gmsh.hpp"
@@ -34,6 +35,19 @@ std::optional<MeshFormat> format_of(std::string_view bytes) {
 std::string beginning(std::string_view bytes) {
     const std::string_view line = bytes.substr(0, std::min<std::size_t>(bytes.find_first_of("\r\n"), 40));
     return printable(std::string(line));
+}
+
+/// Makes the triangles of a mesh whose grains are larger grains of their phases.
+ImportedMesh with_grains(ImportedMesh mesh, std::optional<GrainChoice> grains, const std::string& name) {
+    if (grains == GrainChoice::physical) throw UsageError(fmt::format("--grain physical: {} has no physical groups", name));
+    if (grains != GrainChoice::element) return mesh;
+    std::vector<std::string> phases;
+    for (int& grain : mesh.grain_of_triangle) {
+        phases.push_back(mesh.phase_of_grain[static_cast<std::size_t>(grain)]);
+        grain = static_cast<int>(phases.size()) - 1;
+    }
+    mesh.phase_of_grain = std::move(phases);
+    return mesh;
 }
 
 }  // namespace
@@ -70,14 +84,14 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
             options.phase_by_label = key.phase_by_number();
             ImportedMesh mesh = import_labels(bytes, options, name);
             mesh.phases = key.phases();
-            return mesh;
+            return with_grains(std::move(mesh), request.grains, name);
         }
         case MeshFormat::abaqus: return imported_mesh(read_abaqus(bytes, name), request.grains, key, name);
         case MeshFormat::neper:
             if (is_neper_tess(bytes)) {
                 std::optional<double> element = request.labels.element_size;
                 if (element) *element /= request.placement.scale;
-                return import_neper_tess(bytes, key, element, name);
+                return with_grains(import_neper_tess(bytes, key, element, name), request.grains, name);
             }
             [[fallthrough]];
         case MeshFormat::gmsh: break;

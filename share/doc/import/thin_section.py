@@ -13,7 +13,7 @@ import numpy
 
 HEIGHT, WIDTH = 640, 320
 N_GRAINS = 170
-MINERALS = {"quartz": 0.33, "feldspar": 0.6, "mica": 0.07}
+MINERALS = {"quartz": 0.32, "k_feldspar": 0.33, "plagioclase": 0.29, "mica": 0.06}  # of granite
 
 
 def smooth_noise(random, wave):

@@ -165,6 +165,28 @@ TEST(MeshFile, CellsOfATessellationAreDivided) {
     EXPECT_NEAR(area[1], 1, 1e-12);
 }
 
+TEST(MeshFile, ElementsOfPicturesAndTessellationsCanBeGrains) {
+    ImportRequest request;
+    request.grains = GrainChoice::element;
+    const ImportedMesh cells = read(test::neper_tess, request);
+    EXPECT_EQ(cells.phase_of_grain.size(), cells.triangles.size());
+    EXPECT_EQ(cells.grain_of_triangle.back(), static_cast<int>(cells.triangles.size()) - 1);
+    const std::string path = testing::TempDir() + "/mesh_file_labels.tsv";
+    std::ofstream(path) << "5\ta\n6\tb\n";
+    request.phase_key = path;
+    request.labels.pixel_size = 1;
+    request.labels.smallest_piece = 1;
+    const ImportedMesh picture = read("5 5 5 5\n5 5 5 5\n6 6 6 6\n6 6 6 6\n", request);
+    ASSERT_EQ(picture.phase_of_grain.size(), picture.triangles.size());
+    for (std::size_t t = 0; t < picture.triangles.size(); ++t) {
+        double sum = 0;
+        for (const int p : picture.triangles[t]) sum += picture.points[static_cast<std::size_t>(p)].y;
+        EXPECT_EQ(picture.phase_of_grain[t], sum > 6 ? "a" : "b");
+    }
+    request.grains = GrainChoice::physical;
+    EXPECT_THROW(read(test::neper_tess, request), UsageError);
+}
+
 TEST(MeshFile, SaysWhatWasFound) {
     const std::string& m = test::msh_22;
     const std::pair<std::string, std::string> cases[] = {
