@@ -45,6 +45,7 @@ STAND_INS = {
 }
 LARGER_GRAINS = {
     "tutorial.md": {"--edge 3mm": "--edge 6mm", "--edge 5mm": "--edge 8mm"},
+    "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02"},
     "gallery.md": {"--grains 1122": "--grains 300", "--grains 440": "--grains 120", "--grains 452": "--grains 150"},
 }
 
