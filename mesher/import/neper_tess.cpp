@@ -156,8 +156,9 @@ std::vector<RegionEdge> borders_of(const PlaneCells& cells, const std::string& n
         const auto loop = cells.loop(cell);
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Edge side{loop[i], loop[(i + 1) % loop.size()]};
-            if (!cell_left_of.emplace(side, static_cast<int>(cell)).second)
+            if (!cell_left_of.emplace(side, static_cast<int>(cell)).second) {
                 throw InputError(name + ": two cells overlap: both have the same side");
+            }
         }
     }
     std::vector<RegionEdge> borders;
