@@ -117,7 +117,8 @@ TEST(Import, APictureBecomesGrainsWithMinerals) {
 
 TEST(Import, RefusesInOneLine) {
     const Shell shell;
-    shell.must("printf '\\x89PNG' >x.png; printf 'key\\tphase\\nx\\ty\\n' >key.tsv; mkdir folder");
+    shell.must(
+        "printf '\\x89PNG' >x.png; printf 'key\\tphase\\nx\\ty\\n' >key.tsv; printf '7 7\\n8 8\\n' >labels.txt; mkdir folder");
     const std::string squares = meshes + "two-squares-neper.msh";
     const std::tuple<std::string, int, std::string> cases[] = {
         {"nothing.msh", 3, "nothing.msh: cannot be read: No such file or directory"},
@@ -131,7 +132,7 @@ TEST(Import, RefusesInOneLine) {
         {squares + " --phases a=0.5,b=0.5", 2, "--phases: the file says of what phases its grains are"},
         {squares + " --edge 4mm", 2, "--edge"},
         {squares + " --pixel-size 1mm", 2, "--pixel-size: "},
-        {"x.png", 2, "--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm"},
+        {"labels.txt", 2, "--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm"},
         {"x.png --pixel-size 1mm", 3, "x.png: begins with"},
         {"- </dev/null", 3, "stdin: empty: the program before wrote nothing; see its message"},
     };

@@ -215,7 +215,9 @@ TEST(MeshFile, SaysWhatWasFound) {
         {with(test::neper_tess, "2 standard", "3 standard"),
          "file: line 5: the tessellation has 3 dimensions; 2 are needed (neper -T -dim 2)"},
         {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 5 2 7"), "file: line 26: face 1 names vertex 7, which is not in the file"},
-        {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 2 5 1"), "file: two cells overlap: both have the same side"},
+        {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 2 5 1"),
+         "file: cells overlap, are no simple polygons, or the elements are too many (borders of regions cross or touch each "
+         "other)"},
         {test::neper_tess.substr(0, test::neper_tess.find(" **domain")), "file: line 34: the file ends before ***end"},
         {with(test::abaqus, "type=CPE3R", "type=C3D4"),
          "file: line 19: elements of type \"C3D4\" are not read; triangles or quadrangles of the plane (CPE3, CPS3, CPE6, CPE4, "
