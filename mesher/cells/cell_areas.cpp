@@ -9,7 +9,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double cut_off = 3;             ///< standard deviations
+constexpr double cut_off = 3;               ///< standard deviations
 constexpr double smallest_diameter = 0.25;  ///< of a normal distribution, over its middle
 constexpr double widest_scatter = 4;
 

@@ -129,14 +129,12 @@ void ClippedDiagram::clip(const PowerDiagram& diagram) {
             const Clipper::Span span = clipper.span(from, to);
             if (!starts_inside && !ends_inside && !(span.enter < span.leave)) continue;
             if (!starts_inside) {
-                const Crossing& crossing =
-                    add_crossing(span.enter_side, from + span.enter * (to - from), side.right, side.left);
+                const Crossing& crossing = add_crossing(span.enter_side, from + span.enter * (to - from), side.right, side.left);
                 clipped.from = crossing.at;
                 clipped.from_point = -1 - crossing.number;
             }
             if (!ends_inside) {
-                const Crossing& crossing =
-                    add_crossing(span.leave_side, from + span.leave * (to - from), side.left, side.right);
+                const Crossing& crossing = add_crossing(span.leave_side, from + span.leave * (to - from), side.left, side.right);
                 clipped.to = crossing.at;
                 clipped.to_point = -1 - crossing.number;
             }

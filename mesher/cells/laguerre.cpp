@@ -3,6 +3,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "mesher/cells/clipped_diagram.hpp"
@@ -12,12 +14,14 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int plain_rounds = 3;     ///< in which seeds spread without weights
-constexpr int weighted_rounds = 10;  ///< in which seeds move to the centroids of cells with weights
-constexpr int blended_rounds = 5;   ///< of these, in which the aim goes from the present areas to the wanted ones
+constexpr int growing_rounds = 12;    ///< of Lloyd in which weights grow to those of circles of the wanted areas
+constexpr int grown_rounds = 4;       ///< in which they have these weights
+constexpr double coarse_error = 0.5;  ///< of areas, from which seeds may move
+constexpr int most_fillings = 5;
+constexpr double filling = 0.05;  ///< of the weight of a cell that was empty beyond that with which it is a point, over its area
 constexpr int most_steps = 100;
 constexpr int most_halvings = 40;
-constexpr double wanted_error = 1e-9;  ///< of areas
+constexpr double wanted_error = 1e-8;  ///< of areas
 constexpr double allowed_error = 1e-6;
 constexpr double kept_share = 0.2;  ///< of an area, or of the one aimed at if that is less, that a step leaves
 
@@ -57,6 +61,24 @@ public:
         return largest;
     }
 
+    /// Takes weights, larger ones for cells that would be empty.
+    void set_weights(std::vector<double> weights, const std::vector<double>& areas) {
+        weights_ = std::move(weights);
+        diagram_ = ClippedDiagram(outline_, seeds_, weights_);
+        for (int i = 0; i < most_fillings && fill_cells(areas); ++i) diagram_ = ClippedDiagram(outline_, seeds_, weights_);
+    }
+
+    /// Moves seeds to the centroids of their cells, whatever that does to their areas; those of empty cells stay.
+    void spread() {
+        for (std::size_t k = 0; k < seeds_.size(); ++k) {
+            if (diagram_.areas()[k] > 0) seeds_[k] = diagram_.centroids()[k];
+        }
+    }
+
+    [[nodiscard]] bool has_all_cells() const {
+        return diagram_.is_consistent() && *std::min_element(diagram_.areas().begin(), diagram_.areas().end()) > 0;
+    }
+
     /// One step of Newton's method towards areas, halved until it improves them. \return whether it did
     bool improve(const std::vector<double>& aim) {
         const std::vector<double> step = newton_step(aim);
@@ -74,21 +96,22 @@ public:
         return false;
     }
 
-    /// Moves seeds to the centroids of their cells; less far if a cell would become empty.
-    void move_to_centroids() {
-        double share = 1;
-        for (int i = 0; i < 6; ++i, share /= 2) {
-            std::vector<Point> seeds = seeds_;
-            for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k] = seeds[k] + share * (diagram_.centroids()[k] - seeds[k]);
-            ClippedDiagram trial(outline_, seeds, weights_);
-            if (!leaves_cells(trial, diagram_.areas(), kept_share)) continue;
-            seeds_ = std::move(seeds);
-            diagram_ = std::move(trial);
-            return;
+private:
+    /// Makes the weights of empty cells so large that their seeds come to lie inside of them. \return whether there were any
+    bool fill_cells(const std::vector<double>& areas) {
+        bool were_empty = false;
+        for (std::size_t i = 0; i < seeds_.size(); ++i) {
+            if (diagram_.areas()[i] > 0) continue;
+            were_empty = true;
+            double power = std::numeric_limits<double>::infinity();
+            for (std::size_t k = 0; k < seeds_.size(); ++k) {
+                if (k != i) power = std::min(power, squared_length(seeds_[k] - seeds_[i]) - weights_[k]);
+            }
+            weights_[i] = -power + filling * areas[i];
         }
+        return were_empty;
     }
 
-private:
     [[nodiscard]] bool leaves_cells(const ClippedDiagram& trial, const std::vector<double>& aim, double least) const {
         if (!trial.is_consistent()) return false;
         for (std::size_t i = 0; i < aim.size(); ++i) {
@@ -140,35 +163,45 @@ private:
     ClippedDiagram diagram_;
 };
 
+/// A share of the squares of the radii of circles with given areas.
+std::vector<double> weights_of(const std::vector<double>& areas, double share) {
+    std::vector<double> weights;
+    weights.reserve(areas.size());
+    for (const double area : areas) weights.push_back(share * area / std::numbers::pi);
+    return weights;
+}
+
 }  // namespace
 
 LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
                              const std::function<void(double)>& progress) {
-    constexpr int rounds = plain_rounds + weighted_rounds;
-    const auto report = [&](int round) {
+    constexpr int rounds = growing_rounds + grown_rounds;
+    int n_done = 0;
+    const auto report = [&] {
         throw_if_interrupted();
-        if (progress) progress(static_cast<double>(round) / (rounds + 4));
+        if (progress) progress(std::min(0.95, static_cast<double>(n_done++) / (2 * rounds + 20)));
     };
     Solver solver(outline, random_seeds(outline, areas.size(), random));
-    for (int round = 0; round < plain_rounds; ++round) {
-        report(round);
-        solver.move_to_centroids();
-    }
-    std::vector<double> aim(areas.size());
-    for (int round = 0; round < weighted_rounds; ++round) {
-        report(plain_rounds + round);
-        const double blend = std::min(1.0, (round + 1.0) / blended_rounds);
-        for (std::size_t i = 0; i < aim.size(); ++i) {
-            aim[i] = (1 - blend) * solver.diagram().areas()[i] + blend * areas[i];
+    const auto spread = [&](double share) {
+        report();
+        solver.set_weights(weights_of(areas, share), areas);
+        solver.spread();
+    };
+    const auto solve = [&](double error) {
+        solver.set_weights(weights_of(areas, 1), areas);
+        if (!solver.has_all_cells()) solver.set_weights(weights_of(areas, 0), areas);
+        for (int i = 0; i < most_steps && solver.largest_error(areas) > error; ++i) {
+            report();
+            if (!solver.improve(areas)) break;
         }
-        solver.improve(aim);
-        solver.move_to_centroids();
-    }
-    report(rounds);
-    for (int i = 0; i < most_steps && solver.largest_error(areas) > wanted_error; ++i) {
-        throw_if_interrupted();
-        if (!solver.improve(areas)) break;
-    }
+    };
+    for (int round = 0; round < growing_rounds; ++round) spread(static_cast<double>(round) / growing_rounds);
+    for (int round = 0; round < grown_rounds; ++round) spread(1);
+    solve(coarse_error);
+    // Where cells were empty or far from their areas, seeds now have places.
+    solver.spread();
+    for (int round = 0; round < grown_rounds; ++round) spread(1);
+    solve(wanted_error);
     LaguerreCells result;
     result.largest_error = solver.largest_error(areas);
     if (!(result.largest_error <= allowed_error)) throw Error(ExitCode::internal, "polygons did not reach their areas");

@@ -11,9 +11,9 @@
 namespace graincrack::mesher {
 
 struct LaguerreCells {
-    PlaneCells cells;              ///< convex; the corners of the outline are the first points
-    std::vector<double> areas;     ///< of the cells, m²
-    double largest_error = 0;      ///< of an area, over the wanted one
+    PlaneCells cells;           ///< convex; the corners of the outline are the first points
+    std::vector<double> areas;  ///< of the cells, m²
+    double largest_error = 0;   ///< of an area, over the wanted one
 };
 
 /// Cells at random places with the wanted areas, to 1e-6 of each, and compact shapes.

@@ -55,7 +55,9 @@ public:
         double length;
         int p;
         int q;
-        friend bool operator<(const Each& a, const Each& b) { return std::tie(a.length, a.p, a.q) < std::tie(b.length, b.p, b.q); }
+        friend bool operator<(const Each& a, const Each& b) {
+            return std::tie(a.length, a.p, a.q) < std::tie(b.length, b.p, b.q);
+        }
     };
 
     /// Short edges, the shortest first.
@@ -70,8 +72,9 @@ public:
             }
         }
         std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end(), [](const Each& a, const Each& b) { return a.p == b.p && a.q == b.q; }),
-                    found.end());
+        found.erase(
+            std::unique(found.begin(), found.end(), [](const Each& a, const Each& b) { return a.p == b.p && a.q == b.q; }),
+            found.end());
         return found;
     }
 
@@ -122,7 +125,8 @@ public:
             cells_.points[index(n++)] = cells_.points[p];
         }
         cells_.points.resize(index(n));
-        for (auto each = replaced_.rbegin(); each != replaced_.rend(); ++each) number[index(each->first)] = number[index(each->second)];
+        for (auto each = replaced_.rbegin(); each != replaced_.rend(); ++each)
+            number[index(each->first)] = number[index(each->second)];
         cells_.corners.clear();
         cells_.start = {0};
         cells_.edges.clear();
@@ -148,7 +152,9 @@ public:
 
 private:
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-    static bool has(const std::vector<int>& items, int item) { return std::find(items.begin(), items.end(), item) != items.end(); }
+    static bool has(const std::vector<int>& items, int item) {
+        return std::find(items.begin(), items.end(), item) != items.end();
+    }
     [[nodiscard]] Point at(int p) const { return cells_.points[index(p)]; }
 
     /// The cells that have an edge as a side.

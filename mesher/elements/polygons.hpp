@@ -26,11 +26,11 @@ struct PolygonRequest {
 /// What came out.
 struct PolygonStatistics {
     std::size_t n_crystals = 0;
-    double mean_diameter = 0;         ///< of circles of the areas of crystals, m
-    double diameter_variation = 0;    ///< of these, after short edges were removed
-    double largest_area_error = 0;    ///< before, over the wanted area
-    std::size_t n_short_edges = 0;    ///< that were removed
-    std::size_t n_edges_left = 0;     ///< that are short, but could not be removed
+    double mean_diameter = 0;       ///< of circles of the areas of crystals, m
+    double diameter_variation = 0;  ///< of these, after short edges were removed
+    double largest_area_error = 0;  ///< before, over the wanted area
+    std::size_t n_short_edges = 0;  ///< that were removed
+    std::size_t n_edges_left = 0;   ///< that are short, but could not be removed
 };
 
 struct PolygonMesh {
