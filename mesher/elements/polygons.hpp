@@ -42,7 +42,8 @@ struct PolygonMesh {
 /// Edge of the equilateral triangle that has the area of a polygon on average, m.
 double equilateral_edge(const Region& region, double n_polygons);
 
-/// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements.
+/// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. Where removing short edges
+/// changes the coefficient of variation by more than 0.4 % of it, as of few polygons, areas are made so that it comes out.
 /// \throws UsageError naming --tessellation if the region is not convex or has holes or flaws; Interrupted on a signal
 PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress = {});
 
