@@ -97,10 +97,12 @@ void check_common(const SpecimenRequest& request) {
 
 void check_request(const SpecimenRequest& request) {
     const Region& region = request.region;
-    if (request.element_size)
+    if (request.element_size) {
         throw UsageError("--element-size: is for polygons; give --elements-per-edge, or --tessellation voronoi");
-    if (request.size_distribution)
+    }
+    if (request.size_distribution) {
         throw UsageError("--size-distribution: is for polygons; give --tessellation voronoi or trigon");
+    }
     if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
         throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
                          format_number(max_elongation));
@@ -174,8 +176,9 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
                         : static_cast<std::int64_t>(std::min(
                               std::round(4 * area(plan.region) / (std::sqrt(3.0) * *request.edge * *request.edge)), 1e18));
     const std::string option = request.grains ? "--grains: " : "--edge: ";
-    if (plan.n_grains < 2)
+    if (plan.n_grains < 2) {
         throw UsageError(option + "polygons are at least two; give " + (request.grains ? "2" : "a smaller edge"));
+    }
     if (plan.n_grains > max_polygons) {
         throw UsageError(option + std::to_string(plan.n_grains) + " polygons are too many; at most " +
                          std::to_string(max_polygons) + " are made");

@@ -125,8 +125,9 @@ public:
             cells_.points[index(n++)] = cells_.points[p];
         }
         cells_.points.resize(index(n));
-        for (auto each = replaced_.rbegin(); each != replaced_.rend(); ++each)
+        for (auto each = replaced_.rbegin(); each != replaced_.rend(); ++each) {
             number[index(each->first)] = number[index(each->second)];
+        }
         cells_.corners.clear();
         cells_.start = {0};
         cells_.edges.clear();

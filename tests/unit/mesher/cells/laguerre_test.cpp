@@ -63,7 +63,9 @@ TEST(LaguerreCells, HaveTheWantedAreas) {
                     ASSERT_EQ(areas.size(), n);
                     for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(areas[i] / m.wanted[i], 1, 1e-6);
                     EXPECT_LE(m.cells.largest_error, 1e-6);
-                    if (n == 400) EXPECT_NEAR(diameter_variation(areas), spread, 1e-6);
+                    if (n == 400) {
+                        EXPECT_NEAR(diameter_variation(areas), spread, 1e-6);
+                    }
                     expect_conforming(m.cells.cells);
                 }
             }
