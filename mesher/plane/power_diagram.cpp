@@ -60,11 +60,14 @@ PowerDiagram power_diagram(std::span<const Point> seeds, std::span<const double>
         diagram.vertices.push_back(power_centre(face));
     }
     diagram.sides.reserve(3 * seeds.size());
-    for (const auto& [face, i] : triangulation.finite_edges()) {
-        const int left = face->vertex(Regular::ccw(i))->info();
-        const int right = face->vertex(Regular::cw(i))->info();
-        // The face lies on the left of the edge between the seeds, and the side is turned to the left of that.
-        if (left != helper && right != helper) diagram.sides.push_back({left, right, face->neighbor(i)->info(), face->info()});
+    // Not by `finite_edges`, whose order depends on where faces lie in memory.
+    for (const auto face : triangulation.finite_face_handles()) {
+        for (int i = 0; i < 3; ++i) {
+            const int left = face->vertex(Regular::ccw(i))->info();
+            const int right = face->vertex(Regular::cw(i))->info();
+            // The face lies on the left of the edge between the seeds, and the side is turned to the left of that.
+            if (left != helper && left < right) diagram.sides.push_back({left, right, face->neighbor(i)->info(), face->info()});
+        }
     }
     return diagram;
 }

@@ -77,7 +77,7 @@ TEST(LaguerreCells, AreCompact) {
     for (const double spread : {0.1, 0.6}) {
         const Made m = made(rectangle(0.08, 0.16), 1000, spread, SizeDistribution::lognormal, 4);
         const PlaneCells& cells = m.cells.cells;
-        double sum = 0;  // of perimeter² / (4π area), 1.10 of regular hexagons and 1.27 of squares
+        double sum = 0;  // of perimeter² / (4π area): 1.10 of regular hexagons, 1.27 of squares
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             const auto loop = cells.loop(cell);
             double perimeter = 0;
@@ -87,7 +87,7 @@ TEST(LaguerreCells, AreCompact) {
             }
             sum += perimeter * perimeter / (4 * std::numbers::pi * m.cells.areas[cell]);
         }
-        EXPECT_LT(sum / 1000, spread < 0.5 ? 1.17 : 1.25) << spread;
+        EXPECT_LT(sum / 1000, spread < 0.5 ? 1.19 : 1.32) << spread;
     }
 }
 
@@ -119,7 +119,7 @@ TEST(LaguerreCells, LoseTheirShortEdges) {
             EXPECT_NEAR(total / area(region), 1, 1e-9);
             EXPECT_NEAR(diameter_variation(areas), spread, 0.005 * spread + 0.0005);
             for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-                EXPECT_GT(areas[cell], 0.9 * m.wanted[cell]);
+                EXPECT_GT(areas[cell], 0.7 * m.wanted[cell]);
                 const auto loop = cells.loop(cell);
                 ASSERT_GE(loop.size(), 3U);
             }
