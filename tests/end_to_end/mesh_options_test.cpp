@@ -129,6 +129,23 @@ TEST_F(GraincrackMesh, PhasesAndStrengthFactorsAreInTheFile) {
     EXPECT_FALSE(plain.has_attribute("/grains/phase", "fractions"));
 }
 
+TEST_F(GraincrackMesh, PolygonsAreWrittenAndRepeated) {
+    const std::string disc = "disc --diameter 80mm --grains 60 --tessellation ";
+    const std::string sizes = " --spread 0.5 --size-distribution lognormal --element-size 4mm ";
+    for (const std::string tessellation : {"voronoi", "trigon"}) {
+        const Answer answer = run(disc + tessellation + sizes + "-o " + file("a.h5"));
+        ASSERT_EQ(answer.code, 0) << answer.text;
+        EXPECT_TRUE(answer.has("60 polygons (" + tessellation + ")")) << answer.text;
+        EXPECT_TRUE(answer.has("short edges were removed")) << answer.text;
+        const Specimen s = read_specimen(H5Input(file("a.h5"), "specimen"));
+        EXPECT_EQ(s.tessellation, tessellation);
+        ASSERT_EQ(run(disc + tessellation + sizes + "-o " + file("b.h5") + " --print-config > " + file("b.toml")).code, 0);
+        ASSERT_EQ(run("disc --quiet --config " + file("b.toml")).text, "");
+        EXPECT_EQ(H5Input(file("b.h5")).digest(), H5Input(file("a.h5")).digest());
+        EXPECT_TRUE(run(disc + tessellation + " --dry-run").has("60 polygons"));
+    }
+}
+
 TEST_F(GraincrackMesh, EveryKindIsWrittenAndRepeated) {
     std::ofstream(file("l.tsv"))
         << "x_mm\ty_mm\tpart\n0\t0\tbottom\n40\t0\tright\n40\t20\t\n20\t20\t\n20\t40\ttop\n0\t40\tleft\n";
@@ -188,7 +205,13 @@ TEST_F(GraincrackMesh, BadInputGivesOneLineAndItsCode) {
         {size + "--edge 4mm --grade towards=boundary,from=0.2,distance=4mm" + out, 2, "distance"},
         {size + "--edge 4mm --elongation 5" + out, 2, "--elongation"},
         {size + "--edge 4mm --elements-per-edge 0" + out, 2, "--elements-per-edge"},
-        {size + "--edge 4mm --tessellation voronoi" + out, 2, "--tessellation"},
+        {size + "--edge 4mm --tessellation hexagons" + out, 2, "--tessellation"},
+        {size + "--edge 4mm --tessellation voronoi --hole 0mm,0mm,9mm" + out, 2, "--tessellation"},
+        {size + "--edge 4mm --tessellation voronoi --notch 20mm" + out, 2, "--notch"},
+        {size + "--edge 4mm --tessellation trigon --spread 0.7" + out, 2, "--spread"},
+        {size + "--edge 4mm --tessellation trigon --elements-per-edge 2" + out, 2, "--elements-per-edge"},
+        {size + "--edge 4mm --tessellation voronoi --size-distribution even" + out, 2, "--size-distribution"},
+        {size + "--edge 4mm --element-size 1mm" + out, 2, "--element-size"},
         {size + "--edge 4mm --phases quartz=0.6,mica=0.5" + out, 2, "--phases"},
         {size + "--edge 4mm --phases quartz" + out, 2, "--phases"},
         {size + "--edge 4mm --phase-cluster 3" + out, 2, "--phase-cluster"},
