@@ -238,16 +238,55 @@ Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
     return centre_region(request.region);
 }
 
+/// The choice that a word names. \throws UsageError naming the option
+template <class T>
+T chosen(const std::vector<std::pair<std::string, T>>& choices, const std::string& word, const char* option, const char* words) {
+    for (const auto& [name, choice] : choices) {
+        if (name == word) return choice;
+    }
+    throw UsageError(fmt::format("{}: \"{}\" is not known; {} fits", option, printable(word.substr(0, 40)), words));
+}
+
+/// Of edges of triangles at most 0.35, of diameters of polygons more.
+constexpr Quantity spread_of_grains = [] {
+    Quantity spread = quantity::edge_spread;
+    spread.upper = max_spread_of_polygons;
+    return spread;
+}();
+
+/// How grains are made.
+void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
+    add_choice<Tessellation>(
+        shape, "--tessellation", request.tessellation,
+        {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
+        "grains: triangles (delaunay), polygons of elements that do not break (voronoi), or polygons whose triangles are grains, "
+        "so "
+        "that they break (trigon); polygons fill convex shapes without holes and flaws");
+    add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
+                 "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon");
+    detail::add_value(
+        shape, "--size-distribution",
+        [&request](const std::string& text) {
+            static const std::vector<std::pair<std::string, SizeDistribution>> distributions{
+                {"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}};
+            request.size_distribution = chosen(distributions, text, "--size-distribution", "normal or lognormal");
+        },
+        "distribution of the equal-area diameters of polygons; default: normal", "normal|lognormal", "");
+}
+
 /// The grains that are made.
 void add_grain_options(CLI::App& shape, SpecimenRequest& request) {
-    CLI::Option* edge = add_quantity(shape, "--edge", request.edge, quantity::mean_edge,
-                                     "requested mean edge over all grain edges, rim included");
-    CLI::Option* grains =
-        add_integer<std::int64_t>(shape, "--grains", request.grains, "exact number of grains, instead of --edge", 1);
+    CLI::Option* edge = add_quantity(
+        shape, "--edge", request.edge, quantity::mean_edge,
+        "requested mean edge over all grain edges, rim included; of polygons the edge of the equilateral triangle of their "
+        "mean area");
+    CLI::Option* grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
+                                                    "exact number of grains, or of polygons, instead of --edge", 1);
     edge->excludes(grains);
-    add_quantity(shape, "--spread", request.spread, quantity::edge_spread,
+    add_quantity(shape, "--spread", request.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
-                 "about 0.1 are reached only as far as a mesh without a preferred direction allows",
+                 "about 0.1 are reached only as far as a mesh without a preferred direction allows; of polygons that of their "
+                 "equal-area diameters, at most 0.6",
                  "0.1");
     detail::add_value(
         shape, "--grade", [&request](const std::string& text) { request.grading = parse_grading(text, "--grade"); },
@@ -294,15 +333,6 @@ void add_fabric_options(CLI::App& shape, MeshOptions& options) {
     detail::add_value(
         shape, "-o,--output", [&options](const std::string& text) { options.output = text; },
         "specimen file to write; - for stdout", "FILE|-", "");
-}
-
-/// The choice that a word names. \throws UsageError naming the option
-template <class T>
-T chosen(const std::vector<std::pair<std::string, T>>& choices, const std::string& word, const char* option, const char* words) {
-    for (const auto& [name, choice] : choices) {
-        if (name == word) return choice;
-    }
-    throw UsageError(fmt::format("{}: \"{}\" is not known; {} fits", option, printable(word.substr(0, 40)), words));
 }
 
 /// A mesh or a picture from elsewhere.
@@ -373,7 +403,7 @@ void add_import(CLI::App& app, ImportRequest& request) {
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     MeshOptions options;
     CommonOptions common;
-    CLI::App app("Makes specimens of triangular grains of near-equal size without a preferred direction");
+    CLI::App app("Makes specimens of triangular grains of near-equal size without a preferred direction, or of polygons");
     add_common_options(app, "graincrack-mesh", common, examples, {triangulation_library()});
     add_dry_run(app, common, "print the expected counts and file size without making a specimen");
     app.require_subcommand(1);
@@ -383,6 +413,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         CLI::App* sub = app.add_subcommand(kind.name, kind.help);
         kind.add_options(*sub, kind_options);
         add_cuts(*sub, cuts);
+        add_tessellation(*sub, options.request);
         add_grain_options(*sub, options.request);
         add_fabric_options(*sub, options);
     }

@@ -75,9 +75,34 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
                        format_quantity(report.flaw_length, Dimension::length), format_quantity(broken, Dimension::length));
 }
 
+/// A mesh of polygons, which is made once and has no preferred direction to speak of.
+std::vector<std::string> describe_polygons(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
+    const MeshStatistics& s = specimen.statistics;
+    const PolygonStatistics& p = report.polygons;
+    std::vector<std::string> lines{
+        fmt::format("{} of {} polygons ({}): {} grains, {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
+                    p.n_crystals, specimen.tessellation, specimen.n_grains(), specimen.n_nodes(), specimen.n_elements(),
+                    specimen.n_contacts(), specimen.n_boundary_edges()),
+        fmt::format(
+            "  polygons: equal-area diameter mean {}, CV {:.4f} ({} wanted); areas met to {:.0e} before {} short edges were "
+            "removed{}",
+            format_quantity(p.mean_diameter, Dimension::length, 4), p.diameter_variation, format_number(request.spread),
+            p.largest_area_error, p.n_short_edges, p.n_edges_left > 0 ? fmt::format(" ({} could not be)", p.n_edges_left) : ""),
+        size_line(request.tessellation == Tessellation::trigon ? "edge" : "edge of equal-area triangle", s.mean_edge,
+                  s.edge_variation, s.min_edge, s.max_edge),
+        fmt::format("  smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle), s.psi6,
+                    s.area_error),
+    };
+    if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
+    if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
+    if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
+    return lines;
+}
+
 }  // namespace
 
 std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
+    if (request.tessellation != Tessellation::delaunay) return describe_polygons(specimen, request, report);
     const MeshStatistics& s = specimen.statistics;
     std::vector<std::string> lines{
         fmt::format("{} of {} grains: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape, specimen.n_grains(),
@@ -123,6 +148,15 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
 
 std::vector<std::string> describe_plan(const SpecimenRequest& request) {
     const MeshPlan plan = plan_mesh(request);
+    if (request.tessellation != Tessellation::delaunay) {
+        const auto n = static_cast<double>(plan.n_grains);
+        // Polygons have five or so elements at least.
+        const double elements = n * std::max(5.0, 1.8 * plan.edge * plan.edge / (plan.element_size * plan.element_size));
+        return {fmt::format("{} of {} polygons, edge of the equilateral triangle of their mean area {}", request.region.name,
+                            plan.n_grains, format_quantity(plan.edge, Dimension::length, 3)),
+                fmt::format("  elements of {}, about {:.2g} in all; time about {:.2g} s",
+                            format_quantity(plan.element_size, Dimension::length, 3), elements, 1e-4 * n + 1e-5 * elements)};
+    }
     const auto counts = assemblage_counts(plan.n_grains, plan.n_boundary, request.elements_per_edge);
     const double megabytes = compressed_share * static_cast<double>(uncompressed_size(counts)) / 1e6;
     return {

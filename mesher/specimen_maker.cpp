@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "mesher/assemblage/notch.hpp"
 #include "mesher/assemblage/separate_bodies.hpp"
 #include "mesher/assemblage/statistics.hpp"
+#include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/delaunay.hpp"
 #include "mesher/elements/lattice.hpp"
 #include "mesher/region/fit_edges.hpp"
@@ -26,6 +28,9 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr std::size_t max_edges = 3000;  ///< prescribed; each is compared with each
+constexpr std::int64_t max_polygons = 1'000'000;
+constexpr double max_elements_of_polygons = 15e6;
+constexpr double triangles_of_square = 2.3;  ///< in the area of a square of their side, measured
 constexpr int max_attempts = 100;
 constexpr int attempts_to_promise = 20;  ///< if the best of so many is far above the bounds, further attempts are useless
 constexpr int max_corrections = 4;
@@ -64,23 +69,38 @@ double edge_over_equilateral(double spread) {
     return 1 + 1.15 * s * s - 0.4 * std::max(0.0, s - 0.11);
 }
 
-/// Edge of the equilateral triangle of the mean grain area, m.
-double equilateral_edge(const Region& region, double n_grains) {
-    return std::sqrt(4 * area(region) / (std::sqrt(3.0) * n_grains));
-}
-
 double smallest_extent(const Region& region) { return std::min(bounds(region).width(), bounds(region).height()); }
 
-void check_request(const SpecimenRequest& request) {
-    const Region& region = request.region;
-    check(region);
+bool are_polygons(const SpecimenRequest& request) { return request.tessellation != Tessellation::delaunay; }
+
+/// What triangles and polygons have in common.
+void check_common(const SpecimenRequest& request) {
+    check(request.region);
     if (request.edge.has_value() == request.grains.has_value()) {
         throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
     }
-    if (!(request.spread >= 0 && request.spread <= max_spread)) {
-        throw UsageError("--spread: " + format_number(request.spread) + " is out of range; give 0 to " +
-                         format_number(max_spread));
+    const double widest = are_polygons(request) ? max_spread_of_polygons : max_spread;
+    if (!(request.spread >= 0 && request.spread <= widest)) {
+        throw UsageError("--spread: " + format_number(request.spread) + " is out of range; give 0 to " + format_number(widest));
     }
+    if (request.edge && (!(*request.edge > 0) || !std::isfinite(*request.edge))) {
+        throw UsageError("--edge: must be a length above 0");
+    }
+    const Region& region = request.region;
+    if (is_round(region) && region.loops.front().circle->loaded_diameter >= region.loops.front().circle->diameters) {
+        throw UsageError("--loaded-diameter: there are " + std::to_string(region.loops.front().circle->diameters) +
+                         " (--diameters), counted from 0");
+    }
+    check(request.phases);
+    check(request.strength);
+}
+
+void check_request(const SpecimenRequest& request) {
+    const Region& region = request.region;
+    if (request.element_size)
+        throw UsageError("--element-size: is for polygons; give --elements-per-edge, or --tessellation voronoi");
+    if (request.size_distribution)
+        throw UsageError("--size-distribution: is for polygons; give --tessellation voronoi or trigon");
     if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
         throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
                          format_number(max_elongation));
@@ -88,15 +108,8 @@ void check_request(const SpecimenRequest& request) {
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
     }
-    if (is_round(region) && region.loops.front().circle->loaded_diameter >= region.loops.front().circle->diameters) {
-        throw UsageError("--loaded-diameter: there are " + std::to_string(region.loops.front().circle->diameters) +
-                         " (--diameters), counted from 0");
-    }
-    check(request.phases);
-    check(request.strength);
     const double smallest = smallest_extent(region);
     if (request.edge) {
-        if (!(*request.edge > 0) || !std::isfinite(*request.edge)) throw UsageError("--edge: must be a length above 0");
         if (*request.edge > smallest / 2) {
             throw UsageError("--edge: " + metres(*request.edge) + " is too large for a specimen " + metres(smallest) +
                              " across; give at most half of that");
@@ -137,6 +150,49 @@ void check_walls(const Region& region, double edge) {
     }
 }
 
+void check_number_of_phases(const SpecimenRequest& request, std::int64_t n_grains) {
+    const std::size_t n_phases = request.phases.fractions.size();
+    if (n_grains >= static_cast<std::int64_t>(n_phases)) return;
+    throw UsageError("--phases: " + std::to_string(n_phases) + " are more than the " + std::to_string(n_grains) +
+                     " grains; give at most one phase per grain");
+}
+
+/// Checks what is of polygons alone, and that no option is given that polygons do not have.
+MeshPlan plan_polygons(const SpecimenRequest& request) {
+    const auto refuse = [](const std::string& option, const char* why) {
+        throw UsageError(option + ": " + why + "; leave it out, or give --tessellation delaunay");
+    };
+    if (request.elements_per_edge != 1) refuse("--elements-per-edge", "polygons have elements of --element-size");
+    if (request.grading) refuse("--grade", "polygons have the same sizes everywhere");
+    if (request.elongation.ratio != 1) refuse("--elongation", "polygons are not elongated");
+    if (request.notch) refuse("--notch", "polygons have no notches");
+    if (!request.joint_sets.empty()) refuse("--joint-set", "polygons have no joints");
+    MeshPlan plan;
+    plan.region = request.region;
+    plan.n_grains = request.grains
+                        ? *request.grains
+                        : static_cast<std::int64_t>(std::min(
+                              std::round(4 * area(plan.region) / (std::sqrt(3.0) * *request.edge * *request.edge)), 1e18));
+    const std::string option = request.grains ? "--grains: " : "--edge: ";
+    if (plan.n_grains < 2)
+        throw UsageError(option + "polygons are at least two; give " + (request.grains ? "2" : "a smaller edge"));
+    if (plan.n_grains > max_polygons) {
+        throw UsageError(option + std::to_string(plan.n_grains) + " polygons are too many; at most " +
+                         std::to_string(max_polygons) + " are made");
+    }
+    plan.edge = plan.equal_edge = equilateral_edge(plan.region, static_cast<double>(plan.n_grains));
+    plan.element_size = request.element_size.value_or(element_over_edge * plan.edge);
+    const double n_elements = triangles_of_square * area(plan.region) / (plan.element_size * plan.element_size);
+    if (!(n_elements <= max_elements_of_polygons)) {
+        throw UsageError("--element-size: " + metres(plan.element_size) + " would make more than " +
+                         std::to_string(static_cast<std::int64_t>(max_elements_of_polygons)) + " elements; at least " +
+                         metres(std::sqrt(triangles_of_square * area(plan.region) / max_elements_of_polygons)) + " is needed");
+    }
+    check_number_of_phases(request, plan.n_grains);
+    (void)convex_outline(plan.region, plan.edge);
+    return plan;
+}
+
 MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     MeshPlan plan;
     plan.region = request.region;
@@ -156,10 +212,7 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     plan.edge = plan.equal_edge * plan.size.mean_edge();
     plan.n_boundary = admissible_boundary_count(
         region, relative_perimeter(region, plan.size) / (plan.equal_edge * plan.size.mean_edge_along_lines()), n_grains % 2 != 0);
-    if (const std::size_t n_phases = request.phases.fractions.size(); n_grains < static_cast<std::int64_t>(n_phases)) {
-        throw UsageError("--phases: " + std::to_string(n_phases) + " are more than the " + std::to_string(n_grains) +
-                         " grains; give at most one phase per grain");
-    }
+    check_number_of_phases(request, n_grains);
     const int diameters = is_round(region) ? region.loops.front().circle->diameters : 1;
     if (plan.n_boundary < 4 * diameters) {
         throw UsageError("--diameters: " + std::to_string(diameters) + " are too many for " + std::to_string(plan.n_boundary) +
@@ -237,9 +290,52 @@ Attempt best_attempt(const SpecimenRequest& request, const MeshPlan& plan, const
     return best;
 }
 
+/// What a specimen is.
+void describe(Specimen& specimen, const Region& region) {
+    specimen.shape = region.name;
+    specimen.width = bounds(region).width();
+    specimen.height = bounds(region).height();
+    specimen.part_names = region.part_names;
+}
+
+void give_fabric(Specimen& specimen, const std::vector<int>& crystal_of_grain, const SpecimenRequest& request) {
+    specimen.seed = request.seed;
+    assign_phases(specimen, crystal_of_grain, request.phases);
+    assign_strength_factors(specimen, crystal_of_grain, turn_to_load(request.region), request.strength);
+}
+
+Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress,
+                       MeshReport& report) {
+    const Region& region = request.region;
+    const bool can_break = request.tessellation == Tessellation::trigon;
+    PolygonRequest polygons;
+    polygons.n = static_cast<std::size_t>(plan.n_grains);
+    polygons.spread = request.spread;
+    polygons.distribution = request.size_distribution.value_or(SizeDistribution::normal);
+    polygons.element_size = plan.element_size;
+    polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
+    polygons.seed = request.seed;
+    PolygonMesh made = polygon_mesh(region, polygons, progress);
+    report.polygons = made.statistics;
+    report.sizes.spread = made.statistics.diameter_variation;
+    turn_to_load(region, made.mesh.points);
+    std::vector<int> crystal_of_grain;
+    Specimen specimen = separate_bodies(made.mesh, &crystal_of_grain);
+    specimen.tessellation = can_break ? "trigon" : "voronoi";
+    specimen.loading_arc = made.loading_arc;
+    describe(specimen, region);
+    specimen.statistics = statistics_of(specimen);
+    const double total = std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
+    specimen.statistics.area_error = total / area(region) - 1;
+    give_fabric(specimen, crystal_of_grain, request);
+    return specimen;
+}
+
 }  // namespace
 
 MeshPlan plan_mesh(const SpecimenRequest& request) {
+    check_common(request);
+    if (are_polygons(request)) return plan_polygons(request);
     check_request(request);
     const Region& region = request.region;
     if (!request.grains) {
@@ -267,6 +363,11 @@ MeshPlan plan_mesh(const SpecimenRequest& request) {
 Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& progress, MeshReport* report) {
     MeshPlan plan = plan_mesh(request);
     MeshReport made;
+    if (are_polygons(request)) {
+        Specimen polygons = make_polygons(request, plan, progress, made);
+        if (report != nullptr) *report = made;
+        return polygons;
+    }
     Attempt attempt = best_attempt(request, plan, progress, made);
     const Region& region = request.region;
     MeshStatistics statistics = statistics_of(region, attempt.cells);
@@ -295,18 +396,13 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     }
     std::vector<int> crystal_of_grain;
     Specimen specimen = separate_bodies(lattice_mesh(std::move(attempt.cells), request.elements_per_edge), &crystal_of_grain);
-    specimen.shape = region.name;
-    specimen.width = bounds(region).width();
-    specimen.height = bounds(region).height();
     specimen.tessellation = "delaunay";
     specimen.elements_per_edge = request.elements_per_edge;
     specimen.loading_arc = attempt.loading_arc;
-    specimen.part_names = region.part_names;
+    describe(specimen, region);
     if (request.notch) cut_notch(specimen, *request.notch);
-    specimen.seed = request.seed;
     specimen.statistics = statistics;
-    assign_phases(specimen, crystal_of_grain, request.phases);
-    assign_strength_factors(specimen, crystal_of_grain, turn_to_load(region), request.strength);
+    give_fabric(specimen, crystal_of_grain, request);
     if (report != nullptr) *report = made;
     return specimen;
 }

@@ -35,10 +35,10 @@ constexpr const char* option_list =
     "--program "
     "--quiet --rate "
     "--rate-share --rate-tolerance --response --restart --roller-width --save-state --scale --seed --sensitivity --set --shape "
-    "--smallest-piece "
+    "--size-distribution --smallest-piece "
     "--span --spread --sql --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study "
     "--summary "
-    "--table "
+    "--table --tessellation "
     "--target --threads --time "
     "--time-step-fraction --title --unit --vector --verbose --walltime --width --x --x-limits --y --y-limits";
 

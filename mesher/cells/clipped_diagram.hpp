@@ -1,0 +1,66 @@
+// A power diagram within a convex outline: areas and centroids of its cells, and their sides.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesher/cells/convex_outline.hpp"
+#include "mesher/cells/plane_cells.hpp"
+#include "mesher/plane/power_diagram.hpp"
+
+namespace graincrack::mesher {
+
+/// The part of a power diagram within a convex outline.
+class ClippedDiagram {
+public:
+    /// \param outline must outlive the diagram
+    ClippedDiagram(const ConvexOutline& outline, std::span<const Point> seeds, std::span<const double> weights);
+
+    /// A side that two cells share, with the cell of `left` on its left.
+    struct Side {
+        int left = 0;
+        int right = 0;
+        Point from;
+        Point to;
+        int from_point = 0;  ///< number of a vertex of the diagram; −1 − number of the crossing on the outline
+        int to_point = 0;
+    };
+    [[nodiscard]] const std::vector<Side>& sides() const { return sides_; }
+    /// Areas of the cells, m²; 0 of those that are empty.
+    [[nodiscard]] const std::vector<double>& areas() const { return areas_; }
+    /// Centroids of cells that are not empty.
+    [[nodiscard]] const std::vector<Point>& centroids() const { return centroids_; }
+    /// Whether each stretch of the outline has one cell, which round-off can prevent where a vertex all but meets it.
+    [[nodiscard]] bool is_consistent() const { return is_consistent_; }
+
+    /// The cells, as polygons that share points: the corners of the outline first, in their order.
+    [[nodiscard]] PlaneCells cells() const;
+
+private:
+    /// Where a side between two cells ends on the outline.
+    struct Crossing {
+        std::size_t outline_side;
+        double share;  ///< along the side of the outline
+        int after;     ///< cell that follows counter-clockwise
+        int before;
+        int number;
+        Point at;
+    };
+    void clip(const PowerDiagram& diagram);
+    void sum_up();
+    /// Calls `visit(cell, from, to, outline side)` for the sides of cells along the outline, counter-clockwise. Points are
+    /// numbered as those of sides, and corners of the outline by `corner_point`.
+    template <class Visit>
+    void for_each_outer_side(const Visit& visit) const;
+
+    const ConvexOutline* outline_;
+    std::size_t n_cells_;
+    int n_vertices_ = 0;
+    std::vector<Side> sides_;
+    std::vector<Crossing> crossings_;  ///< counter-clockwise along the outline
+    std::vector<double> areas_;
+    std::vector<Point> centroids_;
+    bool is_consistent_ = true;
+};
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,67 @@
+#include "mesher/cells/convex_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/plane/constrained_triangulation.hpp"
+#include "mesher/plane/random_numbers.hpp"
+#include "mesher/seeds/fixed_seeds.hpp"
+#include "share/base/error.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr int fewest_on_circle = 24;  ///< chords, whose rise is then below 1 % of the radius
+constexpr double on_line = 1e-9;      ///< sine of the angle below which two sides are one
+
+bool has_arcs(const Loop& loop) {
+    return std::any_of(loop.centres.begin(), loop.centres.end(), [](const auto& centre) { return centre.has_value(); });
+}
+
+}  // namespace
+
+ConvexOutline convex_outline(const Region& region, double edge) {
+    if (!is_plain(region)) {
+        throw UsageError(
+            "--tessellation: polygons fill convex shapes without holes, flaws and notches only; delaunay fits all shapes");
+    }
+    const Loop& loop = region.loops.front();
+    double wanted = perimeter(region) / edge;
+    if (loop.circle) wanted = std::max({wanted, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
+    if (has_arcs(loop)) wanted = std::max(wanted, 1.0 * fewest_on_circle);
+    RandomNumbers random(0);  // of which equal distances need none
+    const Seeds seeds = fixed_seeds(region, admissible_boundary_count(region, wanted, false), edge, 0, random);
+
+    ConvexOutline outline;
+    outline.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
+    const std::size_t n = seeds.sides.size();
+    const auto at = [&](int p) { return seeds.points[static_cast<std::size_t>(p)]; };
+    for (std::size_t i = 0; i < n; ++i) {
+        const Side& before = seeds.sides[(i + n - 1) % n];
+        const Side& side = seeds.sides[i];
+        const Point u = at(before.to) - at(before.from);
+        const Point v = at(side.to) - at(side.from);
+        if (before.part == side.part && std::abs(cross(u, v)) < on_line * length(u) * length(v)) continue;
+        outline.corners.push_back(at(side.from));
+        outline.parts.push_back(static_cast<std::uint8_t>(side.part));
+    }
+    if (!is_convex(outline.corners)) {
+        throw UsageError("--tessellation: the round sides of this shape do not make a convex polygon; give smaller grains");
+    }
+    return outline;
+}
+
+PolygonMoments moments(const std::vector<Point>& corners) {
+    PolygonMoments result;
+    const Point origin = corners.front();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const double area = signed_area(origin, corners[i], corners[i + 1]);
+        result.area += area;
+        result.centroid = result.centroid + (area / 3) * ((corners[i] - origin) + (corners[i + 1] - origin));
+    }
+    result.centroid = origin + (1 / result.area) * result.centroid;
+    return result;
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,213 @@
+#include "mesher/cells/laguerre.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "mesher/cells/clipped_diagram.hpp"
+#include "share/base/error.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr int growing_rounds = 12;    ///< of Lloyd in which weights grow to those of circles of the wanted areas
+constexpr int grown_rounds = 4;       ///< in which they have these weights
+constexpr double coarse_error = 0.5;  ///< of areas, from which seeds may move
+constexpr int most_fillings = 5;
+constexpr double filling = 0.05;  ///< of the weight of a cell that was empty beyond that with which it is a point, over its area
+constexpr int most_steps = 100;
+constexpr int most_halvings = 40;
+constexpr double wanted_error = 1e-8;  ///< of areas
+constexpr double allowed_error = 1e-6;
+constexpr double kept_share = 0.2;  ///< of an area, or of the one aimed at if that is less, that a step leaves
+
+/// Seeds at random inside of the outline.
+std::vector<Point> random_seeds(const ConvexOutline& outline, std::size_t n, RandomNumbers& random) {
+    Point low = outline.corners.front();
+    Point high = low;
+    for (const Point p : outline.corners) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    std::vector<Point> seeds;
+    while (seeds.size() < n) {
+        const double x = random.uniform();
+        const double y = random.uniform();
+        const Point p{low.x + x * (high.x - low.x), low.y + y * (high.y - low.y)};
+        bool is_inside = true;
+        for (std::size_t k = 0; k < outline.size() && is_inside; ++k) {
+            is_inside = cross(outline.corner(k + 1) - outline.corner(k), p - outline.corner(k)) > 0;
+        }
+        if (is_inside) seeds.push_back(p);
+    }
+    return seeds;
+}
+
+/// Seeds, weights and cells, step by step.
+class Solver {
+public:
+    Solver(const ConvexOutline& outline, std::vector<Point> seeds)
+        : outline_(outline), seeds_(std::move(seeds)), weights_(seeds_.size(), 0.0), diagram_(outline, seeds_, weights_) {}
+
+    [[nodiscard]] const ClippedDiagram& diagram() const { return diagram_; }
+
+    [[nodiscard]] double largest_error(const std::vector<double>& aim) const {
+        double largest = 0;
+        for (std::size_t i = 0; i < aim.size(); ++i) largest = std::max(largest, std::abs(diagram_.areas()[i] / aim[i] - 1));
+        return largest;
+    }
+
+    /// Takes weights, larger ones for cells that would be empty.
+    void set_weights(std::vector<double> weights, const std::vector<double>& areas) {
+        weights_ = std::move(weights);
+        diagram_ = ClippedDiagram(outline_, seeds_, weights_);
+        for (int i = 0; i < most_fillings && fill_cells(areas); ++i) diagram_ = ClippedDiagram(outline_, seeds_, weights_);
+    }
+
+    /// Moves seeds to the centroids of their cells, whatever that does to their areas; those of empty cells stay.
+    void spread() {
+        for (std::size_t k = 0; k < seeds_.size(); ++k) {
+            if (diagram_.areas()[k] > 0) seeds_[k] = diagram_.centroids()[k];
+        }
+    }
+
+    [[nodiscard]] bool has_all_cells() const {
+        return diagram_.is_consistent() && *std::min_element(diagram_.areas().begin(), diagram_.areas().end()) > 0;
+    }
+
+    /// One step of Newton's method towards areas, halved until it improves them. \return whether it did
+    bool improve(const std::vector<double>& aim) {
+        const std::vector<double> step = newton_step(aim);
+        const double before = residual(diagram_, aim);
+        double share = 1;
+        for (int i = 0; i < most_halvings; ++i, share /= 2) {
+            std::vector<double> weights = weights_;
+            for (std::size_t k = 0; k < step.size(); ++k) weights[k] += share * step[k];
+            ClippedDiagram trial(outline_, seeds_, weights);
+            if (!leaves_cells(trial, aim, kept_share) || !(residual(trial, aim) <= (1 - share / 2) * before)) continue;
+            weights_ = std::move(weights);
+            diagram_ = std::move(trial);
+            return true;
+        }
+        return false;
+    }
+
+private:
+    /// Makes the weights of empty cells so large that their seeds come to lie inside of them. \return whether there were any
+    bool fill_cells(const std::vector<double>& areas) {
+        bool were_empty = false;
+        for (std::size_t i = 0; i < seeds_.size(); ++i) {
+            if (diagram_.areas()[i] > 0) continue;
+            were_empty = true;
+            double power = std::numeric_limits<double>::infinity();
+            for (std::size_t k = 0; k < seeds_.size(); ++k) {
+                if (k != i) power = std::min(power, squared_length(seeds_[k] - seeds_[i]) - weights_[k]);
+            }
+            weights_[i] = -power + filling * areas[i];
+        }
+        return were_empty;
+    }
+
+    [[nodiscard]] bool leaves_cells(const ClippedDiagram& trial, const std::vector<double>& aim, double least) const {
+        if (!trial.is_consistent()) return false;
+        for (std::size_t i = 0; i < aim.size(); ++i) {
+            if (!(trial.areas()[i] > least * std::min(aim[i], diagram_.areas()[i]))) return false;
+        }
+        return true;
+    }
+
+    /// Root of the sum of the squares of differences from areas.
+    static double residual(const ClippedDiagram& diagram, const std::vector<double>& aim) {
+        double sum = 0;
+        for (std::size_t i = 0; i < aim.size(); ++i) sum += (diagram.areas()[i] - aim[i]) * (diagram.areas()[i] - aim[i]);
+        return std::sqrt(sum);
+    }
+
+    /// Solves for the changes of weights that would give the areas if these were linear in them; the last weight stays.
+    [[nodiscard]] std::vector<double> newton_step(const std::vector<double>& aim) const {
+        const auto n = static_cast<int>(aim.size()) - 1;
+        std::vector<double> diagonal(aim.size(), 0);
+        std::vector<Eigen::Triplet<double>> entries;
+        entries.reserve(diagram_.sides().size() + aim.size());
+        for (const ClippedDiagram::Side& side : diagram_.sides()) {
+            const auto a = static_cast<std::size_t>(side.left);
+            const auto b = static_cast<std::size_t>(side.right);
+            const double value = 0.5 * length(side.to - side.from) / length(seeds_[a] - seeds_[b]);
+            diagonal[a] += value;
+            diagonal[b] += value;
+            if (side.left < n && side.right < n) {
+                entries.emplace_back(std::max(side.left, side.right), std::min(side.left, side.right), -value);
+            }
+        }
+        for (int i = 0; i < n; ++i) entries.emplace_back(i, i, diagonal[static_cast<std::size_t>(i)]);
+        Eigen::SparseMatrix<double> matrix(n, n);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        Eigen::VectorXd difference(n);
+        for (int i = 0; i < n; ++i) {
+            difference[i] = aim[static_cast<std::size_t>(i)] - diagram_.areas()[static_cast<std::size_t>(i)];
+        }
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky(matrix);
+        const Eigen::VectorXd solution = cholesky.solve(difference);
+        std::vector<double> step(solution.data(), solution.data() + n);
+        step.push_back(0);
+        return step;
+    }
+
+    const ConvexOutline& outline_;
+    std::vector<Point> seeds_;
+    std::vector<double> weights_;
+    ClippedDiagram diagram_;
+};
+
+/// A share of the squares of the radii of circles with given areas.
+std::vector<double> weights_of(const std::vector<double>& areas, double share) {
+    std::vector<double> weights;
+    weights.reserve(areas.size());
+    for (const double area : areas) weights.push_back(share * area / std::numbers::pi);
+    return weights;
+}
+
+}  // namespace
+
+LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
+                             const std::function<void(double)>& progress) {
+    constexpr int rounds = growing_rounds + grown_rounds;
+    int n_done = 0;
+    const auto report = [&] {
+        throw_if_interrupted();
+        if (progress) progress(std::min(0.95, static_cast<double>(n_done++) / (2 * rounds + 20)));
+    };
+    Solver solver(outline, random_seeds(outline, areas.size(), random));
+    const auto spread = [&](double share) {
+        report();
+        solver.set_weights(weights_of(areas, share), areas);
+        solver.spread();
+    };
+    const auto solve = [&](double error) {
+        solver.set_weights(weights_of(areas, 1), areas);
+        if (!solver.has_all_cells()) solver.set_weights(weights_of(areas, 0), areas);
+        for (int i = 0; i < most_steps && solver.largest_error(areas) > error; ++i) {
+            report();
+            if (!solver.improve(areas)) break;
+        }
+    };
+    for (int round = 0; round < growing_rounds; ++round) spread(static_cast<double>(round) / growing_rounds);
+    for (int round = 0; round < grown_rounds; ++round) spread(1);
+    solve(coarse_error);
+    // Where cells were empty or far from their areas, seeds now have places.
+    solver.spread();
+    for (int round = 0; round < grown_rounds; ++round) spread(1);
+    solve(wanted_error);
+    LaguerreCells result;
+    result.largest_error = solver.largest_error(areas);
+    if (!(result.largest_error <= allowed_error)) throw Error(ExitCode::internal, "polygons did not reach their areas");
+    result.areas = solver.diagram().areas();
+    result.cells = solver.diagram().cells();
+    return result;
+}
+
+}  // namespace graincrack::mesher

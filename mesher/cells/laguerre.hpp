@@ -1,0 +1,31 @@
+// Polygonal cells of given areas: the Laguerre tessellation of a convex outline.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mesher/cells/convex_outline.hpp"
+#include "mesher/cells/plane_cells.hpp"
+#include "mesher/plane/random_numbers.hpp"
+
+namespace graincrack::mesher {
+
+struct LaguerreCells {
+    PlaneCells cells;           ///< convex; the corners of the outline are the first points
+    std::vector<double> areas;  ///< of the cells, m²
+    double largest_error = 0;   ///< of an area, over the wanted one
+};
+
+/// Cells at random places with the wanted areas, to 1e-6 of each, and compact shapes.
+///
+/// The cells are those of a power diagram. Its weights solve for the areas: they are the maximum of a concave function whose
+/// gradient is wanted less present areas and whose second derivatives are −length/(2 distance of seeds) of the sides between
+/// cells (Aurenhammer, Hoffmann & Aronov 1998); Newton's method with steps that leave every cell an area converges from any seeds
+/// (Kitagawa, Mérigot & Thibert 2019). Between first steps of it seeds move to the centroids of their cells (Lloyd), which makes
+/// cells compact.
+/// \param areas wanted, m², whose sum is the area of the outline \param progress called with the share that is done
+/// \throws Error if the areas are not reached, which no areas above 0 make likely; Interrupted on a signal
+LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
+                             const std::function<void(double)>& progress = {});
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,28 @@
+// Short edges of polygonal cells, which would make small elements and short time steps, are removed.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mesher/cells/plane_cells.hpp"
+
+namespace graincrack::mesher {
+
+/// Length below which an edge is short, over the square root of the area of the smaller cell beside it.
+inline constexpr double short_edge = 0.125;
+
+struct ShortEdges {
+    std::size_t n_removed = 0;
+    std::size_t n_left = 0;  ///< whose removal would leave a cell of two sides or turn one inside out, or move what is fixed
+};
+
+/// Removes short edges, the shortest first, in at most two rounds: the ends of an edge become one point in its middle. On the
+/// boundary they stay on it, and fixed points do not move.
+/// \param cells convex before; changed
+/// \param n_fixed the first so many points are fixed; on the boundary between two of them the cells' sides are straight
+ShortEdges remove_short_edges(PlaneCells& cells, std::size_t n_fixed);
+
+/// Areas of cells, m².
+std::vector<double> areas_of(const PlaneCells& cells);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,50 @@
+// Polygonal crystals of a convex region, divided into elements.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "mesher/cells/cell_areas.hpp"
+#include "mesher/elements/constrained.hpp"
+#include "mesher/elements/plane_mesh.hpp"
+#include "mesher/region/region.hpp"
+
+namespace graincrack::mesher {
+
+/// Requested polygons.
+struct PolygonRequest {
+    std::size_t n = 2;
+    double spread = 0.1;  ///< coefficient of variation of the equal-area diameters
+    SizeDistribution distribution = SizeDistribution::normal;
+    double element_size = 0;  ///< side of the elements, m
+    Bodies bodies = Bodies::cells;
+    std::uint64_t seed = 1;
+};
+
+/// What came out.
+struct PolygonStatistics {
+    std::size_t n_crystals = 0;
+    double mean_diameter = 0;       ///< of circles of the areas of crystals, m
+    double diameter_variation = 0;  ///< of these, after short edges were removed
+    double largest_area_error = 0;  ///< before, over the wanted area
+    std::size_t n_short_edges = 0;  ///< that were removed
+    std::size_t n_edges_left = 0;   ///< that are short, but could not be removed
+};
+
+struct PolygonMesh {
+    PlaneMesh mesh;
+    double loading_arc = 0;  ///< as of `Seeds`
+    PolygonStatistics statistics;
+};
+
+/// Edge of the equilateral triangle that has the area of a polygon on average, m.
+double equilateral_edge(const Region& region, double n_polygons);
+
+/// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. Where removing short edges
+/// changes the coefficient of variation by more than 0.4 % of it, as of few polygons, areas are made so that it comes out.
+/// \throws UsageError naming --tessellation if the region is not convex or has holes or flaws; Interrupted on a signal
+PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress = {});
+
+}  // namespace graincrack::mesher

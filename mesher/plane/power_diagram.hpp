@@ -1,0 +1,30 @@
+// Power diagram (Laguerre cells) of weighted points: the dual of their regular triangulation.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesher/plane/geometry.hpp"
+
+namespace graincrack::mesher {
+
+/// The cell of seed i is where |x − cᵢ|² − wᵢ is least of all seeds. A cell is convex; it may be empty, and then has no sides.
+struct PowerDiagram {
+    /// What two cells share: a segment between two vertices, with the cell of `left` on its left.
+    struct Side {
+        int left = 0;
+        int right = 0;
+        int from = 0;
+        int to = 0;
+    };
+    std::vector<Point> vertices;
+    std::vector<Side> sides;
+};
+
+/// The diagram within a circle around the origin; outside of it cells end somewhere.
+/// \param seeds distinct, within the circle
+/// \param weights of the seeds, m²
+/// \param reach radius of the circle, m
+PowerDiagram power_diagram(std::span<const Point> seeds, std::span<const double> weights, double reach);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,129 @@
+#include "mesher/cells/laguerre.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "mesher/cells/cell_areas.hpp"
+#include "mesher/cells/short_edges.hpp"
+#include "mesher/region/shapes.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+struct Made {
+    ConvexOutline outline;
+    std::vector<double> wanted;
+    LaguerreCells cells;
+};
+
+Made made(const Region& region, std::size_t n, double spread, SizeDistribution distribution, std::uint64_t seed) {
+    Made result;
+    result.outline = convex_outline(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n))));
+    RandomNumbers random(seed);
+    result.wanted = wanted_areas(n, moments(result.outline.corners).area, spread, distribution, random);
+    result.cells = laguerre_cells(result.outline, result.wanted, random);
+    return result;
+}
+
+/// Each edge between two cells is used once in each direction, each on the boundary once.
+void expect_conforming(const PlaneCells& cells) {
+    std::map<Edge, int> uses;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        const auto loop = cells.loop(cell);
+        for (std::size_t i = 0; i < loop.size(); ++i) ++uses[{loop[i], loop[(i + 1) % loop.size()]}];
+    }
+    std::size_t n_outer = 0;
+    for (const auto& [edge, n] : uses) {
+        EXPECT_EQ(n, 1);
+        EXPECT_TRUE(std::binary_search(cells.edges.begin(), cells.edges.end(),
+                                       Edge{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}));
+        if (!uses.contains({edge[1], edge[0]})) ++n_outer;
+    }
+    EXPECT_EQ(2 * cells.edges.size(), uses.size() + n_outer);
+    EXPECT_EQ(cells.sides.size(), n_outer);
+    for (std::size_t i = 0; i < cells.sides.size(); ++i) {
+        EXPECT_EQ(cells.sides[i].to, cells.sides[(i + 1) % n_outer].from);
+        EXPECT_TRUE(uses.contains({cells.sides[i].from, cells.sides[i].to}));
+    }
+}
+
+TEST(LaguerreCells, HaveTheWantedAreas) {
+    const std::vector<Region> regions{rectangle(0.08, 0.16), disc(0.08), half_disc(0.1), disc_with_flats(0.05, 0.3),
+                                      polygon({{-2, -1}, {1, -1.5}, {2, 1}, {-1, 1.5}}, {"", "", "", ""})};
+    for (const Region& region : regions) {
+        for (const std::size_t n : {2U, 7U, 400U}) {
+            for (const SizeDistribution distribution : {SizeDistribution::normal, SizeDistribution::lognormal}) {
+                for (const double spread : {0.0, 0.2, 0.6}) {
+                    const Made m = made(region, n, spread, distribution, n);
+                    const std::vector<double> areas = areas_of(m.cells.cells);
+                    ASSERT_EQ(areas.size(), n);
+                    for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(areas[i] / m.wanted[i], 1, 1e-6);
+                    EXPECT_LE(m.cells.largest_error, 1e-6);
+                    if (n == 400) EXPECT_NEAR(diameter_variation(areas), spread, 1e-6);
+                    expect_conforming(m.cells.cells);
+                }
+            }
+        }
+    }
+}
+
+TEST(LaguerreCells, AreCompact) {
+    for (const double spread : {0.1, 0.6}) {
+        const Made m = made(rectangle(0.08, 0.16), 1000, spread, SizeDistribution::lognormal, 4);
+        const PlaneCells& cells = m.cells.cells;
+        double sum = 0;  // of perimeter² / (4π area), 1.10 of regular hexagons and 1.27 of squares
+        for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+            const auto loop = cells.loop(cell);
+            double perimeter = 0;
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                perimeter += length(cells.points[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] -
+                                    cells.points[static_cast<std::size_t>(loop[i])]);
+            }
+            sum += perimeter * perimeter / (4 * std::numbers::pi * m.cells.areas[cell]);
+        }
+        EXPECT_LT(sum / 1000, spread < 0.5 ? 1.17 : 1.25) << spread;
+    }
+}
+
+TEST(LaguerreCells, Repeat) {
+    const Made one = made(disc(0.08), 200, 0.3, SizeDistribution::normal, 1);
+    const Made again = made(disc(0.08), 200, 0.3, SizeDistribution::normal, 1);
+    EXPECT_EQ(one.cells.cells.points, again.cells.cells.points);
+    EXPECT_EQ(one.cells.cells.corners, again.cells.cells.corners);
+    EXPECT_NE(one.cells.cells.points, made(disc(0.08), 200, 0.3, SizeDistribution::normal, 2).cells.cells.points);
+}
+
+TEST(LaguerreCells, LoseTheirShortEdges) {
+    for (const Region& region : {rectangle(0.08, 0.16), disc(0.08)}) {
+        for (const double spread : {0.1, 0.6}) {
+            Made m = made(region, 1000, spread, SizeDistribution::normal, 2);
+            PlaneCells& cells = m.cells.cells;
+            const PlaneCells before = cells;
+            const ShortEdges edges = remove_short_edges(cells, m.outline.size());
+            EXPECT_GT(edges.n_removed, 10U);
+            EXPECT_EQ(edges.n_left, 0U);
+            EXPECT_EQ(before.edges.size() - cells.edges.size(), edges.n_removed);
+            EXPECT_EQ(before.points.size() - cells.points.size(), edges.n_removed);
+            EXPECT_EQ(cells.size(), 1000U);
+            expect_conforming(cells);
+            for (std::size_t i = 0; i < m.outline.size(); ++i) EXPECT_EQ(cells.points[i], m.outline.corners[i]);
+            const std::vector<double> areas = areas_of(cells);
+            double total = 0;
+            for (const double area : areas) total += area;
+            EXPECT_NEAR(total / area(region), 1, 1e-9);
+            EXPECT_NEAR(diameter_variation(areas), spread, 0.005 * spread + 0.0005);
+            for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+                EXPECT_GT(areas[cell], 0.9 * m.wanted[cell]);
+                const auto loop = cells.loop(cell);
+                ASSERT_GE(loop.size(), 3U);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

@@ -1,0 +1,73 @@
+#include "mesher/cells/short_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace graincrack::mesher {
+namespace {
+
+PlaneCells cells_of(std::vector<Point> points, const std::vector<std::vector<int>>& loops, std::vector<Side> sides) {
+    PlaneCells cells;
+    cells.points = std::move(points);
+    for (const auto& loop : loops) {
+        cells.corners.insert(cells.corners.end(), loop.begin(), loop.end());
+        cells.start.push_back(static_cast<int>(cells.corners.size()));
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const int p = loop[i];
+            const int q = loop[(i + 1) % loop.size()];
+            cells.edges.push_back({std::min(p, q), std::max(p, q)});
+        }
+    }
+    std::sort(cells.edges.begin(), cells.edges.end());
+    cells.edges.erase(std::unique(cells.edges.begin(), cells.edges.end()), cells.edges.end());
+    cells.sides = std::move(sides);
+    return cells;
+}
+
+/// A square of side 2 whose four cells meet in two points near the middle, `gap` apart; corners are fixed.
+PlaneCells square(double gap, double lower = 0) {
+    return cells_of(
+        {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {lower, -1}, {1, 0}, {0, 1}, {-1, 0}, {-gap / 2, 0}, {gap / 2, 0}},
+        {{0, 4, 9, 8, 7}, {4, 1, 5, 9}, {9, 5, 2, 6, 8}, {7, 8, 6, 3}},
+        {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 5, 1, {}}, {5, 2, 1, {}}, {2, 6, 2, {}}, {6, 3, 2, {}}, {3, 7, 3, {}}, {7, 0, 3, {}}});
+}
+
+TEST(ShortEdges, EndsMeetInTheMiddle) {
+    PlaneCells cells = square(0.1);
+    const ShortEdges edges = remove_short_edges(cells, 4);
+    EXPECT_EQ(edges.n_removed, 1U);
+    EXPECT_EQ(edges.n_left, 0U);
+    ASSERT_EQ(cells.points.size(), 9U);
+    EXPECT_EQ(cells.points.back(), (Point{0, 0}));
+    for (std::size_t cell = 0; cell < 4; ++cell) EXPECT_EQ(cells.loop(cell).size(), 4U);
+    EXPECT_EQ(areas_of(cells), (std::vector<double>{1, 1, 1, 1}));
+    PlaneCells long_enough = square(0.13);
+    EXPECT_EQ(remove_short_edges(long_enough, 4).n_removed, 0U);
+}
+
+TEST(ShortEdges, FixedPointsStay) {
+    // The end of the lower line comes near a corner, which takes it.
+    PlaneCells cells = square(0.5, -0.96);
+    EXPECT_EQ(remove_short_edges(cells, 4).n_removed, 1U);
+    EXPECT_EQ(cells.points[0], (Point{-1, -1}));
+    EXPECT_EQ(cells.sides.size(), 7U);
+    EXPECT_EQ(cells.sides.front().to, 1);
+    // Both ends fixed: the edge stays, and is told.
+    PlaneCells stays = square(0.5, -0.96);
+    const ShortEdges edges = remove_short_edges(stays, 5);
+    EXPECT_EQ(edges.n_removed, 0U);
+    EXPECT_EQ(edges.n_left, 1U);
+}
+
+TEST(ShortEdges, TrianglesKeepTheirSides) {
+    // A triangle with a short side, which would become a line.
+    PlaneCells cells = cells_of({{0, 0}, {2, 0}, {2, 0.02}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}},
+                                {{0, 1, 0, {}}, {1, 2, 1, {}}, {2, 3, 2, {}}, {3, 0, 3, {}}});
+    const ShortEdges edges = remove_short_edges(cells, 0);
+    EXPECT_EQ(edges.n_removed, 0U);
+    EXPECT_EQ(cells.points.size(), 4U);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

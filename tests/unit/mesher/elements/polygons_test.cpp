@@ -1,0 +1,196 @@
+#include "mesher/elements/polygons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "mesher/mesh_report.hpp"
+#include "mesher/region/shapes.hpp"
+#include "mesher/specimen_maker.hpp"
+#include "share/base/error.hpp"
+#include "share/file/specimen_validation.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+SpecimenRequest polygons(const Region& region, std::int64_t n, Tessellation tessellation = Tessellation::voronoi) {
+    SpecimenRequest request;
+    request.region = region;
+    request.tessellation = tessellation;
+    request.grains = n;
+    request.spread = 0.3;
+    return request;
+}
+
+TEST(Polygons, BecomeValidSpecimens) {
+    const std::vector<Region> regions{rectangle(0.08, 0.16), disc(0.08), disc(0.08, Pole::vertex, 6, 2), half_disc(0.1),
+                                      disc_with_flats(0.05, 0.3)};
+    for (const Region& region : regions) {
+        for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
+            for (const std::int64_t n : {2, 15, 300}) {
+                for (const double spread : {0.0, 0.6}) {
+                    SpecimenRequest request = polygons(region, n, tessellation);
+                    request.spread = spread;
+                    MeshReport report;
+                    const Specimen s = make_specimen(request, {}, &report);
+                    EXPECT_NO_THROW(validate(s, region.name)) << n << " " << spread;
+                    EXPECT_EQ(report.polygons.n_crystals, static_cast<std::size_t>(n));
+                    const bool is_trigon = tessellation == Tessellation::trigon;
+                    EXPECT_EQ(s.tessellation, is_trigon ? "trigon" : "voronoi");
+                    EXPECT_EQ(s.n_grains(), is_trigon ? s.n_elements() : static_cast<std::size_t>(n));
+                    EXPECT_NEAR(s.statistics.area_error, 0, 1e-5);
+                    EXPECT_EQ(describe_mesh(s, request, report).empty(), false);
+                }
+            }
+        }
+    }
+}
+
+TEST(Polygons, HaveTheWantedSizes) {
+    for (const double spread : {0.1, 0.3, 0.6}) {
+        for (const SizeDistribution distribution : {SizeDistribution::normal, SizeDistribution::lognormal}) {
+            for (const std::int64_t n : {100, 1000}) {
+                SpecimenRequest request = polygons(rectangle(0.08, 0.16), n);
+                request.spread = spread;
+                request.size_distribution = distribution;
+                MeshReport report;
+                const Specimen s = make_specimen(request, {}, &report);
+                EXPECT_NEAR(s.statistics.diameter_variation / spread, 1, 0.005);
+                EXPECT_NEAR(report.polygons.diameter_variation, s.statistics.diameter_variation, 1e-9);
+                EXPECT_LE(report.polygons.largest_area_error, 1e-6);
+                EXPECT_EQ(report.polygons.n_edges_left, 0U);
+            }
+        }
+    }
+    SpecimenRequest request = polygons(rectangle(0.08, 0.16), 0);
+    request.grains.reset();
+    request.edge = 0.004;
+    // √3/4 · 4² mm² each
+    EXPECT_EQ(make_specimen(request).n_grains(), 1848U);
+}
+
+TEST(Polygons, ElementsHaveTheirSize) {
+    for (const double size : {0.0005, 0.001}) {
+        SpecimenRequest request = polygons(rectangle(0.02, 0.04), 30);
+        request.element_size = size;
+        const Specimen s = make_specimen(request);
+        const double mean_area = 0.02 * 0.04 / static_cast<double>(s.n_elements());
+        EXPECT_NEAR(std::sqrt(4 * mean_area / std::numbers::sqrt3) / size, 1, 0.12);
+        EXPECT_GT(s.statistics.min_angle, 0.2);
+    }
+}
+
+TEST(Polygons, DiscsKeepTheirPoles) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+        SpecimenRequest request = polygons(disc(0.08), 150);
+        request.seed = seed;
+        const Specimen s = make_specimen(request);
+        for (const double pole : {-0.04, 0.04}) {
+            double facet = 0;
+            for (const auto& [p, q] : s.boundary_edges) {
+                const auto& from = s.node_position[static_cast<std::size_t>(p)];
+                const auto& to = s.node_position[static_cast<std::size_t>(q)];
+                if (from[1] == pole && to[1] == pole) facet += std::abs(from[0] - to[0]);
+            }
+            EXPECT_NEAR(2 * std::atan2(facet / 2, 0.04), s.loading_arc, 1e-9);
+        }
+    }
+}
+
+TEST(Polygons, CrystalsAreOfOnePhase) {
+    SpecimenRequest request = polygons(rectangle(0.04, 0.08), 200, Tessellation::trigon);
+    request.phases.fractions = {{"quartz", 0.3}, {"feldspar", 0.7}};
+    const Specimen broken = make_specimen(request);
+    EXPECT_NEAR(phase_fractions(broken)[0], 0.3, 0.02);
+    PolygonRequest crystals;
+    crystals.n = 200;
+    crystals.spread = request.spread;
+    crystals.element_size = plan_mesh(request).element_size;
+    crystals.bodies = Bodies::triangles;
+    const PolygonMesh made = polygon_mesh(request.region, crystals);
+    ASSERT_EQ(made.mesh.n_bodies(), broken.n_grains());
+    // Grains and bodies by their centroids.
+    std::map<std::pair<double, double>, int> crystal_at;
+    for (std::size_t t = 0; t < made.mesh.triangles.size(); ++t) {
+        Point sum;
+        for (const int p : made.mesh.triangles[t]) sum = sum + made.mesh.points[static_cast<std::size_t>(p)];
+        crystal_at[{sum.x, sum.y}] = made.mesh.crystal_of_body[t];
+    }
+    std::map<int, int> phase_of_crystal;
+    for (std::size_t e = 0; e < broken.n_elements(); ++e) {
+        Point sum;
+        for (const auto node : broken.element_nodes[e]) {
+            const auto& p = broken.node_position[static_cast<std::size_t>(node)];
+            sum = sum + Point{p[0], p[1]};
+        }
+        const auto crystal = crystal_at.find({sum.x, sum.y});
+        ASSERT_NE(crystal, crystal_at.end());
+        const int phase = broken.grain_phase[e];
+        EXPECT_EQ(phase_of_crystal.emplace(crystal->second, phase).first->second, phase);
+    }
+    EXPECT_EQ(phase_of_crystal.size(), 200U);
+}
+
+TEST(Polygons, SameSeedSameSpecimen) {
+    for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
+        SpecimenRequest request = polygons(disc(0.08), 100, tessellation);
+        const Specimen one = make_specimen(request);
+        const Specimen again = make_specimen(request);
+        EXPECT_EQ(one.node_position, again.node_position);
+        EXPECT_EQ(one.element_nodes, again.element_nodes);
+        EXPECT_EQ(one.contact_nodes, again.contact_nodes);
+        request.seed = 2;
+        EXPECT_NE(make_specimen(request).node_position, one.node_position);
+    }
+}
+
+TEST(Polygons, RefuseWhatTheyDoNotHave) {
+    const auto refused = [](const std::function<void(SpecimenRequest&)>& change) {
+        SpecimenRequest request = polygons(rectangle(0.08, 0.16), 100);
+        change(request);
+        try {
+            (void)plan_mesh(request);
+        } catch (const UsageError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto names = [&](const char* option, const std::function<void(SpecimenRequest&)>& change) {
+        const std::string message = refused(change);
+        EXPECT_EQ(message.rfind(std::string(option) + ": ", 0), 0U) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos);
+    };
+    EXPECT_EQ(refused([](auto&) {}), "");
+    names("--tessellation", [](auto& r) { r.region = ring(0.08, 0.03); });
+    names("--tessellation", [](auto& r) { add_hole(r.region, {0, 0}, 0.01, "--hole"); });
+    names("--tessellation", [](auto& r) { r.region.edges = {central_slit(r.region, 0.02, 0.5, "--notch")}; });
+    names("--notch", [](auto& r) { r.notch = 0.02; });
+    names("--joint-set", [](auto& r) { r.joint_sets.push_back({}); });
+    names("--elements-per-edge", [](auto& r) { r.elements_per_edge = 2; });
+    names("--grade", [](auto& r) { r.grading = parse_grading("along=y,from=0.5,to=2", "--grade"); });
+    names("--elongation", [](auto& r) { r.elongation.ratio = 2; });
+    names("--spread", [](auto& r) { r.spread = 0.61; });
+    names("--grains", [](auto& r) { r.grains = 1; });
+    names("--grains", [](auto& r) { r.grains = 2'000'000; });
+    names("--element-size", [](auto& r) { r.element_size = 1e-6; });
+    names("--phases", [](auto& r) {
+        r.grains = 2;
+        r.phases.fractions = {{"a", 0.2}, {"b", 0.3}, {"c", 0.5}};
+    });
+    names("--element-size", [](auto& r) {
+        r.tessellation = Tessellation::delaunay;
+        r.element_size = 0.001;
+    });
+    names("--size-distribution", [](auto& r) {
+        r.tessellation = Tessellation::delaunay;
+        r.size_distribution = SizeDistribution::normal;
+    });
+}
+
+}  // namespace
+}  // namespace graincrack::mesher

@@ -1,0 +1,56 @@
+#include "mesher/elements/refined.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace graincrack::mesher {
+namespace {
+
+/// A square of side 2 in a left and a right half.
+PlaneCells halves() {
+    PlaneCells cells;
+    cells.points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}};
+    cells.corners = {0, 4, 5, 3, 4, 1, 2, 5};
+    cells.start = {0, 4, 8};
+    cells.edges = {{0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 5}, {3, 5}, {4, 5}};
+    cells.sides = {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 2, 1, {}}, {2, 5, 2, {}}, {5, 3, 2, {}}, {3, 0, 3, {}}};
+    return cells;
+}
+
+TEST(RefinedMesh, SidesAreSharedAndFollowTheBoundary) {
+    const PlaneMesh mesh = refined_mesh(halves(), Bodies::cells, 0.3);
+    EXPECT_EQ(mesh.n_bodies(), 2U);
+    EXPECT_NEAR(mesh.area_of_body[0], 2, 1e-12);
+    EXPECT_NEAR(mesh.area_of_body[1], 2, 1e-12);
+    std::map<Edge, int> uses;
+    for (const Triangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) ++uses[{t[k], t[(k + 1) % 3]}];
+    }
+    std::size_t n_outer = 0;
+    for (const auto& [edge, n] : uses) {
+        EXPECT_EQ(n, 1);
+        if (!uses.contains({edge[1], edge[0]})) ++n_outer;
+    }
+    ASSERT_EQ(mesh.sides.size(), n_outer);
+    double length_of_part[4] = {0, 0, 0, 0};
+    for (std::size_t i = 0; i < n_outer; ++i) {
+        const Side& side = mesh.sides[i];
+        EXPECT_EQ(side.to, mesh.sides[(i + 1) % n_outer].from);
+        length_of_part[side.part] +=
+            length(mesh.points[static_cast<std::size_t>(side.to)] - mesh.points[static_cast<std::size_t>(side.from)]);
+    }
+    for (const double each : length_of_part) EXPECT_NEAR(each, 2, 1e-12);
+}
+
+TEST(RefinedMesh, TrianglesCanBeBodies) {
+    const PlaneMesh whole = refined_mesh(halves(), Bodies::cells, 0.3);
+    const PlaneMesh broken = refined_mesh(halves(), Bodies::triangles, 0.3);
+    EXPECT_EQ(broken.triangles, whole.triangles);
+    EXPECT_EQ(broken.n_bodies(), broken.triangles.size());
+    EXPECT_EQ(broken.crystal_of_body, whole.body_of_triangle);
+    EXPECT_EQ(broken.body_points.size(), 3 * broken.triangles.size());
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
