@@ -14,6 +14,7 @@
 #include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/delaunay.hpp"
 #include "mesher/elements/lattice.hpp"
+#include "mesher/fabric/crystals.hpp"
 #include "mesher/region/fit_edges.hpp"
 #include "mesher/region/stretched_region.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
@@ -331,6 +332,7 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     const double total = std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
     specimen.statistics.area_error = total / area(region) - 1;
     give_fabric(specimen, crystal_of_grain, request);
+    if (can_break) name_crystals(specimen, crystal_of_grain);
     return specimen;
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "post/run/contact_classes.hpp"
 #include "post/table/column.hpp"
@@ -51,10 +53,12 @@ const Columns<R>& terminal_columns() {
     return all;
 }
 
-/// All classes together.
-ClassCounts sum_of(const RunClasses& run) {
-    ClassCounts sum{"all", 0, run.length()};
+/// Classes together: all of a run, or those within crystals, or those between them.
+ClassCounts sum_of(const RunClasses& run, const std::string& name, const std::function<bool(const std::string&)>& counts) {
+    ClassCounts sum{name};
     for (const ClassCounts& each : run.classes) {
+        if (!counts(each.name)) continue;
+        sum.length += each.length;
         sum.contacts += each.contacts;
         sum.at_end += each.at_end;
         if (!each.at_peak) continue;
@@ -116,7 +120,15 @@ void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, 
     for (const RunClasses& run : runs) {
         table.group(run.run + ", " + run.definition);
         for (const ClassCounts& each : run.classes) table.row(cells_of(terminal_columns(), {run, each}));
-        table.row(cells_of(terminal_columns(), {run, sum_of(run)}));
+        const auto is_within = [](const std::string& name) { return !phase_of_within_class(name).empty(); };
+        const auto sum = [&](const std::string& name, const auto& is_meant) {
+            table.row(cells_of(terminal_columns(), {run, sum_of(run, name, is_meant)}));
+        };
+        if (std::any_of(run.classes.begin(), run.classes.end(), [&](const ClassCounts& each) { return is_within(each.name); })) {
+            sum("within crystals", is_within);
+            sum("between crystals", [&](const std::string& name) { return !is_within(name); });
+        }
+        sum("all", [](const std::string& /*name*/) { return true; });
     }
     table.write(out);
 }

@@ -196,6 +196,11 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
     grid->SetCells(VTK_TRIANGLE, triangles);
     add_texts(grid, "phase_names", specimen.phase_names);
     cells->AddArray(scalars<vtkIntArray>("grain", specimen.element_grain));
+    if (!specimen.grain_crystal.empty()) {
+        cells->AddArray(make_array<vtkIntArray>("crystal", 1, specimen.n_elements(), [&](std::size_t i, int* v) {
+            *v = specimen.grain_crystal[static_cast<std::size_t>(specimen.element_grain[i])];
+        }));
+    }
     cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, specimen.n_elements(), [&](std::size_t i, unsigned char* v) {
         *v = specimen.grain_phase[static_cast<std::size_t>(specimen.element_grain[i])];
     }));

@@ -185,6 +185,7 @@ std::string mesh_name(std::string_view name, MeshFormat format) {
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
     std::vector<std::string> left_out;
     if (mesh.has_strength_factors) left_out.emplace_back("strength factors of contacts");
+    if (mesh.has_crystals) left_out.emplace_back("crystals of several grains");
     if (format == MeshFormat::vtu && !mesh.sides.empty()) {
         left_out.emplace_back("parts of the boundary, pre-existing cracks and flaws");
     }

@@ -62,6 +62,7 @@ SharedMesh share_nodes(const Specimen& s) {
     mesh.grain_area = s.grain_area;
     mesh.phase_names = s.phase_names;
     mesh.has_strength_factors = !s.contact_strength_factor.empty();
+    mesh.has_crystals = !s.grain_crystal.empty();
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
         const auto& [from, to] = s.boundary_edges[b];
         mesh.sides.push_back({point_of(from), point_of(to), s.boundary_part[b]});

@@ -33,6 +33,7 @@ struct SharedMesh {
     /// `flaw-NAME-broken`.
     std::vector<std::string> side_names;
     bool has_strength_factors = false;  ///< of contacts, which no mesh carries
+    bool has_crystals = false;          ///< of several grains, which no mesh carries either
 };
 
 /// The shared mesh of a specimen. Nodes are one point if contacts join them; it lies where the lowest of them does.

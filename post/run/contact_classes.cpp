@@ -38,6 +38,13 @@ std::vector<bool> contacts_of_classes(const Specimen& specimen, const std::vecto
     const ContactClasses classes = classes_of(specimen);
     std::vector<bool> wanted(classes.names.size(), false);
     for (const std::string& name : names) {
+        // All classes within crystals, or all between them.
+        if (const bool is_within = name == "within"; is_within || name == "between") {
+            for (std::size_t k = 0; k < wanted.size(); ++k) {
+                if (!phase_of_within_class(classes.names[k]).empty() == is_within) wanted[k] = true;
+            }
+            if (std::find(wanted.begin(), wanted.end(), true) != wanted.end()) continue;
+        }
         const auto found = std::find_if(classes.names.begin(), classes.names.end(),
                                         [&](const std::string& each) { return same_class(each, name); });
         if (found == classes.names.end()) {

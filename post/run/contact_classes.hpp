@@ -19,7 +19,8 @@ struct ContactClasses {
 ContactClasses classes_of(const Specimen& specimen);
 
 /// Which contacts [c] are of the classes of some names, in each of which the phases may stand in either order; all without a
-/// name. \param file for the message \throws UsageError for another name, with those that there are
+/// name. "within" stands for all classes within crystals, "between" for all others. \param file for the message \throws
+/// UsageError for another name, with those that there are
 std::vector<bool> contacts_of_classes(const Specimen& specimen, const std::vector<std::string>& names, const std::string& file);
 
 /// The cracks of some contacts [c].

@@ -92,9 +92,26 @@ Fabric fabric_of(const Material& material, PlaneCondition plane, const std::opti
     return made;
 }
 
+namespace {
+
+/// Contacts between two grains of a phase; without phases all are the same.
+ContactParameters contact_of_phase(const Material& material, PlaneCondition plane,
+                                   const std::optional<FractureEnergyChoice>& choice, const std::string& phase) {
+    std::vector<std::string> names;
+    for (const auto& [name, of_phase] : material.fabric.phases) names.push_back(name);
+    const auto found = std::find(names.begin(), names.end(), phase);
+    const auto number = static_cast<std::size_t>(found == names.end() ? 0 : found - names.begin());
+    if (names.empty()) names.push_back(phase);
+    return fabric_of(material, plane, choice, names).contacts[contact_class(number, number)];
+}
+
+}  // namespace
+
 ContactParameters flaw_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
                                const std::string& flaw_name) {
     const auto own = material.fabric.flaws.find(flaw_name);
+    const std::string phase = phase_of_within_class(flaw_name);
+    if (own == material.fabric.flaws.end() && !phase.empty()) return contact_of_phase(material, plane, choice, phase);
     if (own == material.fabric.flaws.end()) {
         throw InputError(fmt::format(
             "the specimen has flaws of the class {0}, and the material {1} no table [flaws.{0}]; add it, with what their "

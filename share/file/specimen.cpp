@@ -121,6 +121,16 @@ bool is_flaw_name(std::string_view name) {
            std::all_of(name.begin(), name.end(), fits);
 }
 
+namespace {
+constexpr std::string_view within_prefix = "within_";
+}  // namespace
+
+std::string within_class(std::string_view phase) { return std::string(within_prefix) + std::string(phase); }
+
+std::string phase_of_within_class(std::string_view class_name) {
+    return class_name.starts_with(within_prefix) ? std::string(class_name.substr(within_prefix.size())) : std::string();
+}
+
 std::vector<double> phase_fractions(const Specimen& s) {
     std::vector<double> fractions(s.phase_names.size());
     double whole = 0;
@@ -167,10 +177,13 @@ void write_specimen(H5Output& file, const Specimen& s) {
     file.attribute(schema::grain_phase.path, "names", s.phase_names);
     if (s.phase_names.size() > 1) file.attribute(schema::grain_phase.path, "fractions", phase_fractions(s));
     write_column(file, schema::grain_area, s.grain_area);
+    if (!s.grain_crystal.empty()) write_column(file, schema::grain_crystal, s.grain_crystal);
     write_rows(file, schema::contact_nodes, s.contact_nodes);
     write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
     write_column(file, schema::contact_kind, s.contact_kind);
-    file.attribute(schema::contact_kind.path, "names", std::vector<std::string>{"grain boundary", "pre-existing crack"});
+    std::vector<std::string> kinds{"grain boundary", "pre-existing crack"};
+    if (!s.grain_crystal.empty()) kinds.emplace_back("within a crystal");
+    file.attribute(schema::contact_kind.path, "names", kinds);
     if (const auto names = contact_class_names(s); names.size() > 1) {
         write_column(file, schema::contact_class, contact_classes(s));
         file.attribute(schema::contact_class.path, "names", names);
@@ -212,6 +225,8 @@ Specimen read_specimen(const H5Input& file) {
     s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path, {rows_of(file, schema::grain_phase.path)});
     s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
     s.grain_area = file.read<double>(schema::grain_area.path, {s.n_grains()});
+    if (file.has(schema::grain_crystal.path))
+        s.grain_crystal = file.read<std::int32_t>(schema::grain_crystal.path, {s.n_grains()});
     s.contact_nodes = table_of<std::int32_t, 4>(file, schema::contact_nodes);
     s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path, {s.n_contacts()});
     s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path, {s.n_contacts()});

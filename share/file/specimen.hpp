@@ -18,7 +18,9 @@ class H5Input;
 class H5Output;
 
 /// Kinds of a contact at the start of a run (dataset /contacts/kind).
-enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack = 1 };
+///
+/// A crystal can consist of several grains, which are then what stays whole of it; contacts between them are within the crystal.
+enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack = 1, within_crystal = 2 };
 
 /// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
 enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };
@@ -70,6 +72,7 @@ struct Specimen {
     std::vector<std::int32_t> element_grain;                 ///< [e]
     std::vector<std::uint8_t> grain_phase;                   ///< [g] index into phase_names
     std::vector<double> grain_area;                          ///< [g] m²
+    std::vector<std::int32_t> grain_crystal;                 ///< [g] crystal of the grain, from 0; none: each grain is one
     std::vector<std::array<std::int32_t, 4>>
         contact_nodes;  ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
     std::vector<std::int32_t> contact_grain_boundary;         ///< [c] groups the contacts of one grain-to-grain edge
@@ -99,6 +102,12 @@ std::vector<std::string> contact_class_names(const Specimen& specimen);
 /// Whether a name can be that of a class of flaws: a letter, then small letters, digits and _, 40 at most; not "broken" or
 /// "intact", which are states.
 bool is_flaw_name(std::string_view name);
+
+/// The class of contacts within crystals of a phase, "within_quartz". It is one of the classes of flaws: a material may have a
+/// table [flaws.within_quartz]; without it they are as those between two crystals of the phase.
+std::string within_class(std::string_view phase);
+/// The phase of such a class, "" for any other.
+std::string phase_of_within_class(std::string_view class_name);
 
 /// Grain of each node [n]; −1 for a node of no element.
 std::vector<std::int32_t> grain_of_nodes(const Specimen& specimen);

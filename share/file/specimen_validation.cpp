@@ -204,6 +204,20 @@ private:
 
 constexpr const char* taken = "a side must be on the outside of its grain, and once in contacts and boundary together";
 
+/// Grains of a crystal are of one phase.
+void check_crystals(const Specimen& s, const Checker& check) {
+    check.require(s.grain_crystal.empty() || s.grain_crystal.size() == s.n_grains(),
+                  "grains/crystal and grains/phase differ in length");
+    std::vector<int> phase(s.grain_crystal.size(), -1);
+    for (std::size_t g = 0; g < s.grain_crystal.size(); ++g) {
+        check.require(all_below(std::array{s.grain_crystal[g]}, s.n_grains()),
+                      "grains/crystal is below 0 or above the number of grains", g);
+        int& of_crystal = phase[static_cast<std::size_t>(s.grain_crystal[g])];
+        check.require(of_crystal < 0 || of_crystal == s.grain_phase[g], "a crystal has grains of two phases", g);
+        of_crystal = s.grain_phase[g];
+    }
+}
+
 void check_contacts(const Specimen& s, Sides& sides, const Checker& check) {
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     const double slack = conformity * std::max(s.width, s.height);
@@ -218,8 +232,10 @@ void check_contacts(const Specimen& s, Sides& sides, const Checker& check) {
         check.require(sides.has(a1, a2) && sides.has(b2, b1),
                       "a1 to a2 must be the side of an element counter-clockwise around grain a, b2 to b1 one around b", c);
         check.require(sides.take(a1, a2) && sides.take(b2, b1), taken, c);
-        check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::pre_existing_crack), "unknown kind of contact",
-                      c);
+        check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::within_crystal), "unknown kind of contact", c);
+        const bool is_within = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::within_crystal);
+        check.require(!is_within || (!s.grain_crystal.empty() && s.grain_crystal[grain[a1]] == s.grain_crystal[grain[b1]]),
+                      "a contact within a crystal must join two grains of one", c);
         has_contact[grain[a1]] = has_contact[grain[b1]] = true;
     }
     const auto alone = std::find(has_contact.begin(), has_contact.end(), false);
@@ -242,6 +258,7 @@ void validate(const Specimen& specimen, const std::string& where) {
     const Checker check(where);
     check_sizes(specimen, check);
     check_elements(specimen, check);
+    check_crystals(specimen, check);
     Sides sides(specimen, check);
     check_contacts(specimen, sides, check);
     check_boundary(specimen, sides, check);

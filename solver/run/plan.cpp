@@ -23,10 +23,10 @@ std::size_t size_of_frame(const Frame& frame) {
 
 std::size_t size_of_arrays(const Specimen& specimen) {
     const auto& [shape, width, height, tessellation, seed, elements_per_edge, loading_arc, statistics, node_position,
-                 element_nodes, element_grain, grain_phase, grain_area, contact_nodes, contact_grain_boundary, contact_kind,
-                 contact_flaw, contact_strength_factor, boundary_edges, boundary_part, phase_names, flaw_names, part_names] =
-        specimen;
-    return memory_of_all(node_position, element_nodes, element_grain, grain_phase, grain_area, contact_nodes,
+                 element_nodes, element_grain, grain_phase, grain_area, grain_crystal, contact_nodes, contact_grain_boundary,
+                 contact_kind, contact_flaw, contact_strength_factor, boundary_edges, boundary_part, phase_names, flaw_names,
+                 part_names] = specimen;
+    return memory_of_all(node_position, element_nodes, element_grain, grain_phase, grain_area, grain_crystal, contact_nodes,
                          contact_grain_boundary, contact_kind, contact_flaw, contact_strength_factor, boundary_edges,
                          boundary_part);
 }

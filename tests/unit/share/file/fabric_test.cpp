@@ -170,6 +170,23 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
     expect_refused("[flaws.joint]\ncohesoin = \"1 MPa\"\n", {"flaws.joint.cohesoin", "did you mean cohesion"});
 }
 
+TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
+    const std::vector<std::string> names{"feldspar", "mica", "quartz"};
+    const Material material =
+        material_of(rock + phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n");
+    const auto within = [&](const std::string& phase) {
+        return flaw_contact(material, PlaneCondition::strain, std::nullopt, within_class(phase));
+    };
+    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, names);
+    const ContactParameters& quartz = fabric.contacts[contact_class(2, 2)];
+    for (const ContactParameter& row : all_contact_parameters())
+        EXPECT_EQ(within("quartz").*row.value, quartz.*row.value) << row.key();
+    EXPECT_NEAR(within("mica").cohesion, 1e6, 1e-3);
+    const Material plain = material_of(rock);
+    EXPECT_EQ(flaw_contact(plain, PlaneCondition::strain, std::nullopt, "within_rock").cohesion,
+              contact_parameters(plain, PlaneCondition::strain, std::nullopt).cohesion);
+}
+
 TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
     const Material granite = material_of(rock + "[phases]\nfrom = \"granite\"\n");
     ASSERT_EQ(granite.fabric.phases.size(), 4U);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
@@ -48,6 +49,8 @@ TEST(Specimen, RoundTrip) {
     s.statistics = {2 * s.statistics.mean_edge, 0.1, 0.003, 0.005, 0.0038, 0.12, 0.003, 0.0045, 0.6, 0.05, 1e-15};
     s.phase_names = {"quartz", "feldspar"};
     s.grain_phase[1] = 1;
+    s.grain_crystal.resize(s.n_grains());
+    std::iota(s.grain_crystal.begin(), s.grain_crystal.end(), 0);
     s.part_names.push_back("notch");
     s.boundary_part[0] = 5;
     s.contact_kind[2] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
@@ -57,6 +60,7 @@ TEST(Specimen, RoundTrip) {
     const H5Input in(folder.file("s.h5"), "specimen");
     const Specimen r = read_specimen(in);
     EXPECT_EQ(r.shape, s.shape);
+    EXPECT_EQ(r.grain_crystal, s.grain_crystal);
     EXPECT_EQ(r.width, s.width);
     EXPECT_EQ(r.height, s.height);
     EXPECT_EQ(r.tessellation, s.tessellation);
@@ -206,6 +210,26 @@ const std::vector<Offence>& offences() {
              s.node_position.push_back({0, 0});
          },
          "no element (row 8)"},
+        {"crystals of too few grains", [](Specimen& s) { s.grain_crystal = {0}; }, "grains/crystal and grains/phase"},
+        {"crystal below 0",
+         [](Specimen& s) {
+             s.grain_crystal = {0, -1};
+         },
+         "grains/crystal is below 0"},
+        {"crystal of two phases",
+         [](Specimen& s) {
+             s.phase_names = {"quartz", "mica"};
+             s.grain_phase = {0, 1};
+             s.grain_crystal = {1, 1};
+         },
+         "a crystal has grains of two phases"},
+        {"contact within no crystal", [](Specimen& s) { s.contact_kind[0] = 2; }, "must join two grains of one"},
+        {"contact within two crystals",
+         [](Specimen& s) {
+             s.grain_crystal = {0, 1};
+             s.contact_kind[0] = 2;
+         },
+         "must join two grains of one"},
         {"grain twice", repeat_grain, "no contact (row 2)"},
         {"area that is not that of the elements", [](Specimen& s) { s.grain_area[1] *= 1.02; }, "area of a grain"},
         {"NaN area", [](Specimen& s) { s.grain_area[1] = std::numeric_limits<double>::quiet_NaN(); }, "area of a grain"},
@@ -274,7 +298,7 @@ const std::vector<Offence>& offences() {
              c = {c[0], c[0], c[2], c[2]};
          },
          "conform"},
-        {"unknown kind of contact", [](Specimen& s) { s.contact_kind[0] = 2; }, "kind"},
+        {"unknown kind of contact", [](Specimen& s) { s.contact_kind[0] = 3; }, "kind"},
         {"boundary node that is not there", [](Specimen& s) { s.boundary_edges[4][1] = -2; }, "node that does not exist"},
         {"boundary edge with the solid on its right",
          [](Specimen& s) { std::swap(s.boundary_edges[0][0], s.boundary_edges[0][1]); }, "left"},
