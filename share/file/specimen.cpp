@@ -225,8 +225,9 @@ Specimen read_specimen(const H5Input& file) {
     s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path, {rows_of(file, schema::grain_phase.path)});
     s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
     s.grain_area = file.read<double>(schema::grain_area.path, {s.n_grains()});
-    if (file.has(schema::grain_crystal.path))
+    if (file.has(schema::grain_crystal.path)) {
         s.grain_crystal = file.read<std::int32_t>(schema::grain_crystal.path, {s.n_grains()});
+    }
     s.contact_nodes = table_of<std::int32_t, 4>(file, schema::contact_nodes);
     s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path, {s.n_contacts()});
     s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path, {s.n_contacts()});

@@ -179,8 +179,9 @@ TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
     };
     const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, names);
     const ContactParameters& quartz = fabric.contacts[contact_class(2, 2)];
-    for (const ContactParameter& row : all_contact_parameters())
+    for (const ContactParameter& row : all_contact_parameters()) {
         EXPECT_EQ(within("quartz").*row.value, quartz.*row.value) << row.key();
+    }
     EXPECT_NEAR(within("mica").cohesion, 1e6, 1e-3);
     const Material plain = material_of(rock);
     EXPECT_EQ(flaw_contact(plain, PlaneCondition::strain, std::nullopt, "within_rock").cohesion,
