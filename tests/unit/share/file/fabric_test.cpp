@@ -171,13 +171,13 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
 }
 
 TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
-    const std::vector<std::string> names{"feldspar", "mica", "quartz"};
+    const std::vector<std::string> sorted{"feldspar", "mica", "quartz"};
     const Material material =
         material_of(rock + phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n");
     const auto within = [&](const std::string& phase) {
         return flaw_contact(material, PlaneCondition::strain, std::nullopt, within_class(phase));
     };
-    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, names);
+    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, sorted);
     const ContactParameters& quartz = fabric.contacts[contact_class(2, 2)];
     for (const ContactParameter& row : all_contact_parameters()) {
         EXPECT_EQ(within("quartz").*row.value, quartz.*row.value) << row.key();
