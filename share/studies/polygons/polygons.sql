@@ -9,7 +9,7 @@ WITH fractures AS (
         100 * (axial_strain + lateral_strain) AS volume, within, between_crystals, strength.wall_time_s AS seconds
     FROM runs JOIN strength USING (file) JOIN ends USING (file) JOIN fractures USING (file)
 )
-SELECT variant, pressure AS "σ3, MPa", text('{:.0f}', mean(peak)) ||
+SELECT variant, pressure AS "σ3, MPa", count(*) AS "n", text('{:.0f}', mean(peak)) ||
         CASE WHEN sum(has_none) > 0 THEN text(' ({} without)', sum(has_none)) ELSE '' END AS "first peak, MPa",
     text('{:.0f}', mean(largest)) AS "largest, MPa", text('{:.0f}', mean(end_stress)) AS "end, MPa",
     text('{:.2f}', mean(end_stress / peak)) AS "end / first peak", text('{:.2f}', mean(volume)) AS "volume at the end, %",
