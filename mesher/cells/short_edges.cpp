@@ -125,9 +125,8 @@ public:
             cells_.points[index(n++)] = cells_.points[p];
         }
         cells_.points.resize(index(n));
-        for (auto each = replaced_.rbegin(); each != replaced_.rend(); ++each) {
-            number[index(each->first)] = number[index(each->second)];
-        }
+        std::reverse(replaced_.begin(), replaced_.end());  // what stands for a point may have been replaced after it
+        for (const auto& [gone, kept] : replaced_) number[index(gone)] = number[index(kept)];
         cells_.corners.clear();
         cells_.start = {0};
         cells_.edges.clear();
