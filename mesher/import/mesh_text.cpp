@@ -87,7 +87,7 @@ std::string MeshText::quoted(const char* what) {
     skip_white_space();
     const std::size_t end = place_ < bytes_.size() && bytes_[place_] == '"' ? bytes_.find('"', place_ + 1) : std::string::npos;
     if (end == std::string_view::npos) fail(fmt::format("{} is expected, between double quotes", what));
-    const std::string text(bytes_.substr(place_ + 1, end - place_ - 1));
+    std::string text(bytes_.substr(place_ + 1, end - place_ - 1));
     place_ = end + 1;
     return text;
 }
