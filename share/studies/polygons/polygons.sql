@@ -5,7 +5,7 @@ WITH fractures AS (
     FROM cracks GROUP BY file
 ), tests AS (
     SELECT runs.rowid AS place, runs.variant, runs.confining_pressure + 0 AS pressure, ifnull(first_peak_MPa, peak_compressive_stress_MPa) AS peak,
-        first_peak_MPa IS NULL AS has_none, peak_compressive_stress_MPa AS largest, -axial_stress_MPa AS end_stress,
+        first_peak_MPa IS NULL AS has_none, peak_compressive_stress_MPa AS largest, -axial_stress_Pa / 1e6 AS end_stress,
         100 * (axial_strain + lateral_strain) AS volume, within, between_crystals, strength.wall_time_s AS seconds
     FROM runs JOIN strength USING (file) JOIN ends USING (file) JOIN fractures USING (file)
 )
