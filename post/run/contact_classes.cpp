@@ -63,7 +63,11 @@ std::vector<Crack> cracks_of(std::vector<Crack> cracks, const std::vector<bool>&
 }
 
 std::string limited_to(const std::string& text, const std::vector<std::string>& names) {
-    return names.empty() ? text : fmt::format("{}; contacts of {} only", text, fmt::join(names, ", "));
+    std::vector<std::string> shown;
+    for (const std::string& name : names) {
+        shown.push_back(name == "within" || name == "between" ? "classes " + name + " crystals" : name);
+    }
+    return names.empty() ? text : fmt::format("{}; contacts of {} only", text, fmt::join(shown, ", "));
 }
 
 }  // namespace graincrack
