@@ -20,9 +20,6 @@ struct Outline {
     std::vector<std::string> part_names;
 };
 
-/// Shapes that are told by their outline.
-inline constexpr const char* shapes_by_outline = "rectangle, disc, ring, half-disc, polygon";
-
 /// Finds the outline of a clean mesh. A rectangle has the parts bottom, right, top and left, a disc its rim, a ring outer and
 /// inner, a half-disc bottom and rim, any other a part "side"; holes are hole_1, …. Lines with names make parts of these names.
 /// \param shape of the specimen, if it is not to be told by the outline (a beam is a rectangle)

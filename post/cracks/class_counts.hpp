@@ -34,7 +34,7 @@ std::vector<ClassCounts> count_by_class(const Specimen& specimen, const std::vec
 RunClasses read_classes(const RunReader& run, const CrackLabelChoice& label);
 
 /// Table, one row per class: file, class, contacts, length_m, length_share, tensile_cracks, shear_cracks by the peak,
-/// tensile_cracks_at_end, shear_cracks_at_end. , with the sums of each run
+/// tensile_cracks_at_end, shear_cracks_at_end; for the terminal with the sums of each run, also within and between crystals.
 void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, TableFormat format);
 
 }  // namespace graincrack
