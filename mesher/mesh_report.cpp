@@ -84,8 +84,7 @@ std::vector<std::string> describe_polygons(const Specimen& specimen, const Speci
                     p.n_crystals, specimen.tessellation, specimen.n_grains(), specimen.n_nodes(), specimen.n_elements(),
                     specimen.n_contacts(), specimen.n_boundary_edges()),
         fmt::format(
-            "  polygons: equal-area diameter mean {}, CV {:.4f} ({} wanted); areas met to {:.0e} before {} short edges were "
-            "removed{}",
+            "  polygons: equal-area diameter mean {}, CV {:.4f} ({} wanted); areas met to {:.0e}; {} short edges were removed{}",
             format_quantity(p.mean_diameter, Dimension::length, 4), p.diameter_variation, format_number(request.spread),
             p.largest_area_error, p.n_short_edges, p.n_edges_left > 0 ? fmt::format(" ({} could not be)", p.n_edges_left) : ""),
         size_line(request.tessellation == Tessellation::trigon ? "edge" : "edge of equal-area triangle", s.mean_edge,

@@ -15,6 +15,7 @@
 #include "mesher/cells/delaunay.hpp"
 #include "mesher/elements/lattice.hpp"
 #include "mesher/fabric/crystals.hpp"
+#include "mesher/plane/refined_triangulation.hpp"
 #include "mesher/region/fit_edges.hpp"
 #include "mesher/region/stretched_region.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
@@ -31,7 +32,6 @@ namespace {
 constexpr std::size_t max_edges = 3000;  ///< prescribed; each is compared with each
 constexpr std::int64_t max_polygons = 1'000'000;
 constexpr double max_elements_of_polygons = 15e6;
-constexpr double triangles_of_square = 2.3;  ///< in the area of a square of their side, measured
 constexpr int max_attempts = 100;
 constexpr int attempts_to_promise = 20;  ///< if the best of so many is far above the bounds, further attempts are useless
 constexpr int max_corrections = 4;
@@ -168,6 +168,7 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     if (request.elements_per_edge != 1) refuse("--elements-per-edge", "polygons have elements of --element-size");
     if (request.grading) refuse("--grade", "polygons have the same sizes everywhere");
     if (request.elongation.ratio != 1) refuse("--elongation", "polygons are not elongated");
+    if (request.elongation.angle != 0) refuse("--elongation-angle", "polygons are not elongated");
     if (request.notch) refuse("--notch", "polygons have no notches");
     if (!request.joint_sets.empty()) refuse("--joint-set", "polygons have no joints");
     MeshPlan plan;

@@ -217,13 +217,13 @@ PlaneCells ClippedDiagram::cells() const {
         const int to = point(side.to_point, side.to);
         sides_of_cell[static_cast<std::size_t>(side.left)].push_back({from, to});
         sides_of_cell[static_cast<std::size_t>(side.right)].push_back({to, from});
-        cells.edges.push_back({std::min(from, to), std::max(from, to)});
+        cells.edges.push_back(edge_between(from, to));
     }
     for_each_outer_side([&](int cell, const auto& from, const auto& to, std::size_t outline_side) {
         const int p = point(from.first, from.second);
         const int q = point(to.first, to.second);
         sides_of_cell[static_cast<std::size_t>(cell)].push_back({p, q});
-        cells.edges.push_back({std::min(p, q), std::max(p, q)});
+        cells.edges.push_back(edge_between(p, q));
         cells.sides.push_back({p, q, outline_->parts[outline_side], {}});
     });
     std::sort(cells.edges.begin(), cells.edges.end());

@@ -6,35 +6,13 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/cells/polygon.hpp"
+
 namespace graincrack::mesher {
 
 namespace {
 
 constexpr int rounds = 2;
-/// Least area of the triangles between the centroid of a cell and its sides, over that of the cell and its number of sides.
-constexpr double least_share = 1e-3;
-
-double area_of(const std::vector<Point>& loop) {
-    double sum = 0;
-    for (std::size_t i = 2; i < loop.size(); ++i) sum += signed_area(loop[0], loop[i - 1], loop[i]);
-    return sum;
-}
-
-/// Whether all sides of a loop are seen from its centroid, so that it is a polygon that does not cross itself.
-bool is_sound(const std::vector<Point>& loop) {
-    const double area = area_of(loop);
-    if (!(area > 0)) return false;
-    Point centroid;
-    for (std::size_t i = 2; i < loop.size(); ++i) {
-        const double part = signed_area(loop[0], loop[i - 1], loop[i]);
-        centroid = centroid + (part / (3 * area)) * (loop[0] + loop[i - 1] + loop[i]);
-    }
-    const double least = least_share * area / static_cast<double>(loop.size());
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (!(signed_area(centroid, loop[i], loop[(i + 1) % loop.size()]) > least)) return false;
-    }
-    return true;
-}
 
 /// Cells whose points can be merged.
 class Merger {
@@ -135,7 +113,7 @@ public:
                 const int p = number[index(loop[i])];
                 const int q = number[index(loop[(i + 1) % loop.size()])];
                 cells_.corners.push_back(p);
-                cells_.edges.push_back({std::min(p, q), std::max(p, q)});
+                cells_.edges.push_back(edge_between(p, q));
             }
             cells_.start.push_back(static_cast<int>(cells_.corners.size()));
         }
@@ -222,17 +200,6 @@ ShortEdges remove_short_edges(PlaneCells& cells, std::size_t n_fixed) {
     result.n_left = merger.short_edges().size();
     merger.finish();
     return result;
-}
-
-std::vector<double> areas_of(const PlaneCells& cells) {
-    std::vector<double> areas;
-    areas.reserve(cells.size());
-    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-        std::vector<Point> loop;
-        for (const int p : cells.loop(cell)) loop.push_back(cells.points[static_cast<std::size_t>(p)]);
-        areas.push_back(area_of(loop));
-    }
-    return areas;
 }
 
 }  // namespace graincrack::mesher

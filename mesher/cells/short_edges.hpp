@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "mesher/cells/plane_cells.hpp"
 
@@ -21,8 +20,5 @@ struct ShortEdges {
 /// \param cells convex before; changed
 /// \param n_fixed the first so many points are fixed; on the boundary between two of them the cells' sides are straight
 ShortEdges remove_short_edges(PlaneCells& cells, std::size_t n_fixed);
-
-/// Areas of cells, m².
-std::vector<double> areas_of(const PlaneCells& cells);
 
 }  // namespace graincrack::mesher

@@ -44,7 +44,7 @@ private:
     /// Index of an edge; not needed if it is not divided.
     [[nodiscard]] int edge_of(int from, int to) const {
         if (n_ == 1) return 0;
-        const Edge edge{std::min(from, to), std::max(from, to)};
+        const Edge edge = edge_between(from, to);
         return static_cast<int>(std::lower_bound(cells_.edges.begin(), cells_.edges.end(), edge) - cells_.edges.begin());
     }
 

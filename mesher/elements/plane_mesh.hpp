@@ -7,6 +7,9 @@
 
 namespace graincrack::mesher {
 
+/// What becomes a body: each cell, or each triangle of it, so that crystals can break.
+enum class Bodies { cells, triangles };
+
 /// A body is what stays whole: in a specimen a grain with nodes of its own. A crystal is a cell; it may consist of several
 /// bodies.
 struct PlaneMesh {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mesher/cells/cell_areas.hpp"
-#include "mesher/elements/constrained.hpp"
 #include "mesher/elements/plane_mesh.hpp"
 #include "mesher/region/region.hpp"
 
@@ -27,8 +26,8 @@ struct PolygonRequest {
 struct PolygonStatistics {
     std::size_t n_crystals = 0;
     double mean_diameter = 0;       ///< of circles of the areas of crystals, m
-    double diameter_variation = 0;  ///< of these, after short edges were removed
-    double largest_area_error = 0;  ///< before, over the wanted area
+    double diameter_variation = 0;  ///< of these
+    double largest_area_error = 0;  ///< over the wanted area
     std::size_t n_short_edges = 0;  ///< that were removed
     std::size_t n_edges_left = 0;   ///< that are short, but could not be removed
 };
@@ -42,9 +41,9 @@ struct PolygonMesh {
 /// Edge of the equilateral triangle that has the area of a polygon on average, m.
 double equilateral_edge(const Region& region, double n_polygons);
 
-/// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. Where removing short edges
-/// changes the coefficient of variation by more than 0.4 % of it, as of few polygons, areas are made so that it comes out.
-/// \throws UsageError naming --tessellation if the region is not convex or has holes or flaws; Interrupted on a signal
+/// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. What the removal of short
+/// edges does to areas is undone by small moves of the cells' points. \throws UsageError naming --tessellation if the region is
+/// not convex or has holes or flaws; Interrupted on a signal
 PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress = {});
 
 }  // namespace graincrack::mesher

@@ -11,9 +11,6 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// Longest side over the wanted one. Refinement stops below the bound: the mean side is about the wanted one.
-constexpr double longest_side = 1.5;
-
 /// The edges of cells, each with the cells on both sides.
 std::vector<RegionEdge> borders_of(const PlaneCells& cells) {
     std::vector<RegionEdge> borders;
@@ -24,7 +21,7 @@ std::vector<RegionEdge> borders_of(const PlaneCells& cells) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const int from = loop[i];
             const int to = loop[(i + 1) % loop.size()];
-            const Edge edge{std::min(from, to), std::max(from, to)};
+            const Edge edge = edge_between(from, to);
             const auto found = std::lower_bound(cells.edges.begin(), cells.edges.end(), edge) - cells.edges.begin();
             RegionEdge& border = borders[static_cast<std::size_t>(found)];
             (from < to ? border.left : border.right) = static_cast<int>(cell);
@@ -76,7 +73,7 @@ std::vector<std::size_t> order_by_cell(const RefinedMesh& refined, std::size_t n
 
 PlaneMesh refined_mesh(const PlaneCells& cells, Bodies bodies, double element_size) {
     Refinement refinement;
-    refinement.longest_side = longest_side * element_size;
+    refinement.side = element_size;
     RefinedMesh refined = refined_triangles(cells.points, borders_of(cells), refinement);
 
     PlaneMesh mesh;

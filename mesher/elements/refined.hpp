@@ -2,7 +2,6 @@
 #pragma once
 
 #include "mesher/cells/plane_cells.hpp"
-#include "mesher/elements/constrained.hpp"
 #include "mesher/elements/plane_mesh.hpp"
 
 namespace graincrack::mesher {

@@ -168,7 +168,7 @@ private:
             for (std::size_t k = 0; k < 3; ++k) {
                 const int p = c[k];
                 const int q = c[(k + 1) % 3];
-                halves.push_back({{std::min(p, q), std::max(p, q)}, static_cast<int>(t)});
+                halves.push_back({edge_between(p, q), static_cast<int>(t)});
             }
         }
         std::sort(halves.begin(), halves.end(),
@@ -297,7 +297,7 @@ std::vector<OpenSide> open_sides(const std::vector<Triangle>& triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const int p = triangles[t][k];
             const int q = triangles[t][(k + 1) % 3];
-            halves.push_back({{std::min(p, q), std::max(p, q)}, 3 * t + k});
+            halves.push_back({edge_between(p, q), 3 * t + k});
         }
     }
     std::sort(halves.begin(), halves.end(),

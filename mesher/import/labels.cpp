@@ -19,14 +19,9 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double elements_across_grain = 3;
 constexpr double element_of_side = 3;  ///< for each side of pixels of boundaries that are too short for elements
 constexpr double least_element = 2;    ///< by default, pixels
 constexpr double most_triangles = 20'000'000;
-/// Longest side over the wanted one. Refinement stops below the bound: the mean side is about the wanted one.
-constexpr double longest_side = 1.5;
-/// Triangles in the area of a square of the wanted side.
-constexpr double triangles_of_square = 2.3;
 
 void check_options(const LabelOptions& options) {
     const auto is_length = [](double x) { return std::isfinite(x) && x > 0; };
@@ -39,8 +34,7 @@ void check_options(const LabelOptions& options) {
 /// The wanted side of triangles, pixels.
 double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options, const std::string& name) {
     const double area = static_cast<double>(pieces.width) * pieces.height;
-    const double diameter = std::sqrt(4 / std::numbers::pi * area / static_cast<double>(pieces.size()));
-    if (!options.element_size) return std::max(diameter / elements_across_grain, least_element);
+    if (!options.element_size) return std::max(side_for_area(area / static_cast<double>(pieces.size())), least_element);
     const double element = *options.element_size / options.pixel_size;
     if (triangles_of_square * area > most_triangles * element * element) {
         const double least = std::sqrt(triangles_of_square * area / most_triangles) * options.pixel_size;
@@ -96,7 +90,7 @@ std::vector<NamedLine> outline(const RefinedMesh& mesh, double width, double hei
 
 RefinedMesh triangles_of(const LabelNetwork& network, double element, const std::string& name) {
     Refinement refinement;
-    refinement.longest_side = longest_side * element;
+    refinement.side = element;
     try {
         return refined_triangles(network.points, network.segments, refinement);
     } catch (const UsageError& error) {

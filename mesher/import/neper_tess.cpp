@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
-#include "mesher/cells/plane_cells.hpp"
+#include "mesher/cells/polygon.hpp"
 #include "mesher/import/mesh_text.hpp"
 #include "mesher/plane/refined_triangulation.hpp"
 #include "share/base/error.hpp"
@@ -17,9 +16,6 @@
 namespace graincrack::mesher {
 
 namespace {
-
-constexpr double elements_across_cell = 3;
-constexpr double longest_side = 1.5;  ///< over the wanted one: the mean side is about the wanted one
 
 class TessReader {
 public:
@@ -140,13 +136,9 @@ private:
 };
 
 double default_element(const PlaneCells& cells) {
-    double area = 0;
-    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-        const auto loop = cells.loop(cell);
-        const auto at = [&](std::size_t i) { return cells.points[static_cast<std::size_t>(loop[i])]; };
-        for (std::size_t i = 2; i < loop.size(); ++i) area += signed_area(at(0), at(i - 1), at(i));
-    }
-    return std::sqrt(4 / std::numbers::pi * area / static_cast<double>(cells.size())) / elements_across_cell;
+    const std::vector<double> areas = areas_of(cells);
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+    return side_for_area(area / static_cast<double>(cells.size()));
 }
 
 /// Sides of cells with the cells at both of them.
@@ -181,7 +173,7 @@ ImportedMesh import_neper_tess(std::string_view bytes, const PhaseKey& key, std:
     const double element = element_size.value_or(default_element(cells));
     RefinedMesh refined;
     try {
-        refined = refined_triangles(cells.points, borders_of(cells, name), {longest_side * element});
+        refined = refined_triangles(cells.points, borders_of(cells, name), {element});
     } catch (const UsageError& error) {
         throw InputError(
             fmt::format("{}: cells overlap, are no simple polygons, or the elements are too many ({})", name, error.what()));

@@ -177,7 +177,7 @@ private:
         std::map<Edge, std::pair<std::size_t, const std::string*>> named;
         for (std::size_t i = 0; i < mesh_.lines.size(); ++i) {
             const NamedLine& line = mesh_.lines[i];
-            named.try_emplace({std::min(line.from, line.to), std::max(line.from, line.to)}, i, &line.name);
+            named.try_emplace(edge_between(line.from, line.to), i, &line.name);
         }
         std::vector<std::pair<std::size_t, Side>> sides;
         std::size_t n_holes = 0;
@@ -186,7 +186,7 @@ private:
             const bool is_hole = area(chain) < 0;
             if (is_hole) ++n_holes;
             for (const OpenSide& side : chain) {
-                const auto found = named.find({std::min(side.from, side.to), std::max(side.from, side.to)});
+                const auto found = named.find(edge_between(side.from, side.to));
                 const bool has_name = found != named.end() && !flaw_of_line(*found->second.second);
                 const std::uint8_t part = has_name ? part_of_name(*found->second.second) : part_of(side, is_hole ? n_holes : 0);
                 sides.push_back({has_name ? found->second.first : place++, {side.from, side.to, part, {}}});
@@ -196,7 +196,7 @@ private:
         std::set<Edge> on_boundary;
         for (const auto& [order, side] : sides) {
             outline_.sides.push_back(side);
-            on_boundary.insert({std::min(side.from, side.to), std::max(side.from, side.to)});
+            on_boundary.insert(edge_between(side.from, side.to));
         }
         add_flaws(on_boundary);
     }
@@ -204,12 +204,12 @@ private:
     /// Contacts of a kind of their own along lines between grains.
     void add_flaws(const std::set<Edge>& on_boundary) {
         std::map<Edge, std::set<int>> grains;  // on both sides of what has a name
-        for (const NamedLine& line : mesh_.lines) grains[{std::min(line.from, line.to), std::max(line.from, line.to)}];
+        for (const NamedLine& line : mesh_.lines) grains[edge_between(line.from, line.to)];
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const int p = mesh_.triangles[t][k];
                 const int q = mesh_.triangles[t][(k + 1) % 3];
-                const auto found = grains.find({std::min(p, q), std::max(p, q)});
+                const auto found = grains.find(edge_between(p, q));
                 if (found != grains.end()) found->second.insert(mesh_.grain_of_triangle[t]);
             }
         }
@@ -217,7 +217,7 @@ private:
         std::size_t n_lost = 0;
         std::set<Edge> done;
         for (const NamedLine& line : mesh_.lines) {
-            const Edge edge{std::min(line.from, line.to), std::max(line.from, line.to)};
+            const Edge edge = edge_between(line.from, line.to);
             const auto kind = flaw_of_line(line.name);
             if (on_boundary.contains(edge)) {
                 if (kind) ++n_lost;

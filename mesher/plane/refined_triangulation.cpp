@@ -20,6 +20,10 @@ namespace graincrack::mesher {
 
 namespace {
 
+/// Longest side over the wanted one: the sides that stay below it have about the wanted one as their mean.
+constexpr double longest_side = 1.5;
+constexpr double triangles_across = 3;  ///< a circle
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// A vertex knows its number, −1 of one that was added; a face its region.
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
@@ -135,7 +139,7 @@ std::vector<std::pair<Point, int>> places_inside(const Constrained& triangulatio
 
 void refine(Constrained& triangulation, const Refinement& refinement) {
     const double sine = std::sin(refinement.smallest_angle * std::numbers::pi / 180);
-    Mesher mesher(triangulation, Criteria(sine * sine, refinement.longest_side));
+    Mesher mesher(triangulation, Criteria(sine * sine, longest_side * refinement.side));
     // Which faces are to be refined is known: those that have a region.
     for (const auto face : triangulation.all_face_handles()) face->set_in_domain(face->info() >= 0);
     mesher.init(true);
@@ -148,6 +152,8 @@ void refine(Constrained& triangulation, const Refinement& refinement) {
 }
 
 }  // namespace
+
+double side_for_area(double mean_area) { return std::sqrt(4 / std::numbers::pi * mean_area) / triangles_across; }
 
 RefinedMesh refined_triangles(std::span<const Point> points, std::span<const RegionEdge> borders, const Refinement& refinement) {
     Constrained triangulation;

@@ -18,9 +18,15 @@ struct RegionEdge {
     int right = -1;
 };
 
+/// Triangles in the area of a square of their side, measured.
+inline constexpr double triangles_of_square = 2.3;
+
+/// Side of three triangles across a circle of an area: of elements where nothing else is asked for.
+double side_for_area(double mean_area);
+
 /// What is asked of triangles.
 struct Refinement {
-    double longest_side = 0;
+    double side = 0;  ///< about the mean of the sides, m
     /// Triangles with an angle below it are divided, degrees, where the borders do not force one; up to 20.7 it always ends.
     double smallest_angle = 20;
     std::size_t most_points = 10'000'000;

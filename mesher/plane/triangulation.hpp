@@ -1,6 +1,7 @@
 // Delaunay triangulation of points of a convex outline.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -15,6 +16,7 @@ namespace graincrack::mesher {
 using Triangle = std::array<int, 3>;
 /// Two points, the smaller index first unless said otherwise.
 using Edge = std::array<int, 2>;
+inline Edge edge_between(int p, int q) { return {std::min(p, q), std::max(p, q)}; }
 
 /// Delaunay triangulation of distinct points that do not all lie on one line; its triangles cover their convex hull.
 ///

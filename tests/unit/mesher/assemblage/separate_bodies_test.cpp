@@ -6,8 +6,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
+#include <utility>
 
-#include "mesher/elements/constrained.hpp"
 #include "mesher/elements/lattice.hpp"
 #include "mesher/specimen_maker.hpp"
 #include "share/base/error.hpp"
@@ -175,18 +176,44 @@ TEST(SeparateBodies, SubdivisionKeepsAreas) {
     }
 }
 
-/// A square of two L-shaped cells, with a corner in the middle of an edge.
+/// A square of two L-shaped cells, with a corner in the middle of an edge. The first corner of each sees all others.
 PlaneCells two_polygons() {
     PlaneCells cells;
     cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {0, 0.5}, {0, 0}, {0.25, 0}, {0.25, -0.5}};
-    cells.corners = {0, 7, 6, 5, 4, 3, 7, 1, 2, 4, 5, 6};
+    cells.corners = {5, 4, 3, 0, 7, 6, 6, 7, 1, 2, 4, 5};
     cells.start = {0, 6, 12};
     cells.sides = {{0, 7, 0}, {7, 1, 0}, {1, 2, 1}, {2, 4, 2}, {4, 3, 2}, {3, 0, 3}, {5, 6, -1, ContactKind::pre_existing_crack}};
     return cells;
 }
 
+/// Triangles between the first corner of each cell and its sides.
+PlaneMesh fans_of(PlaneCells cells, Bodies bodies) {
+    PlaneMesh mesh;
+    const auto add_body = [&](std::size_t cell, std::span<const int> points) {
+        mesh.body_points.insert(mesh.body_points.end(), points.begin(), points.end());
+        mesh.body_start.push_back(static_cast<int>(mesh.body_points.size()));
+        mesh.crystal_of_body.push_back(static_cast<int>(cell));
+        mesh.area_of_body.push_back(0);
+    };
+    const auto at = [&](int p) { return cells.points[static_cast<std::size_t>(p)]; };
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        const auto loop = cells.loop(cell);
+        if (bodies == Bodies::cells) add_body(cell, loop);
+        for (std::size_t i = 2; i < loop.size(); ++i) {
+            const Triangle triangle{loop[0], loop[i - 1], loop[i]};
+            if (bodies == Bodies::triangles) add_body(cell, triangle);
+            mesh.triangles.push_back(triangle);
+            mesh.body_of_triangle.push_back(static_cast<int>(mesh.n_bodies()) - 1);
+            mesh.area_of_body.back() += signed_area(at(triangle[0]), at(triangle[1]), at(triangle[2]));
+        }
+    }
+    mesh.points = std::move(cells.points);
+    mesh.sides = std::move(cells.sides);
+    return mesh;
+}
+
 TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
-    const Specimen s = specimen_of(constrained_mesh(two_polygons(), Bodies::cells));
+    const Specimen s = specimen_of(fans_of(two_polygons(), Bodies::cells));
     validate(s, "two polygons");
     EXPECT_EQ(s.n_grains(), 2U);
     EXPECT_EQ(s.n_nodes(), 12U);
@@ -207,7 +234,7 @@ TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
 }
 
 TEST(SeparateBodies, CrystalsOfSeveralBodiesHaveContactsInside) {
-    const PlaneMesh mesh = constrained_mesh(two_polygons(), Bodies::triangles);
+    const PlaneMesh mesh = fans_of(two_polygons(), Bodies::triangles);
     const Specimen s = specimen_of(mesh);
     validate(s, "triangles");
     EXPECT_EQ(s.n_grains(), 8U);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mesher/cells/cell_areas.hpp"
+#include "mesher/cells/polygon.hpp"
 #include "mesher/cells/short_edges.hpp"
 #include "mesher/region/shapes.hpp"
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mesher/cells/polygon.hpp"
+
 namespace graincrack::mesher {
 namespace {
 

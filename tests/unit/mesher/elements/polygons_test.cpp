@@ -60,7 +60,7 @@ TEST(Polygons, HaveTheWantedSizes) {
                 request.size_distribution = distribution;
                 MeshReport report;
                 const Specimen s = make_specimen(request, {}, &report);
-                EXPECT_NEAR(s.statistics.diameter_variation / spread, 1, 0.005);
+                EXPECT_NEAR(s.statistics.diameter_variation / spread, 1, 1e-6);
                 EXPECT_NEAR(report.polygons.diameter_variation, s.statistics.diameter_variation, 1e-9);
                 EXPECT_LE(report.polygons.largest_area_error, 1e-6);
                 EXPECT_EQ(report.polygons.n_edges_left, 0U);
@@ -72,6 +72,24 @@ TEST(Polygons, HaveTheWantedSizes) {
     request.edge = 0.004;
     // √3/4 · 4² mm² each
     EXPECT_EQ(make_specimen(request).n_grains(), 1848U);
+}
+
+TEST(Polygons, HaveTheWantedSizesWithoutShortEdges) {
+    for (const std::size_t n : {20U, 30U}) {
+        for (const double spread : {0.0, 0.1, 0.6}) {
+            for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+                PolygonRequest request;
+                request.n = n;
+                request.spread = spread;
+                request.element_size = 0.01;
+                request.seed = seed;
+                const PolygonStatistics made =
+                    polygon_mesh(seed % 2 == 0 ? disc(0.08) : rectangle(0.04, 0.08), request).statistics;
+                EXPECT_LE(made.largest_area_error, 1e-6) << n << " " << spread << " " << seed;
+                EXPECT_NEAR(made.diameter_variation, spread, 1e-6) << n << " " << seed;
+            }
+        }
+    }
 }
 
 TEST(Polygons, ElementsHaveTheirSize) {
@@ -174,6 +192,7 @@ TEST(Polygons, RefuseWhatTheyDoNotHave) {
     names("--elements-per-edge", [](auto& r) { r.elements_per_edge = 2; });
     names("--grade", [](auto& r) { r.grading = parse_grading("along=y,from=0.5,to=2", "--grade"); });
     names("--elongation", [](auto& r) { r.elongation.ratio = 2; });
+    names("--elongation-angle", [](auto& r) { r.elongation.angle = 0.5; });
     names("--spread", [](auto& r) { r.spread = 0.61; });
     names("--grains", [](auto& r) { r.grains = 1; });
     names("--grains", [](auto& r) { r.grains = 2'000'000; });

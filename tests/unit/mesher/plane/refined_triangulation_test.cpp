@@ -16,7 +16,7 @@ const std::vector<RegionEdge> borders{{0, 1, 0, -1}, {1, 2, 0, -1}, {2, 3, 0, -1
                                       {4, 5, 1, 0},  {5, 6, 1, 0},  {6, 7, 1, 0},  {4, 7, 0, 1}};
 
 TEST(RefinedTriangles, FillRegionsWithinBounds) {
-    const RefinedMesh mesh = refined_triangles(square, borders, {1.5});
+    const RefinedMesh mesh = refined_triangles(square, borders, {1});
     ASSERT_EQ(mesh.triangles.size(), mesh.region_of_triangle.size());
     for (std::size_t i = 0; i < square.size(); ++i) EXPECT_EQ(mesh.points[i], square[i]);
     double area[2] = {};
@@ -38,9 +38,9 @@ TEST(RefinedTriangles, FillRegionsWithinBounds) {
 }
 
 TEST(RefinedTriangles, AreTheSameEachTime) {
-    const RefinedMesh mesh = refined_triangles(square, borders, {0.3});
+    const RefinedMesh mesh = refined_triangles(square, borders, {0.2});
     std::vector<std::vector<int>> other_memory(1000, std::vector<int>(17));
-    const RefinedMesh again = refined_triangles(square, borders, {0.3});
+    const RefinedMesh again = refined_triangles(square, borders, {0.2});
     EXPECT_EQ(again.points, mesh.points);
     EXPECT_EQ(again.triangles, mesh.triangles);
     EXPECT_EQ(again.region_of_triangle, mesh.region_of_triangle);
@@ -49,16 +49,16 @@ TEST(RefinedTriangles, AreTheSameEachTime) {
 TEST(RefinedTriangles, RefuseBordersThatCross) {
     std::vector<Point> points = square;
     points[6] = {12, 6};
-    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError);
+    EXPECT_THROW(refined_triangles(points, borders, {1}), UsageError);
     points[6] = {10, 6};
-    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "a corner on a border";
+    EXPECT_THROW(refined_triangles(points, borders, {1}), UsageError) << "a corner on a border";
     points[6] = points[5];
-    EXPECT_THROW(refined_triangles(points, borders, {1.5}), UsageError) << "two points at one place";
+    EXPECT_THROW(refined_triangles(points, borders, {1}), UsageError) << "two points at one place";
 }
 
 TEST(RefinedTriangles, RefuseMorePointsThanAllowed) {
     try {
-        refined_triangles(square, borders, {0.1, 20, 1000});
+        refined_triangles(square, borders, {0.06, 20, 1000});
         FAIL();
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(), "more than 1000 points are needed");

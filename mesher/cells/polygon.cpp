@@ -1,0 +1,48 @@
+#include "mesher/cells/polygon.hpp"
+
+#include <cstddef>
+
+namespace graincrack::mesher {
+
+namespace {
+
+/// Least area of the triangles between the centroid and the sides, over that of the polygon and its number of sides.
+constexpr double least_share = 1e-3;
+
+}  // namespace
+
+double area_of(std::span<const Point> loop) {
+    double sum = 0;
+    for (std::size_t i = 2; i < loop.size(); ++i) sum += signed_area(loop[0], loop[i - 1], loop[i]);
+    return sum;
+}
+
+bool is_sound(std::span<const Point> loop) {
+    const double area = area_of(loop);
+    if (!(area > 0)) return false;
+    Point centroid;
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+        const double part = signed_area(loop[0], loop[i - 1], loop[i]);
+        centroid = centroid + (part / (3 * area)) * (loop[0] + loop[i - 1] + loop[i]);
+    }
+    const double least = least_share * area / static_cast<double>(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (!(signed_area(centroid, loop[i], loop[(i + 1) % loop.size()]) > least)) return false;
+    }
+    return true;
+}
+
+std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell) {
+    std::vector<Point> corners;
+    for (const int p : cells.loop(cell)) corners.push_back(cells.points[static_cast<std::size_t>(p)]);
+    return corners;
+}
+
+std::vector<double> areas_of(const PlaneCells& cells) {
+    std::vector<double> areas;
+    areas.reserve(cells.size());
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) areas.push_back(area_of(corners_of(cells, cell)));
+    return areas;
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,23 @@
+// Polygons by their corners, counter-clockwise, and cells as polygons.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mesher/cells/plane_cells.hpp"
+
+namespace graincrack::mesher {
+
+/// Area, negative if the corners are clockwise, m².
+double area_of(std::span<const Point> loop);
+
+/// Whether all sides are clearly seen from the centroid, so that the polygon has an area and does not cross itself.
+bool is_sound(std::span<const Point> loop);
+
+std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell);
+
+/// Areas of cells, m².
+std::vector<double> areas_of(const PlaneCells& cells);
+
+}  // namespace graincrack::mesher
