@@ -8,6 +8,7 @@
 #include "post/chart/font.hpp"
 #include "post/chart/labels.hpp"
 #include "post/chart/pixel_fill.hpp"
+#include "post/run/crystals.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack {
@@ -119,10 +120,15 @@ void MapView::draw_grains(const GrainColour& colour) {
         const auto& q = positions_[static_cast<std::size_t>(b)];
         return std::hypot(p[0] - q[0], p[1] - q[1]) * scale_ > 0.2 * thin;
     };
-    for (const auto& nodes : specimen_.contact_nodes) {
-        draw_outline(nodes[0], nodes[1], thin, palette::outline);
-        const bool gapes = apart(nodes[0], nodes[2]) || apart(nodes[1], nodes[3]);
-        if (gapes) draw_outline(nodes[2], nodes[3], thin, palette::outline);
+    for (const bool is_within : {true, false}) {  // outlines of crystals lie above what is within them
+        const Colour outline = is_within || specimen_.grain_crystal.empty() ? palette::outline : palette::rim;
+        for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
+            if (is_within_crystal(specimen_, c) != is_within) continue;
+            const auto& nodes = specimen_.contact_nodes[c];
+            draw_outline(nodes[0], nodes[1], is_within ? 0.6 * thin : thin, outline);
+            const bool gapes = apart(nodes[0], nodes[2]) || apart(nodes[1], nodes[3]);
+            if (gapes) draw_outline(nodes[2], nodes[3], is_within ? 0.6 * thin : thin, outline);
+        }
     }
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.6 * thin, palette::rim);
 }

@@ -61,7 +61,7 @@ public:
     /// \param positions place of each node, m
     MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page = {});
 
-    /// Fills the grains and draws their outlines, unless they are too small for that, and the rim.
+    /// Fills the grains and draws their outlines, unless they are too small for that, those within crystals thinner, and the rim.
     void draw_grains(const GrainColour& colour = {});
     /// Contacts that start broken. \return whether there are any
     bool draw_pre_existing_cracks(double width);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 
+#include "post/cracks/cracked_crystals.hpp"
 #include "post/run/contact_classes.hpp"
+#include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/units.hpp"
 
@@ -19,6 +21,9 @@ struct ClassRow {
     const RunClasses& run;
     ClassCounts counts;
     [[nodiscard]] double length_share() const { return counts.length / run.length(); }
+    [[nodiscard]] std::string length_share_text() const {
+        return counts.length > 0 ? format_number(100 * length_share(), 3) : "";
+    }
     [[nodiscard]] Cell at_peak(double ModeCounts::*mode) const {
         return counts.at_peak ? count_cell((*counts.at_peak).*mode) : Cell();
     }
@@ -45,7 +50,7 @@ const Columns<R>& terminal_columns() {
     static constexpr ColumnUnit at_peak{"at peak"}, at_end{"at end"};
     static const Columns<R> all{{"contacts", unit::none, [](const R& r) { return r.counts.name; }},
                                 {"number", unit::none, [](const R& r) { return r.counts.contacts; }},
-                                {"length", unit::percent, [](const R& r) { return format_number(100 * r.length_share(), 3); }},
+                                {"length", unit::percent, [](const R& r) { return r.length_share_text(); }},
                                 {"tensile", at_peak, [](const R& r) { return r.at_peak(&ModeCounts::tensile).text(); }},
                                 {"shear", at_peak, [](const R& r) { return r.at_peak(&ModeCounts::shear).text(); }},
                                 {"tensile", at_end, [](const R& r) { return r.at_end(&ModeCounts::tensile).text(); }},
@@ -99,13 +104,22 @@ std::vector<ClassCounts> count_by_class(const Specimen& specimen, const std::vec
     return counts;
 }
 
+RunClasses classes_of_run(const std::string& run, const Specimen& specimen, const std::vector<Crack>& cracks,
+                          const CrackLabel& label, const std::optional<double>& peak) {
+    RunClasses classes{run, definition_of(label), count_by_class(specimen, cracks, peak)};
+    if (specimen.grain_crystal.empty()) return classes;
+    classes.crystals = ClassCounts{"crystals cracked", n_crystals(specimen)};
+    if (peak) classes.crystals->at_peak = count_cracked_crystals(specimen, cracks, peak);
+    classes.crystals->at_end = count_cracked_crystals(specimen, cracks);
+    return classes;
+}
+
 RunClasses read_classes(const RunReader& run, const CrackLabelChoice& label) {
     const Specimen specimen = run.specimen();
     const RunData data = run_data(run);
     const std::optional<LoadCurve> curve = load_curve_if_any(data);
     const std::optional<double> peak = curve ? std::optional(data.history[HistoryColumn::time][curve->peak]) : std::nullopt;
-    return {data.name, definition_of(label.of(run.header())),
-            count_by_class(specimen, read_labelled_cracks(run, specimen, label), peak)};
+    return classes_of_run(data.name, specimen, read_labelled_cracks(run, specimen, label), label.of(run.header()), peak);
 }
 
 void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, TableFormat format) {
@@ -129,6 +143,7 @@ void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, 
             sum("between crystals", [&](const std::string& name) { return !is_within(name); });
         }
         sum("all", [](const std::string& /*name*/) { return true; });
+        if (run.crystals) table.row(cells_of(terminal_columns(), {run, *run.crystals}));
     }
     table.write(out);
 }

@@ -24,17 +24,22 @@ struct RunClasses {
     std::string run;         ///< name of its file
     std::string definition;  ///< of its cracks in words
     std::vector<ClassCounts> classes;
-    [[nodiscard]] double length() const;  ///< of all contacts, m
+    std::optional<ClassCounts> crystals = {};  ///< with cracks within them; `contacts` is the number of all
+    [[nodiscard]] double length() const;       ///< of all contacts, m
 };
 
 /// \param cracks labelled ones of the whole run \param peak time of the peak, s
 std::vector<ClassCounts> count_by_class(const Specimen& specimen, const std::vector<Crack>& cracks,
                                         const std::optional<double>& peak);
+/// \param cracks as above, of `label` \param peak its time, s
+RunClasses classes_of_run(const std::string& run, const Specimen& specimen, const std::vector<Crack>& cracks,
+                          const CrackLabel& label, const std::optional<double>& peak);
 /// \throws InputError as `read_cracks`
 RunClasses read_classes(const RunReader& run, const CrackLabelChoice& label);
 
 /// Table, one row per class: file, class, contacts, length_m, length_share, tensile_cracks, shear_cracks by the peak,
-/// tensile_cracks_at_end, shear_cracks_at_end; for the terminal with the sums of each run, also within and between crystals.
+/// tensile_cracks_at_end, shear_cracks_at_end; for the terminal with the sums of each run, also within and between crystals,
+/// and how many crystals have cracks within them.
 void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, TableFormat format);
 
 }  // namespace graincrack

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "post/cracks/crack_counts.hpp"
+#include "post/cracks/cracked_crystals.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/run/mode_counts.hpp"
 #include "post/run/run_state.hpp"
@@ -33,6 +34,7 @@ struct SummaryRow {
     Cell peak_kind;
     OtherCounts counts;
     Rosette rosette;
+    ModeCounts crystals;  ///< that are cracked
     [[nodiscard]] Cell of_fit(double GutenbergRichter::*value) const { return fit ? Cell((*fit).*value) : Cell(); }
 };
 
@@ -61,6 +63,8 @@ const Columns<R>& columns() {
         list.push_back({"tensile_length", metre, sum});
         list.push_back({"tensile_share_within_30_deg", none, [](const R& r) { return share_along_load(r.rosette.tensile); }});
         list.push_back({"facet_share_within_30_deg", none, [](const R& r) { return share_along_load(r.rosette.facet); }});
+        list.push_back({"tensile_cracked_crystals", none, [](const R& r) { return count_cell(r.crystals.tensile); }});
+        list.push_back({"shear_cracked_crystals", none, [](const R& r) { return count_cell(r.crystals.shear); }});
         return list;
     }();
     return all;
@@ -82,13 +86,14 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
                          const std::vector<EmissionEvent>& events, const Fragments& fragments, TableFormat format) {
     const std::vector<Crack> cracks = labelled(log.all, log.label);
     const auto row_at = [&](const char* at, std::size_t index) {
-        SummaryRow row{run.name, at, run.history[HistoryColumn::time][index], {}, {}, {}, {}, {}, {}, {}, {}, {}};
+        SummaryRow row{run.name, at, run.history[HistoryColumn::time][index], {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
         if (curve) {
             row.axial_strain = curve->axial_strain[index];
             row.peak_kind = peak_kind(run, *curve);
         }
         row.balance = balance_cracks(cracks, row.time);
         row.counts = count_other_labels(log.all, run.header.crack_event, row.time);
+        row.crystals = count_cracked_crystals(log.specimen, cracks, row.time);
         row.rosette = crack_rosette(cracks_until(cracks, row.time), log.specimen);
         return row;
     };

@@ -12,6 +12,7 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_map.hpp"
 #include "post/cracks/crack_summary.hpp"
+#include "post/cracks/cracked_crystals.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/cracks/paraview_state.hpp"
 #include "post/cracks/rosette.hpp"
@@ -56,6 +57,7 @@ void write_table(const std::string& path, const std::function<void(std::ostream&
 struct Breakup {
     std::vector<FragmentCount> counts;
     Fragments last;
+    std::vector<Crystal> crystals;  ///< in the last frame
 };
 
 /// Frames of different times: of two at one time, such as an evenly spaced one and the last, the later.
@@ -102,6 +104,8 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
         };
         breakup.last = find_fragments(series.specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
+        breakup.counts.back().split_crystals = count_split_crystals(series.specimen, frame.state);
+        if (i + 1 == n) breakup.crystals = find_crystals(series.specimen, series.cracks, frame.state, breakup.last);
         write_cracks(file("cracks", "vtp"), series.specimen, series.cracks, frame, series.label,
                      series.data.header.fabric.contacts, moment);
         if (series.has_platens()) write_platens(file("platens", "vtp"), series.platens, series.specimen.height, moment);
@@ -189,6 +193,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(shown, specimen), format); });
     table("events", [&](std::ostream& out) { write_events(out, events, format); });
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
+    table("crystals", [&](std::ostream& out) { write_crystals(out, breakup.crystals, format); });
     table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
     table("summary", [&](std::ostream& out) {
         write_crack_summary(out, data, curve, {log, specimen, label}, events, breakup.last, format);
@@ -197,7 +202,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
         table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });
     }
     const std::optional<double> peak = curve ? std::optional(data.history[HistoryColumn::time][curve->peak]) : std::nullopt;
-    const std::vector<RunClasses> classes{{data.name, definition_of(label), count_by_class(specimen, shown, peak)}};
+    const std::vector<RunClasses> classes{classes_of_run(data.name, specimen, shown, label, peak)};
     table("classes", [&](std::ostream& out) { write_class_counts(out, classes, format); });
     std::vector<Part> blocks{{"grains", "vtu"}};
     if (series.has_platens()) blocks.push_back({"platens", "vtp"});

@@ -5,7 +5,9 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 
+#include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/union_find.hpp"
 
@@ -13,12 +15,18 @@ namespace graincrack {
 
 namespace {
 
+double total_area(const Fragments& fragments) {
+    return std::accumulate(fragments.all.begin(), fragments.all.end(), 0.0,
+                           [](double sum, const Fragment& f) { return sum + f.area; });
+}
+
+}  // namespace
+
 bool holds(const std::array<std::uint8_t, 2>& points) {
     constexpr auto separated = static_cast<std::uint8_t>(PointState::separated);
     return points[0] != separated || points[1] != separated;
 }
 
-/// Centre of area of each grain, times its area.
 std::vector<std::array<double, 2>> first_moments(const Specimen& s) {
     std::vector<std::array<double, 2>> moments(s.n_grains(), {0, 0});
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
@@ -30,13 +38,6 @@ std::vector<std::array<double, 2>> first_moments(const Specimen& s) {
     }
     return moments;
 }
-
-double total_area(const Fragments& fragments) {
-    return std::accumulate(fragments.all.begin(), fragments.all.end(), 0.0,
-                           [](double sum, const Fragment& f) { return sum + f.area; });
-}
-
-}  // namespace
 
 double Fragment::diameter() const { return 2 * std::sqrt(area / std::numbers::pi); }
 
@@ -71,6 +72,9 @@ Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<
         fragments.all.push_back(f);
     }
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) fragments.of_grain.push_back(index.at(sets.find(g)));
+    std::vector<std::set<std::size_t>> crystals(fragments.all.size());
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) crystals[fragments.of_grain[g]].insert(crystal_of(specimen, g));
+    for (std::size_t i = 0; i < crystals.size(); ++i) fragments.all[i].crystals = crystals[i].size();
     return fragments;
 }
 
@@ -84,12 +88,13 @@ void write_fragments(std::ostream& out, const Fragments& fragments, TableFormat 
                                     {"diameter", millimetre, [](const Fragment& f) { return f.diameter(); }},
                                     {"share_of_area", none, [total](const Fragment& f) { return f.area / total; }},
                                     {"x", millimetre, [](const Fragment& f) { return f.centre[0]; }},
-                                    {"y", millimetre, [](const Fragment& f) { return f.centre[1]; }}};
+                                    {"y", millimetre, [](const Fragment& f) { return f.centre[1]; }},
+                                    {"crystals", none, [](const Fragment& f) { return f.crystals; }}};
     write_table(out, columns, fragments.all, format);
 }
 
 FragmentCount count_fragments(const Fragments& fragments, double time) {
-    return {time, fragments.all.size(), fragments.single_grains(), fragments.all.front().area / total_area(fragments)};
+    return {time, fragments.all.size(), fragments.single_grains(), fragments.all.front().area / total_area(fragments), 0};
 }
 
 void write_fragment_counts(std::ostream& out, const std::vector<FragmentCount>& counts, TableFormat format) {
@@ -98,7 +103,8 @@ void write_fragment_counts(std::ostream& out, const std::vector<FragmentCount>& 
         {"time", second, [](const FragmentCount& c) { return c.time; }},
         {"fragments", none, [](const FragmentCount& c) { return c.fragments; }},
         {"single_grains", none, [](const FragmentCount& c) { return c.single_grains; }},
-        {"largest_share_of_area", none, [](const FragmentCount& c) { return c.largest_share; }}};
+        {"largest_share_of_area", none, [](const FragmentCount& c) { return c.largest_share; }},
+        {"split_crystals", none, [](const FragmentCount& c) { return c.split_crystals; }}};
     write_table(out, columns, counts, format);
 }
 

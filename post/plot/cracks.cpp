@@ -11,6 +11,7 @@
 #include "post/cracks/crack_options.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/run/contact_classes.hpp"
+#include "post/run/crystals.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
@@ -21,6 +22,8 @@
 namespace graincrack {
 
 namespace {
+
+constexpr double within_crystals = 0.55;  ///< width of a crack within a crystal over that of one between two
 
 /// Strain and stress of the test at the time of the frame; also the platens' approach for drawing them.
 struct Standing {
@@ -98,6 +101,7 @@ struct Scene {
     /// What stands below the maps: what the cracks are, and the caveats of the strength.
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> lines{limited_to(definition_of(options.label.of(data.header)), options.classes)};
+        if (!specimen.grain_crystal.empty()) lines.emplace_back("thin: within crystals; thick: between them");
         lines.insert(lines.end(), caveats.begin(), caveats.end());
         return lines;
     }
@@ -121,7 +125,9 @@ bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     const bool cracked_before = map.draw_pre_existing_cracks(width);
     for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
         for (const Crack& crack : present) {
-            if (crack.mode == mode) draw_crack(map, specimen, crack, width);
+            if (crack.mode != mode) continue;
+            const bool is_within = is_within_crystal(specimen, static_cast<std::size_t>(crack.contact));
+            draw_crack(map, specimen, crack, is_within ? within_crystals * width : width);
         }
     }
     return cracked_before;
@@ -144,7 +150,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const Specimen& specimen = scene.specimen;
     ChartText text{test_title(header),
-                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", specimen.seed, specimen.n_grains(),
+                   {fmt::format("seed {}, {}, mean edge {:.3g} mm, plane {}", specimen.seed, grains_label(specimen),
                                 specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
                     fmt::format("law {}, fracture energy {}", header.contact_law, header.fracture_energy_choice),
                     standing_label(now, stress_name(scene.data), scene.options.magnification)}};

@@ -10,6 +10,7 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/run/crystals.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 #include "share/file/end_faces.hpp"
@@ -27,7 +28,7 @@ ChartText heading(const Specimen& specimen) {
                                       : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
     std::string shape = specimen.shape;
     if (!shape.empty() && shape[0] >= 'a' && shape[0] <= 'z') shape[0] = static_cast<char>(shape[0] - 'a' + 'A');
-    return {fmt::format("{} {} mm, {} grains", shape, size, specimen.n_grains()),
+    return {fmt::format("{} {} mm, {}", shape, size, grains_label(specimen)),
             {fmt::format("{}, seed {}: mean edge {:.4g} mm, variation {:.3g}", specimen.tessellation, specimen.seed,
                          mesh.mean_edge * 1e3, mesh.edge_variation),
              fmt::format("smallest angle {:.3g}°, preferred direction ψ6 {:.2g}", mesh.min_angle * 180 / std::numbers::pi,
