@@ -47,8 +47,9 @@ struct Broken {
     std::int32_t within = contact_of(specimen, 0, 1);
     std::int32_t between = -1;
     Broken() {
-        for (const auto& [a, b] : {std::pair{0, 2}, {0, 3}, {1, 2}, {1, 3}})
+        for (const auto& [a, b] : {std::pair{0, 2}, {0, 3}, {1, 2}, {1, 3}}) {
             between = std::max(between, contact_of(specimen, a, b));
+        }
         for (const double time : {1.0, 2.0}) cracks.push_back(crack_of(within, CrackMode::tensile, time));
         cracks.push_back(crack_of(between, CrackMode::shear, 1));
     }
