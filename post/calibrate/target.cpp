@@ -82,8 +82,8 @@ std::string Target::test() const {
     return kind.test != "compression" ? kind.test : confining_pressure > 0 ? "triaxial" : "uniaxial";
 }
 
-std::string Target::text(double si_value) const {
-    return fmt::format("{:.4g}{}{}", si_value / kind.si, kind.unit.empty() ? "" : " ", kind.unit);
+std::string Target::text(double value_in_si) const {
+    return fmt::format("{:.4g}{}{}", value_in_si / kind.si, kind.unit.empty() ? "" : " ", kind.unit);
 }
 
 Target target_of(const std::string& name, const std::string& where) {

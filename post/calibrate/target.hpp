@@ -53,7 +53,7 @@ struct Target {
     /// Met by scaling the grains.
     [[nodiscard]] bool is_elastic() const { return kind.name == "young_modulus" || kind.name == "poisson_ratio"; }
     [[nodiscard]] double log_deviation() const { return deviation / value; }
-    [[nodiscard]] std::string text(double si_value) const;  ///< with the unit: "8.8 MPa"
+    [[nodiscard]] std::string text(double value_in_si) const;  ///< with the unit: "8.8 MPa"
 };
 
 /// A target of the name, without a value. \throws InputError naming `where` if there is none
