@@ -55,16 +55,14 @@ std::vector<Crystal> find_crystals(const Specimen& specimen, const std::vector<C
     const ContactSides sides(specimen);
     std::vector<Crystal> crystals(n_crystals(specimen));
     const auto moments = first_moments(specimen);
-    std::set<std::array<std::size_t, 2>> parts;  // a crystal and a fragment that has grains of it
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
         Crystal& crystal = crystals[crystal_of(specimen, g)];
         crystal.phase = specimen.phase_names[specimen.grain_phase[g]];
         ++crystal.grains;
         crystal.area += specimen.grain_area[g];
         for (std::size_t axis = 0; axis < 2; ++axis) crystal.centre[axis] += moments[g][axis];
-        parts.insert({crystal_of(specimen, g), fragments.of_grain[g]});
     }
-    for (const auto& [crystal, fragment] : parts) ++crystals[crystal].fragments;
+    for (const auto& [crystal, fragment] : parts_of_crystals(specimen, fragments.of_grain)) ++crystals[crystal].fragments;
     for (const Crack& crack : cracks) {
         const auto [a, b] = sides.crystals(static_cast<std::size_t>(crack.contact));
         if (a == b) {

@@ -57,7 +57,7 @@ void write_table(const std::string& path, const std::function<void(std::ostream&
 struct Breakup {
     std::vector<FragmentCount> counts;
     Fragments last;
-    std::vector<Crystal> crystals;  ///< in the last frame
+    std::vector<Crystal> crystals;  ///< in the last frame, if the specimen has any
 };
 
 /// Frames of different times: of two at one time, such as an evenly spaced one and the last, the later.
@@ -95,6 +95,7 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
     Progress progress("cracks", verbosity);
     Breakup breakup;
     const std::size_t n = frames.size();
+    const bool has_crystals = !series.specimen.grain_crystal.empty();
     for (std::size_t i = 0; i < n; ++i) {
         throw_if_interrupted();
         Frame frame = read_frame(series.run, series.specimen, frames[i]);
@@ -105,7 +106,9 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
         breakup.last = find_fragments(series.specimen, frame.state);
         breakup.counts.push_back(count_fragments(breakup.last, frame.time));
         breakup.counts.back().split_crystals = count_split_crystals(series.specimen, frame.state);
-        if (i + 1 == n) breakup.crystals = find_crystals(series.specimen, series.cracks, frame.state, breakup.last);
+        if (i + 1 == n && has_crystals) {
+            breakup.crystals = find_crystals(series.specimen, series.cracks, frame.state, breakup.last);
+        }
         write_cracks(file("cracks", "vtp"), series.specimen, series.cracks, frame, series.label,
                      series.data.header.fabric.contacts, moment);
         if (series.has_platens()) write_platens(file("platens", "vtp"), series.platens, series.specimen.height, moment);
@@ -193,7 +196,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     table("rosette", [&](std::ostream& out) { write_rosette(out, crack_rosette(shown, specimen), format); });
     table("events", [&](std::ostream& out) { write_events(out, events, format); });
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
-    table("crystals", [&](std::ostream& out) { write_crystals(out, breakup.crystals, format); });
+    if (!breakup.crystals.empty()) table("crystals", [&](std::ostream& out) { write_crystals(out, breakup.crystals, format); });
     table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
     table("summary", [&](std::ostream& out) {
         write_crack_summary(out, data, curve, {log, specimen, label}, events, breakup.last, format);

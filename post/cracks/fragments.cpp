@@ -5,7 +5,6 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <set>
 
 #include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
@@ -25,6 +24,15 @@ double total_area(const Fragments& fragments) {
 bool holds(const std::array<std::uint8_t, 2>& points) {
     constexpr auto separated = static_cast<std::uint8_t>(PointState::separated);
     return points[0] != separated || points[1] != separated;
+}
+
+std::vector<std::array<std::size_t, 2>> parts_of_crystals(const Specimen& specimen, const std::vector<std::size_t>& fragment) {
+    std::vector<std::array<std::size_t, 2>> parts;
+    parts.reserve(specimen.n_grains());
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) parts.push_back({crystal_of(specimen, g), fragment[g]});
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
 }
 
 std::vector<std::array<double, 2>> first_moments(const Specimen& s) {
@@ -72,9 +80,7 @@ Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<
         fragments.all.push_back(f);
     }
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) fragments.of_grain.push_back(index.at(sets.find(g)));
-    std::vector<std::set<std::size_t>> crystals(fragments.all.size());
-    for (std::size_t g = 0; g < specimen.n_grains(); ++g) crystals[fragments.of_grain[g]].insert(crystal_of(specimen, g));
-    for (std::size_t i = 0; i < crystals.size(); ++i) fragments.all[i].crystals = crystals[i].size();
+    for (const auto& [crystal, fragment] : parts_of_crystals(specimen, fragments.of_grain)) ++fragments.all[fragment].crystals;
     return fragments;
 }
 
