@@ -147,8 +147,14 @@ GRAINCRACK_INLINE void find_motions(std::int32_t count, Lanes& b) {
         const double ty = b.tangent_y[i] * per_strength;
         b.force_area[i] = b.area[i] * b.strength[i];
         b.energy_area[i] = b.force_area[i] * b.strength[i];
-        b.opening[2 * i] = b.jump_x[2 * i] * ty - b.jump_y[2 * i] * tx;
-        b.opening[2 * i + 1] = b.jump_x[2 * i + 1] * ty - b.jump_y[2 * i + 1] * tx;
+        // A contact without a frame is open by its own length, which breaks it: were it left as it is, it would come back turned
+        // over when its grains turn further, and take its jump for an overlap.
+        const bool is_lost = b.inv_length[i] == 0;
+        const double far = 2 * b.area[i] * per_strength;
+        const double opening0 = b.jump_x[2 * i] * ty - b.jump_y[2 * i] * tx;
+        const double opening1 = b.jump_x[2 * i + 1] * ty - b.jump_y[2 * i + 1] * tx;
+        b.opening[2 * i] = is_lost ? far : opening0;
+        b.opening[2 * i + 1] = is_lost ? far : opening1;
         b.sliding[2 * i] = b.jump_x[2 * i] * tx + b.jump_y[2 * i] * ty;
         b.sliding[2 * i + 1] = b.jump_x[2 * i + 1] * tx + b.jump_y[2 * i + 1] * ty;
     }
