@@ -383,6 +383,15 @@ void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step
     }
 }
 
+/// Opens a point whose contact has lost its frame, slowly, so that it dissipates what is left of its fracture energy.
+template <class Law>
+void pull_apart(const ContactLaw& law, double far, ContactResponse& r) {
+    constexpr double first = 1e-9;  // over `far`
+    constexpr double growth = 1.02;
+    for (double opening = first * far; opening < far; opening *= growth) contact_law::move_point<Law>(law, {opening, 0}, r);
+    contact_law::move_point<Law>(law, {far, 0}, r);
+}
+
 /// The full law at the points of a chunk that need it.
 template <class Law>
 void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
@@ -391,7 +400,11 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
         if (b.done[k] != 0) continue;
         const PointIndex at{chunk, range.begin + k / 2, k % 2};
         ContactResponse r{{}, point_history(s, at.point()), {}};
-        contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
+        if (b.inv_length[k / 2] == 0) {
+            pull_apart<Law>(law, b.opening[k], r);
+        } else {
+            contact_law::move_point<Law>(law, {b.opening[k], b.sliding[k]}, r);
+        }
         book_dissipation(at, b.energy_area[k / 2], r, s);
         record_events<Law>(a, law, at, r, {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         store_point(r.history, Law::is_residual(law, r.history), at.point(), s);

@@ -62,6 +62,11 @@ TEST(LostFrame, ABondOnWhichAGrainTurnsOverBreaks) {
         }
         EXPECT_EQ(list.debonded[0], 1);
         EXPECT_EQ(list.released[0], 1);
+        // What was left of the fracture energy is dissipated, whatever the opening that stands for the lost frame.
+        const ContactLaw& constants = hinge.run.parameters.laws[0];
+        const double whole = constants.gf * hinge.run.assemblage.contacts[0].point_area;
+        EXPECT_GT(hinge.run.state.fracture_energy[0], 0.5 * whole);
+        EXPECT_LT(hinge.run.state.fracture_energy[0], 1.1 * whole);
     }
 }
 
