@@ -11,9 +11,12 @@ namespace graincrack::mesher {
 /// Moves the points of cells so that the cells have given areas: Newton's method, each step of which is the least that fulfils
 /// the linear equations, of which there are fewer than unknowns. Moves are measured over the shortest edge at a point, so that
 /// edges stay as long as can be. Points of the boundary move along it, fixed ones do not. A step that would turn a cell inside
-/// out is halved; it ends where no step makes the areas better. \param cells changed \param n_fixed as of `remove_short_edges`
-/// \param areas wanted, m², with the sum of those that are \return largest difference of an area that is left, over the wanted
-/// one
+/// out is halved; it ends where no step makes the areas better.
+///
+/// \param cells changed
+/// \param n_fixed as of `remove_short_edges`
+/// \param areas wanted, m², with the sum of those that are
+/// \return largest difference of an area that is left, over the wanted one
 double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas);
 
 }  // namespace graincrack::mesher

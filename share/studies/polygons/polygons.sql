@@ -1,4 +1,5 @@
--- One row per variant and confining pressure: means over seeds, with 95 % intervals from three seeds on. Stresses are σ1; the end is the strain limit.
+-- One row per variant and confining pressure: means over seeds, with 95 % intervals from three seeds on. Stresses are σ1; the end is the strain
+-- limit.
 WITH fractures AS (
     SELECT file, sum(CASE WHEN class LIKE 'within%' THEN tensile_cracks_at_end + shear_cracks_at_end ELSE 0 END) AS within,
         sum(CASE WHEN class LIKE 'within%' THEN 0 ELSE tensile_cracks_at_end + shear_cracks_at_end END) AS between_crystals
