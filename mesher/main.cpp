@@ -120,8 +120,7 @@ int run(int argc, char** argv) {
         print(std::cerr, describe_mesh(specimen, options->request, report));
         if (length(options->moved) > 0) {
             print(std::cerr, {fmt::format("  note: moved by ({}, {}), so that the middle of its extent is the origin",
-                                          format_quantity(options->moved.x, Dimension::length),
-                                          format_quantity(options->moved.y, Dimension::length))});
+                                          format_length(options->moved.x), format_length(options->moved.y))});
         }
         describe_material(material, specimen);
     }

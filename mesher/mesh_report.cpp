@@ -44,10 +44,9 @@ std::string strength_line(const Specimen& specimen, const StrengthRequest& reque
     }
     const double mean = sum / static_cast<double>(specimen.n_contacts());
     const double variance = squares / static_cast<double>(specimen.n_contacts()) - mean * mean;
-    return fmt::format(
-        "  strength factor: mean {:.4f}, CV {:.4f}; modulus {}, {}", mean, std::sqrt(std::max(0.0, variance)) / mean,
-        format_number(*request.modulus),
-        request.correlation ? "correlated over " + format_quantity(*request.correlation, Dimension::length) : "uncorrelated");
+    return fmt::format("  strength factor: mean {:.4f}, CV {:.4f}; modulus {}, {}", mean,
+                       std::sqrt(std::max(0.0, variance)) / mean, format_number(*request.modulus),
+                       request.correlation ? "correlated over " + format_length(*request.correlation) : "uncorrelated");
 }
 
 /// Mean edges at both ends of a grading; of elongated grains before they are elongated.
@@ -72,7 +71,7 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
     }
     return fmt::format("  {} of flaws and joints, {} long in all; contacts broken from the start: {}",
                        report.n_flaws == 1 ? "1 piece" : fmt::format("{} pieces", report.n_flaws),
-                       format_quantity(report.flaw_length, Dimension::length), format_quantity(broken, Dimension::length));
+                       format_length(report.flaw_length), format_length(broken));
 }
 
 /// A mesh of polygons, which is made once and has no preferred direction to speak of.
@@ -128,8 +127,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
     }
     if (const auto ends = notch_ends(specimen); ends && request.notch) {
         lines.push_back(fmt::format("  notch of {} requested, {} between the ends of its grain boundaries",
-                                    format_quantity(*request.notch, Dimension::length),
-                                    format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
+                                    format_length(*request.notch), format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
     if (!request.region.edges.empty() || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
     if (report.n_flaws + request.region.loops.size() > 1 && report.sizes.min_angle < smallest_angle) {

@@ -53,8 +53,6 @@ struct Attempt {
     double psi6_of_parts = 0;
 };
 
-std::string metres(double value) { return format_quantity(value, Dimension::length); }
-
 /// Spread that springs are to leave.
 double spring_spread(double spread) { return spread > widest_spring_spread ? tight_spread : spread; }
 
@@ -114,12 +112,12 @@ void check_request(const SpecimenRequest& request) {
     const double smallest = smallest_extent(region);
     if (request.edge) {
         if (*request.edge > smallest / 2) {
-            throw UsageError("--edge: " + metres(*request.edge) + " is too large for a specimen " + metres(smallest) +
-                             " across; give at most half of that");
+            throw UsageError("--edge: " + format_length(*request.edge) + " is too large for a specimen " +
+                             format_length(smallest) + " across; give at most half of that");
         }
         // More grains than this would exceed the file's indices, whatever the number of elements.
         if (area(region) / (*request.edge * *request.edge) > 3e8) {
-            throw UsageError("--edge: " + metres(*request.edge) +
+            throw UsageError("--edge: " + format_length(*request.edge) +
                              " would make more than 700 million grains; choose a larger edge");
         }
     }
@@ -127,14 +125,15 @@ void check_request(const SpecimenRequest& request) {
 
 void check_notch(double notch, double width, double edge) {
     if (width < 6 * edge) {
-        throw UsageError("--notch: there is no room for one; the specimen must be at least six grain edges of " + metres(edge) +
-                         " wide");
+        throw UsageError("--notch: there is no room for one; the specimen must be at least six grain edges of " +
+                         format_length(edge) + " wide");
     }
     const bool through = std::abs(notch - width) <= 1e-9 * width;
     if (!through && !(notch >= 2 * edge && notch <= width - 4 * edge)) {
-        throw UsageError("--notch: must leave two grain edges of " + metres(edge) +
-                         " at either side and be at least two long; give " + metres(2 * edge) + " to " +
-                         metres(width - 4 * edge) + ", or " + metres(width) + " for a joint through the whole width");
+        throw UsageError("--notch: must leave two grain edges of " + format_length(edge) +
+                         " at either side and be at least two long; give " + format_length(2 * edge) + " to " +
+                         format_length(width - 4 * edge) + ", or " + format_length(width) +
+                         " for a joint through the whole width");
     }
 }
 
@@ -146,9 +145,9 @@ void check_walls(const Region& region, double edge) {
         for (const Curve& other : curves) {
             const double wall = other.distance(hole.circle.centre) - hole.circle.radius;
             if (&other == &hole || wall >= thinnest_wall * edge) continue;
-            throw UsageError("the rock between a hole of radius " + metres(hole.circle.radius) +
-                             " and the boundary or another hole is " + metres(wall) + " thick, with grain edges of " +
-                             metres(edge) + "; move the hole, or give smaller grains");
+            throw UsageError("the rock between a hole of radius " + format_length(hole.circle.radius) +
+                             " and the boundary or another hole is " + format_length(wall) + " thick, with grain edges of " +
+                             format_length(edge) + "; move the hole, or give smaller grains");
         }
     }
 }
@@ -189,9 +188,10 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     plan.element_size = request.element_size.value_or(element_over_edge * plan.edge);
     const double n_elements = triangles_of_square * area(plan.region) / (plan.element_size * plan.element_size);
     if (!(n_elements <= max_elements_of_polygons)) {
-        throw UsageError("--element-size: " + metres(plan.element_size) + " would make more than " +
+        throw UsageError("--element-size: " + format_length(plan.element_size) + " would make more than " +
                          std::to_string(static_cast<std::int64_t>(max_elements_of_polygons)) + " elements; at least " +
-                         metres(std::sqrt(triangles_of_square * area(plan.region) / max_elements_of_polygons)) + " is needed");
+                         format_length(std::sqrt(triangles_of_square * area(plan.region) / max_elements_of_polygons)) +
+                         " is needed");
     }
     check_number_of_phases(request, plan.n_grains);
     (void)convex_outline(plan.region, plan.edge);
@@ -226,9 +226,9 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     if (request.notch) check_notch(*request.notch, bounds(region).width(), plan.edge);
     for (const Loop& loop : region.loops) {
         if (loop.circle && loop.circle->radius < smallest_radius * plan.edge) {
-            throw UsageError("--" + std::string(request.edge ? "edge" : "grains") + ": grain edges of " + metres(plan.edge) +
-                             " are too large for a round boundary of radius " + metres(loop.circle->radius) +
-                             "; give smaller grains");
+            throw UsageError("--" + std::string(request.edge ? "edge" : "grains") + ": grain edges of " +
+                             format_length(plan.edge) + " are too large for a round boundary of radius " +
+                             format_length(loop.circle->radius) + "; give smaller grains");
         }
     }
     check_walls(region, plan.edge);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mesher/cells/cell_areas.hpp"
 #include "mesher/cells/clipped_diagram.hpp"
 #include "share/base/error.hpp"
 
@@ -19,9 +20,8 @@ constexpr int grown_rounds = 4;       ///< in which they have these weights
 constexpr double coarse_error = 0.5;  ///< of areas, from which seeds may move
 constexpr int most_fillings = 5;
 constexpr double filling = 0.05;  ///< of the weight of a cell that was empty beyond that with which it is a point, over its area
-constexpr int most_steps = 100;
-constexpr int most_halvings = 40;
-constexpr double wanted_error = 1e-8;  ///< of areas
+constexpr int most_weight_steps = 100;
+constexpr int most_weight_halvings = 40;
 constexpr double allowed_error = 1e-6;
 constexpr double kept_share = 0.2;  ///< of an area, or of the one aimed at if that is less, that a step leaves
 
@@ -84,7 +84,7 @@ public:
         const std::vector<double> step = newton_step(aim);
         const double before = residual(diagram_, aim);
         double share = 1;
-        for (int i = 0; i < most_halvings; ++i, share /= 2) {
+        for (int i = 0; i < most_weight_halvings; ++i, share /= 2) {
             std::vector<double> weights = weights_;
             for (std::size_t k = 0; k < step.size(); ++k) weights[k] += share * step[k];
             ClippedDiagram trial(outline_, seeds_, weights);
@@ -190,7 +190,7 @@ LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<dou
     const auto solve = [&](double error) {
         solver.set_weights(weights_of(areas, 1), areas);
         if (!solver.has_all_cells()) solver.set_weights(weights_of(areas, 0), areas);
-        for (int i = 0; i < most_steps && solver.largest_error(areas) > error; ++i) {
+        for (int i = 0; i < most_weight_steps && solver.largest_error(areas) > error; ++i) {
             report();
             if (!solver.improve(areas)) break;
         }
@@ -201,7 +201,7 @@ LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<dou
     // Where cells were empty or far from their areas, seeds now have places.
     solver.spread();
     for (int round = 0; round < grown_rounds; ++round) spread(1);
-    solve(wanted_error);
+    solve(wanted_area_error);
     LaguerreCells result;
     result.largest_error = solver.largest_error(areas);
     if (!(result.largest_error <= allowed_error)) throw Error(ExitCode::internal, "polygons did not reach their areas");

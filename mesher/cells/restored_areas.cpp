@@ -5,16 +5,16 @@
 #include <cmath>
 #include <utility>
 
+#include "mesher/cells/cell_areas.hpp"
 #include "mesher/cells/polygon.hpp"
 
 namespace graincrack::mesher {
 
 namespace {
 
-constexpr int most_steps = 12;
-constexpr int most_halvings = 8;
+constexpr int most_moves = 12;
+constexpr int most_halvings_of_a_move = 8;
 constexpr double smallest_pivot = 1e-12;  ///< over the largest
-constexpr double wanted_error = 1e-8;     ///< of areas
 
 /// The change of a cell's area with the move of one of its corners over the reach of that corner, m².
 struct Gradient {
@@ -53,7 +53,7 @@ public:
         const std::vector<Point> step = least_step();
         const std::vector<Point> before = cells_.points;
         double share = 1;
-        for (int i = 0; i < most_halvings; ++i, share /= 2) {
+        for (int i = 0; i < most_halvings_of_a_move; ++i, share /= 2) {
             for (std::size_t p = 0; p < before.size(); ++p) cells_.points[p] = before[p] + share * step[p];
             std::vector<double> trial = areas_of(cells_);
             if (!(largest_error(trial) < largest_error()) || !are_sound()) continue;
@@ -148,7 +148,7 @@ private:
 
 double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas) {
     AreaRestorer restorer(cells, n_fixed, areas);
-    for (int i = 0; i < most_steps && restorer.largest_error() > wanted_error; ++i) {
+    for (int i = 0; i < most_moves && restorer.largest_error() > wanted_area_error; ++i) {
         if (!restorer.improve()) break;
     }
     return restorer.largest_error();

@@ -18,25 +18,25 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr std::size_t longest_name = 80;
+constexpr std::size_t longest_set_name = 80;
 
-struct ElementType {
+struct AbaqusElement {
     std::string_view name;  ///< the letters and digits that types of one kind begin with
     int n_corners;
     bool has_midsides;
 };
 /// The first that fits counts. Letters behind, as R and H, say how an element is integrated.
-constexpr std::array element_types{
-    ElementType{"CPS3", 3, false},   ElementType{"CPE3", 3, false},  ElementType{"CAX3", 3, false},
-    ElementType{"S3", 3, false},     ElementType{"STRI3", 3, false}, ElementType{"M3D3", 3, false},
-    ElementType{"SFM3D3", 3, false}, ElementType{"CPS4", 4, false},  ElementType{"CPE4", 4, false},
-    ElementType{"CAX4", 4, false},   ElementType{"S4", 4, false},    ElementType{"M3D4", 4, false},
-    ElementType{"CPS6", 3, true},    ElementType{"CPE6", 3, true},   ElementType{"CAX6", 3, true},
-    ElementType{"STRI65", 3, true},  ElementType{"CPS8", 4, true},   ElementType{"CPE8", 4, true},
-    ElementType{"CAX8", 4, true},    ElementType{"S8", 4, true},     ElementType{"T2D2", 2, false},
-    ElementType{"T3D2", 2, false},   ElementType{"B21", 2, false},   ElementType{"B31", 2, false},
-    ElementType{"R2D2", 2, false},   ElementType{"T2D3", 2, true},   ElementType{"T3D3", 2, true},
-    ElementType{"B22", 2, true},     ElementType{"B32", 2, true},
+constexpr std::array abaqus_elements{
+    AbaqusElement{"CPS3", 3, false},   AbaqusElement{"CPE3", 3, false},  AbaqusElement{"CAX3", 3, false},
+    AbaqusElement{"S3", 3, false},     AbaqusElement{"STRI3", 3, false}, AbaqusElement{"M3D3", 3, false},
+    AbaqusElement{"SFM3D3", 3, false}, AbaqusElement{"CPS4", 4, false},  AbaqusElement{"CPE4", 4, false},
+    AbaqusElement{"CAX4", 4, false},   AbaqusElement{"S4", 4, false},    AbaqusElement{"M3D4", 4, false},
+    AbaqusElement{"CPS6", 3, true},    AbaqusElement{"CPE6", 3, true},   AbaqusElement{"CAX6", 3, true},
+    AbaqusElement{"STRI65", 3, true},  AbaqusElement{"CPS8", 4, true},   AbaqusElement{"CPE8", 4, true},
+    AbaqusElement{"CAX8", 4, true},    AbaqusElement{"S8", 4, true},     AbaqusElement{"T2D2", 2, false},
+    AbaqusElement{"T3D2", 2, false},   AbaqusElement{"B21", 2, false},   AbaqusElement{"B31", 2, false},
+    AbaqusElement{"R2D2", 2, false},   AbaqusElement{"T2D3", 2, true},   AbaqusElement{"T3D3", 2, true},
+    AbaqusElement{"B22", 2, true},     AbaqusElement{"B32", 2, true},
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -138,17 +138,17 @@ private:
         }
         if (keyword_ == "*ELEMENT") begin_elements(type);
         if (keyword_ == "*ELSET" && set_.empty()) fail("*Elset has no name; elset=NAME is needed");
-        if (set_.size() > longest_name) {
-            fail(fmt::format("the name of an elset has {} letters; at most {} are read", set_.size(), longest_name));
+        if (set_.size() > longest_set_name) {
+            fail(fmt::format("the name of an elset has {} letters; at most {} are read", set_.size(), longest_set_name));
         }
     }
 
     void begin_elements(const std::string& type) {
-        const auto* const found = std::find_if(element_types.begin(), element_types.end(), [&](const ElementType& t) {
+        const auto* const found = std::find_if(abaqus_elements.begin(), abaqus_elements.end(), [&](const AbaqusElement& t) {
             if (type.substr(0, t.name.size()) != t.name) return false;
             return type.size() == t.name.size() || std::isdigit(static_cast<unsigned char>(type[t.name.size()])) == 0;
         });
-        if (found == element_types.end()) {
+        if (found == abaqus_elements.end()) {
             fail(fmt::format(
                 "elements of type \"{}\" are not read; triangles or quadrangles of the plane (CPE3, CPS3, CPE6, CPE4, …) are "
                 "needed",
@@ -286,7 +286,7 @@ private:
     std::string keyword_;
     std::string set_;  ///< of the keyword
     bool is_generated_ = false;
-    const ElementType* type_ = nullptr;
+    const AbaqusElement* type_ = nullptr;
     std::vector<std::string_view> element_fields_;  ///< of an element that is not complete
     std::map<std::string, int> parts_;
     std::map<std::string, std::vector<std::int64_t>> sets_;

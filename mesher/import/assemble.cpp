@@ -19,9 +19,9 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double off_centre = 5e-4;  ///< of an extent: half of what a specimen file allows
-constexpr double largest = 1e4;      ///< m
-constexpr double smallest = 1e-9;
+constexpr double off_centre = 5e-4;     ///< of an extent: half of what a specimen file allows
+constexpr double largest_extent = 1e4;  ///< m
+constexpr double smallest_extent = 1e-9;
 
 /// The mesh with the middle of its extent, or the point that was asked for, at the origin.
 void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std::vector<std::string>& notes) {
@@ -41,8 +41,7 @@ void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std
     if (origin == Point{}) return;
     for (Point& p : mesh.points) p = p - origin;
     outline.middle = outline.middle - origin;
-    notes.push_back(fmt::format("moved by ({}, {}), so that {} is the origin", format_quantity(-origin.x, Dimension::length),
-                                format_quantity(-origin.y, Dimension::length),
+    notes.push_back(fmt::format("moved by ({}, {}), so that {} is the origin", format_length(-origin.x), format_length(-origin.y),
                                 placement.origin ? "the point that was given" : "the middle of its extent"));
 }
 
@@ -123,10 +122,9 @@ Specimen assemble(ImportedMesh mesh, const Placement& placement, const std::stri
     notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
     Outline outline = outline_of(mesh, placement.shape, name, notes);
     const double size = std::max(outline.width, outline.height);
-    if (!(size <= largest && size >= smallest)) {
+    if (!(size <= largest_extent && size >= smallest_extent)) {
         throw InputError(fmt::format("{}: {} across; a specimen of {} to {} is needed (--scale 1mm for files in mm)", name,
-                                     format_quantity(size, Dimension::length), format_quantity(smallest, Dimension::length),
-                                     format_quantity(largest, Dimension::length)));
+                                     format_length(size), format_length(smallest_extent), format_length(largest_extent)));
     }
     place(mesh, outline, placement, notes);
 

@@ -21,7 +21,7 @@ namespace {
 constexpr double same_place = 1e-9;  ///< over the extent: as contacts of a specimen must conform
 constexpr double on_side = 1e-6;     ///< distance of a point from a side over the side's length: far below any angle of a grain
 
-std::string place(Point p) { return fmt::format("({}, {})", format_number(p.x, 6), format_number(p.y, 6)); }
+std::string position_text(Point p) { return fmt::format("({}, {})", format_number(p.x, 6), format_number(p.y, 6)); }
 
 struct Extent {
     Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -143,7 +143,7 @@ private:
             const double longest =
                 std::max({length(at(t[1]) - at(t[0])), length(at(t[2]) - at(t[1])), length(at(t[0]) - at(t[2]))});
             if (!(std::abs(area) > on_side * longest * longest / 2)) {
-                fail(fmt::format("a triangle at {} has no area", place(at(t[0]))));
+                fail(fmt::format("a triangle at {} has no area", position_text(at(t[0]))));
             }
             if (area > 0) continue;
             std::swap(t[1], t[2]);
@@ -224,7 +224,7 @@ private:
         const auto twice = std::adjacent_find(sides.begin(), sides.end());
         if (twice != sides.end()) {
             fail(fmt::format("two triangles overlap: both have the side from {} to {} with themselves on its left",
-                             place(at((*twice)[0])), place(at((*twice)[1]))));
+                             position_text(at((*twice)[0])), position_text(at((*twice)[1]))));
         }
     }
 
@@ -259,14 +259,15 @@ private:
                 if (p != side.from && p != side.to && lies_on(p, side)) {
                     fail(fmt::format(
                         "the mesh does not conform: the point {} lies on the side from {} to {} without being its end",
-                        place(at(p)), place(at(side.from)), place(at(side.to))));
+                        position_text(at(p)), position_text(at(side.from)), position_text(at(side.to))));
                 }
             }
         }
         const auto side_of = [&](const OpenSide& side, int p) { return signed_area(at(side.from), at(side.to), at(p)); };
         if (side_of(s, t.from) * side_of(s, t.to) < 0 && side_of(t, s.from) * side_of(t, s.to) < 0) {
-            fail(fmt::format("the mesh overlaps itself: the sides from {} to {} and from {} to {} cross", place(at(s.from)),
-                             place(at(s.to)), place(at(t.from)), place(at(t.to))));
+            fail(fmt::format("the mesh overlaps itself: the sides from {} to {} and from {} to {} cross",
+                             position_text(at(s.from)), position_text(at(s.to)), position_text(at(t.from)),
+                             position_text(at(t.to))));
         }
     }
 

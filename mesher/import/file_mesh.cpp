@@ -22,7 +22,7 @@ namespace {
 
 constexpr double off_chord = 1e-3;  ///< of a middle node, over its side: the area changes by less
 constexpr double off_plane = 1e-9;  ///< of z, over the extent: round-off of a written number
-constexpr std::size_t longest_name = 40;
+constexpr std::size_t longest_shown_name = 40;
 
 /// Numbers of nodes as indices, and elements of indices.
 class Reader {
@@ -145,7 +145,7 @@ std::string phase_of_file(const FileMesh& file, const FileElement& element) {
 
 std::string plain_name(const std::string& name) {
     std::string plain;
-    for (const char c : name.substr(0, longest_name)) {
+    for (const char c : name.substr(0, longest_shown_name)) {
         const auto byte = static_cast<unsigned char>(c);
         plain += byte < 128 && (std::isalnum(byte) != 0 || c == '-') ? static_cast<char>(std::tolower(byte)) : '_';
     }
@@ -163,15 +163,15 @@ PhaseKey::PhaseKey(const std::string& path) : path_(path) {
         const std::string name = line.substr(0, tab);
         const std::string phase = tab == std::string::npos ? "" : line.substr(tab + 1);
         if (phases_.empty() && name == "key" && phase == "phase") continue;
-        if (phase.empty() || phase.size() > longest_name ||
+        if (phase.empty() || phase.size() > longest_shown_name ||
             phase.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
             throw InputError(
                 fmt::format("{}: line {}: \"{}\" is no row; a key, a tab and the name of a phase (a-z, 0-9, _) are needed", path,
-                            number, printable(line.substr(0, longest_name))));
+                            number, printable(line.substr(0, longest_shown_name))));
         }
         if (!phases_.emplace(name, phase).second) {
             throw InputError(
-                fmt::format("{}: line {}: {} has a phase already", path, number, printable(name.substr(0, longest_name))));
+                fmt::format("{}: line {}: {} has a phase already", path, number, printable(name.substr(0, longest_shown_name))));
         }
         order_.push_back(phase);
     }
@@ -184,7 +184,7 @@ std::string PhaseKey::phase(const std::vector<std::string>& names) const {
         if (found != phases_.end()) return found->second;
     }
     throw InputError(
-        fmt::format("{}: no row for {}; each grain needs one", path_, printable(names.front().substr(0, longest_name))));
+        fmt::format("{}: no row for {}; each grain needs one", path_, printable(names.front().substr(0, longest_shown_name))));
 }
 
 std::map<int, std::string> PhaseKey::phase_by_number() const {
@@ -194,7 +194,7 @@ std::map<int, std::string> PhaseKey::phase_by_number() const {
         const auto result = std::from_chars(name.data(), name.data() + name.size(), number);
         if (result.ec != std::errc{} || result.ptr != name.data() + name.size()) {
             throw InputError(fmt::format("{}: the key \"{}\" is no label; of pictures keys are integers", path_,
-                                         printable(name.substr(0, longest_name))));
+                                         printable(name.substr(0, longest_shown_name))));
         }
         phases[number] = phase;
     }

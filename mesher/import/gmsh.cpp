@@ -16,31 +16,31 @@ namespace {
 
 /// Types of elements with the numbers that the format gives them. What is neither a point nor of a dimension of a plane mesh is
 /// refused.
-struct ElementType {
+struct GmshElement {
     int number;
     const char* name;
     int n_nodes;
     int n_corners;  ///< 1 a point, 2 a line, 3, 4; 0: refused
     bool has_midsides = false;
 };
-constexpr std::array element_types{
-    ElementType{1, "2-node line", 2, 2},
-    ElementType{2, "3-node triangle", 3, 3},
-    ElementType{3, "4-node quadrangle", 4, 4},
-    ElementType{4, "4-node tetrahedron", 4, 0},
-    ElementType{5, "8-node hexahedron", 8, 0},
-    ElementType{6, "6-node prism", 6, 0},
-    ElementType{7, "5-node pyramid", 5, 0},
-    ElementType{8, "3-node line", 3, 2, true},
-    ElementType{9, "6-node triangle", 6, 3, true},
-    ElementType{10, "9-node quadrangle", 9, 4, true},
-    ElementType{11, "10-node tetrahedron", 10, 0},
-    ElementType{15, "point", 1, 1},
-    ElementType{16, "8-node quadrangle", 8, 4, true},
-    ElementType{20, "9-node triangle", 9, 0},
-    ElementType{21, "10-node triangle", 10, 0},
-    ElementType{26, "4-node line", 4, 1},
-    ElementType{27, "5-node line", 5, 1},
+constexpr std::array gmsh_elements{
+    GmshElement{1, "2-node line", 2, 2},
+    GmshElement{2, "3-node triangle", 3, 3},
+    GmshElement{3, "4-node quadrangle", 4, 4},
+    GmshElement{4, "4-node tetrahedron", 4, 0},
+    GmshElement{5, "8-node hexahedron", 8, 0},
+    GmshElement{6, "6-node prism", 6, 0},
+    GmshElement{7, "5-node pyramid", 5, 0},
+    GmshElement{8, "3-node line", 3, 2, true},
+    GmshElement{9, "6-node triangle", 6, 3, true},
+    GmshElement{10, "9-node quadrangle", 9, 4, true},
+    GmshElement{11, "10-node tetrahedron", 10, 0},
+    GmshElement{15, "point", 1, 1},
+    GmshElement{16, "8-node quadrangle", 8, 4, true},
+    GmshElement{20, "9-node triangle", 9, 0},
+    GmshElement{21, "10-node triangle", 10, 0},
+    GmshElement{26, "4-node line", 4, 1},
+    GmshElement{27, "5-node line", 5, 1},
 };
 
 class GmshReader {
@@ -215,10 +215,10 @@ private:
         }
     }
 
-    const ElementType& type_of(std::int64_t number) {
-        const auto* const found = std::find_if(element_types.begin(), element_types.end(),
-                                               [&](const ElementType& type) { return type.number == number; });
-        if (found == element_types.end()) {
+    const GmshElement& type_of(std::int64_t number) {
+        const auto* const found = std::find_if(gmsh_elements.begin(), gmsh_elements.end(),
+                                               [&](const GmshElement& type) { return type.number == number; });
+        if (found == gmsh_elements.end()) {
             text_.fail(
                 fmt::format("elements of type {} are not known; triangles (2, 9) or quadrangles (3, 10, 16) are needed", number));
         }
@@ -232,7 +232,7 @@ private:
     }
 
     /// Reads the nodes of an element and keeps it, if it is no point.
-    void add_element(const ElementType& type, FileElement element) {
+    void add_element(const GmshElement& type, FileElement element) {
         for (int k = 0; k < type.n_nodes; ++k) {
             const std::int64_t node = version_ == 2 ? text_.int32("a node of an element") : text_.size("a node of an element");
             if (k < static_cast<int>(element.nodes.size())) element.nodes[static_cast<std::size_t>(k)] = node;
@@ -250,7 +250,7 @@ private:
             // In binary files elements of one type have one head.
             std::int64_t n_block = 1;
             if (!is_binary_) element.number = text_.int32("the number of an element");
-            const ElementType& type = type_of(text_.int32("the type of an element"));
+            const GmshElement& type = type_of(text_.int32("the type of an element"));
             if (is_binary_) n_block = text_.int32("the number of elements of a type");
             const std::int64_t n_tags = text_.int32("the number of tags of an element");
             if (n_block < 1 || n_block > static_cast<std::int64_t>(n_elements) || n_tags < 0 ||
@@ -276,7 +276,7 @@ private:
         for (std::size_t block = 0; block < n_blocks; ++block) {
             const std::int64_t dimension = text_.int32("the dimension of a block of elements");
             const std::int64_t tag = text_.int32("the entity of a block of elements");
-            const ElementType& type = type_of(text_.int32("the type of elements"));
+            const GmshElement& type = type_of(text_.int32("the type of elements"));
             const std::size_t n_elements = text_.size_count("the number of elements of a block", 4);
             const auto found = entities_.find({static_cast<std::size_t>(std::max<std::int64_t>(dimension, 0)), tag});
             const Entity entity = found == entities_.end() ? Entity{tag, 0} : found->second;

@@ -117,7 +117,7 @@ int label_of(const unsigned char* pixel, int colour_type, int bits) {
     return static_cast<int>(label);
 }
 
-std::string format_of(int colour_type, int bits) {
+std::string pixel_format(int colour_type, int bits) {
     std::string_view kind = "colours";
     if (colour_type == PNG_COLOR_TYPE_GRAY) kind = "grey";
     if (colour_type == PNG_COLOR_TYPE_GRAY_ALPHA) kind = "grey and alpha";
@@ -140,7 +140,7 @@ LabelImage read_png(std::string_view bytes, const std::string& name) {
                          ": the PNG has colours of 16 bits; colours of 8 bits, greys of 8 or 16 bits or a palette are needed");
     }
     require(png.transform());
-    LabelImage image{static_cast<int>(png.width()), static_cast<int>(png.height()), {}, format_of(type, bits)};
+    LabelImage image{static_cast<int>(png.width()), static_cast<int>(png.height()), {}, pixel_format(type, bits)};
     const std::size_t row_bytes = png.row_bytes();
     const std::size_t pixel_bytes = row_bytes / png.width();
     const auto add_row = [&](const unsigned char* row) {

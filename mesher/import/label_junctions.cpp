@@ -15,9 +15,9 @@ struct Junction {
     bool joined = false;
 };
 
-class Joining {
+class JunctionJoining {
 public:
-    explicit Joining(LabelBoundaries& boundaries) : boundaries_(boundaries), junctions_(boundaries.nodes.size()) {
+    explicit JunctionJoining(LabelBoundaries& boundaries) : boundaries_(boundaries), junctions_(boundaries.nodes.size()) {
         for (std::size_t c = 0; c < boundaries_.chains.size(); ++c) {
             const BoundaryChain& chain = boundaries_.chains[c];
             if (chain.closed()) continue;
@@ -113,7 +113,7 @@ private:
 }  // namespace
 
 int join_near_junctions(LabelBoundaries& boundaries, int most_sides) {
-    return most_sides > 0 ? Joining(boundaries).run(static_cast<std::size_t>(std::min(most_sides, 2))) : 0;
+    return most_sides > 0 ? JunctionJoining(boundaries).run(static_cast<std::size_t>(std::min(most_sides, 2))) : 0;
 }
 
 }  // namespace graincrack::mesher

@@ -50,9 +50,9 @@ void number_pieces(const LabelImage& image, LabelPieces& pieces, const std::stri
 }
 
 /// Joins small pieces; a set of joined pieces is known by one of them.
-class Joining {
+class PieceJoining {
 public:
-    Joining(const LabelPieces& pieces, int smallest)
+    PieceJoining(const LabelPieces& pieces, int smallest)
         : set_of_(pieces.size()), labels_(pieces.label_of_piece), pixels_(pieces.pixels_of_piece), smallest_(smallest) {
         for (std::size_t i = 0; i < set_of_.size(); ++i) set_of_[i] = static_cast<int>(i);
         add_borders(pieces);
@@ -164,7 +164,7 @@ private:
 };
 
 void join_small_pieces(LabelPieces& pieces, int smallest) {
-    Joining joining(pieces, smallest);
+    PieceJoining joining(pieces, smallest);
     pieces.joined = joining.run();
     std::vector<int> number(pieces.size(), -1);
     std::vector<int> labels;

@@ -39,8 +39,7 @@ double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options,
     if (triangles_of_square * area > most_triangles * element * element) {
         const double least = std::sqrt(triangles_of_square * area / most_triangles) * options.pixel_size;
         throw InputError(fmt::format("{}: elements of {} are too many for {} × {} pixels; at least {} are needed", name,
-                                     format_quantity(*options.element_size, Dimension::length), pieces.width, pieces.height,
-                                     format_quantity(least, Dimension::length)));
+                                     format_length(*options.element_size), pieces.width, pieces.height, format_length(least)));
     }
     return element;
 }

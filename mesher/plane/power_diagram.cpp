@@ -15,17 +15,17 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// A vertex knows its seed, −1 of a helper; a face the vertex of the diagram that is its dual.
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
-using Face = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
-using Regular = CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
-using FaceHandle = Regular::Face_handle;
+using PowerVertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
+using PowerFace = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
+using Regular = CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<PowerVertex, PowerFace>>;
+using PowerFaceHandle = Regular::Face_handle;
 
 constexpr int helper = -1;
 /// Over the reach: three helpers of the least weight at this distance have no part of the circle, and all seeds between them.
 constexpr double helper_distance = 8;
 
 /// The point with equal powers to the three corners of a face.
-Point power_centre(FaceHandle face) {
+Point power_centre(PowerFaceHandle face) {
     const auto at = [&](int i) { return Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()}; };
     const auto weight = [&](int i) { return face->vertex(i)->point().weight(); };
     const Point u = at(1) - at(0);
@@ -40,7 +40,7 @@ Point power_centre(FaceHandle face) {
 
 PowerDiagram power_diagram(std::span<const Point> seeds, std::span<const double> weights, double reach) {
     Regular triangulation;
-    FaceHandle hint;
+    PowerFaceHandle hint;
     const auto insert = [&](Point p, double weight, int number) {
         const auto vertex = triangulation.insert(Regular::Weighted_point(Kernel::Point_2(p.x, p.y), weight), hint);
         vertex->info() = number;

@@ -26,21 +26,23 @@ constexpr double triangles_across = 3;  ///< a circle
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// A vertex knows its number, −1 of one that was added; a face its region.
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
-using Face = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_face_base_2<Kernel>>;
-using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
-using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Constrained>;
-using Mesher = CGAL::Delaunay_mesher_2<Constrained, Criteria>;
-using VertexHandle = Constrained::Vertex_handle;
-using FaceHandle = Constrained::Face_handle;
+using MeshVertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
+using MeshFace = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_face_base_2<Kernel>>;
+using MeshTriangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<MeshVertex, MeshFace>>;
+using Criteria = CGAL::Delaunay_mesh_size_criteria_2<MeshTriangulation>;
+using Mesher = CGAL::Delaunay_mesher_2<MeshTriangulation, Criteria>;
+using MeshVertexHandle = MeshTriangulation::Vertex_handle;
+using MeshFaceHandle = MeshTriangulation::Face_handle;
 
 constexpr int outside = -1;
 constexpr int unknown = -2;
 constexpr const char* crossing = "borders of regions cross or touch each other";
 
-std::vector<VertexHandle> insert(Constrained& triangulation, std::span<const Point> points, std::span<const RegionEdge> borders) {
-    std::vector<VertexHandle> vertices(points.size());
-    FaceHandle hint;
+std::vector<MeshVertexHandle> insert(MeshTriangulation& triangulation, std::span<const Point> points,
+                                     std::span<const RegionEdge> borders) {
+    std::vector<MeshVertexHandle> vertices(points.size());
+    MeshFaceHandle hint;
     for (const int i : hilbert_order(points)) {
         const auto p = static_cast<std::size_t>(i);
         vertices[p] = triangulation.insert({points[p].x, points[p].y}, hint);
@@ -54,16 +56,16 @@ std::vector<VertexHandle> insert(Constrained& triangulation, std::span<const Poi
         for (const RegionEdge& e : borders) {
             triangulation.insert_constraint(vertices[static_cast<std::size_t>(e.from)], vertices[static_cast<std::size_t>(e.to)]);
         }
-    } catch (const Constrained::Intersection_of_constraints_exception&) {
+    } catch (const MeshTriangulation::Intersection_of_constraints_exception&) {
         throw UsageError(crossing);
     }
     return vertices;
 }
 
 /// Spreads the regions of some faces over all faces that no border separates from them.
-void flood(Constrained& triangulation, const std::vector<std::pair<FaceHandle, int>>& known) {
+void flood(MeshTriangulation& triangulation, const std::vector<std::pair<MeshFaceHandle, int>>& known) {
     for (const auto face : triangulation.all_face_handles()) face->info() = unknown;
-    std::vector<FaceHandle> reached;
+    std::vector<MeshFaceHandle> reached;
     for (const auto& [start, region] : known) {
         if (start->info() == region) continue;
         if (start->info() != unknown) throw UsageError(crossing);
@@ -83,44 +85,45 @@ void flood(Constrained& triangulation, const std::vector<std::pair<FaceHandle, i
 }
 
 /// The faces on both sides of the borders, with the regions they are in.
-std::vector<std::pair<FaceHandle, int>> sides(const Constrained& triangulation, const std::vector<VertexHandle>& vertices,
-                                              std::span<const RegionEdge> borders) {
-    std::vector<std::pair<FaceHandle, int>> known{{triangulation.infinite_face(), outside}};
+std::vector<std::pair<MeshFaceHandle, int>> sides(const MeshTriangulation& triangulation,
+                                                  const std::vector<MeshVertexHandle>& vertices,
+                                                  std::span<const RegionEdge> borders) {
+    std::vector<std::pair<MeshFaceHandle, int>> known{{triangulation.infinite_face(), outside}};
     for (const RegionEdge& e : borders) {
-        FaceHandle face;
+        MeshFaceHandle face;
         int i = 0;
         const auto from = vertices[static_cast<std::size_t>(e.from)];
         const auto to = vertices[static_cast<std::size_t>(e.to)];
         if (!triangulation.is_edge(from, to, face, i)) throw UsageError(crossing);
-        const FaceHandle other = face->neighbor(i);
-        const bool is_left = face->vertex(Constrained::ccw(i)) == from;
+        const MeshFaceHandle other = face->neighbor(i);
+        const bool is_left = face->vertex(MeshTriangulation::ccw(i)) == from;
         known.emplace_back(face, is_left ? e.left : e.right);
         known.emplace_back(other, is_left ? e.right : e.left);
     }
     return known;
 }
 
-Point centroid(FaceHandle face) {
+Point centroid(MeshFaceHandle face) {
     Point sum;
     for (int i = 0; i < 3; ++i) sum = sum + Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()};
     return (1.0 / 3) * sum;
 }
 
-double area(FaceHandle face) {
+double area(MeshFaceHandle face) {
     const auto at = [&](int i) { return Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()}; };
     return signed_area(at(0), at(1), at(2));
 }
 
 /// A point inside each connected part of a region that is far from its borders: the centroid of its largest face.
-std::vector<std::pair<Point, int>> places_inside(const Constrained& triangulation) {
-    CGAL::Unique_hash_map<FaceHandle, bool> seen(false);
+std::vector<std::pair<Point, int>> places_inside(const MeshTriangulation& triangulation) {
+    CGAL::Unique_hash_map<MeshFaceHandle, bool> seen(false);
     std::vector<std::pair<Point, int>> places;
-    std::vector<FaceHandle> reached;
+    std::vector<MeshFaceHandle> reached;
     for (const auto start : triangulation.finite_face_handles()) {
         if (seen[start] || start->info() < 0) continue;
         seen[start] = true;
         reached.assign(1, start);
-        FaceHandle largest = start;
+        MeshFaceHandle largest = start;
         while (!reached.empty()) {
             const auto face = reached.back();
             reached.pop_back();
@@ -137,7 +140,7 @@ std::vector<std::pair<Point, int>> places_inside(const Constrained& triangulatio
     return places;
 }
 
-void refine(Constrained& triangulation, const Refinement& refinement) {
+void refine(MeshTriangulation& triangulation, const Refinement& refinement) {
     const double sine = std::sin(refinement.smallest_angle * std::numbers::pi / 180);
     Mesher mesher(triangulation, Criteria(sine * sine, longest_side * refinement.side));
     // Which faces are to be refined is known: those that have a region.
@@ -156,15 +159,15 @@ void refine(Constrained& triangulation, const Refinement& refinement) {
 double side_for_area(double mean_area) { return std::sqrt(4 / std::numbers::pi * mean_area) / triangles_across; }
 
 RefinedMesh refined_triangles(std::span<const Point> points, std::span<const RegionEdge> borders, const Refinement& refinement) {
-    Constrained triangulation;
-    const std::vector<VertexHandle> vertices = insert(triangulation, points, borders);
+    MeshTriangulation triangulation;
+    const std::vector<MeshVertexHandle> vertices = insert(triangulation, points, borders);
     flood(triangulation, sides(triangulation, vertices, borders));
     const auto places = places_inside(triangulation);
     // New vertices are -1 until they are numbered; so is the region of faces that the refinement makes.
     refine(triangulation, refinement);
 
-    std::vector<std::pair<FaceHandle, int>> known{{triangulation.infinite_face(), outside}};
-    FaceHandle hint;
+    std::vector<std::pair<MeshFaceHandle, int>> known{{triangulation.infinite_face(), outside}};
+    MeshFaceHandle hint;
     for (const auto& [place, region] : places) {
         hint = triangulation.locate({place.x, place.y}, hint);
         known.emplace_back(hint, region);
@@ -173,7 +176,7 @@ RefinedMesh refined_triangles(std::span<const Point> points, std::span<const Reg
 
     RefinedMesh mesh;
     mesh.points.assign(points.begin(), points.end());
-    std::vector<VertexHandle> given = vertices;
+    std::vector<MeshVertexHandle> given = vertices;
     for (const auto vertex : triangulation.finite_vertex_handles()) vertex->info() = unknown;
     for (std::size_t i = 0; i < given.size(); ++i) given[i]->info() = static_cast<int>(i);
     for (const auto vertex : triangulation.finite_vertex_handles()) {

@@ -22,8 +22,6 @@ constexpr double shortest_piece = 0.5;  ///< over the mean edge
 constexpr double longest_move = 1.2;    ///< of an end, over the mean edge
 constexpr double sample_distance = 0.2;
 
-std::string metres(double value) { return format_quantity(value, Dimension::length); }
-
 Curve curve_of(const PrescribedEdge& e) { return {Curve::Kind::prescribed, e.from, e.to, unit(e.to - e.from), {}}; }
 
 class Fitting {
@@ -139,7 +137,7 @@ private:
         if (whole < shortest_piece * edge_) {
             return fmt::format(
                 "{} inside of the specimen is less than half a grain edge of {}; make it longer or the grains smaller",
-                metres(whole), metres(edge_));
+                format_length(whole), format_length(edge_));
         }
         const Point along = unit(piece.to - piece.from);
         const bool starts_on_loop = std::abs(depth_inside(loops_, piece.from)) <= tolerance_;
@@ -150,7 +148,7 @@ private:
                 const double distance = length(corner - end);
                 if (distance > tolerance_ && distance < near_) {
                     return fmt::format("it meets the boundary {} from a corner or pole; end it there or {} away",
-                                       metres(distance), metres(near_));
+                                       format_length(distance), format_length(near_));
                 }
             }
         }
@@ -163,7 +161,7 @@ private:
             const double depth = least > 0 ? depth_inside(loops_, piece.from + s * along) : near_;
             if (depth < least) {
                 return fmt::format("it runs {} beside the boundary; keep {} away or meet it under more than 15 deg",
-                                   metres(depth), metres(near_));
+                                   format_length(depth), format_length(near_));
             }
         }
         return std::nullopt;
@@ -194,8 +192,8 @@ private:
         // Two that continue each other on one line share an end and nothing else.
         if (distance <= tolerance_ && share_an_end(a, b) && dot(outward(a, b), outward(b, a)) < 0) return std::nullopt;
         if (distance <= tolerance_) return "lies upon " + b.name;
-        return fmt::format("comes within {} of {} without meeting it; at least {} fits, with grain edges of {}", metres(distance),
-                           b.name, metres(near_), metres(edge_));
+        return fmt::format("comes within {} of {} without meeting it; at least {} fits, with grain edges of {}",
+                           format_length(distance), b.name, format_length(near_), format_length(edge_));
     }
 
     [[nodiscard]] bool share_an_end(const PrescribedEdge& a, const PrescribedEdge& b) const {
@@ -228,7 +226,7 @@ private:
             if (gap <= tolerance_ || gap >= near_) continue;
             const std::string& name = placed_[stations[stations[i].second == index ? i + 1 : i].second].name;
             return fmt::format("crosses {} {} from an end or another crossing; at least {} fits, with grain edges of {}", name,
-                               metres(gap), metres(near_), metres(edge_));
+                               format_length(gap), format_length(near_), format_length(edge_));
         }
         return std::nullopt;
     }

@@ -19,8 +19,6 @@ namespace {
 constexpr double max_joints = 10'000;
 constexpr double variation = 0.3;  ///< half range of the lengths of joints and bridges over their mean
 
-std::string metres(double value) { return format_quantity(value, Dimension::length); }
-
 }  // namespace
 
 JointSet parse_joint_set(std::string_view text, const std::string& name) {
@@ -77,7 +75,7 @@ std::vector<PrescribedEdge> joints_of(const JointSet& set, const Region& region,
     const auto require = [&](double value, double least, const char* what) {
         if (value < least) {
             throw UsageError(fmt::format("{}: {} of {} is less than {} with grain edges of {}; give more, or smaller grains",
-                                         set.name, what, metres(value), metres(least), metres(edge)));
+                                         set.name, what, format_length(value), format_length(least), format_length(edge)));
         }
     };
     require(set.spacing, 2 * edge, "a spacing");

@@ -18,8 +18,6 @@ constexpr auto rim = static_cast<std::uint8_t>(BoundaryPart::rim);
 constexpr auto top = static_cast<std::uint8_t>(BoundaryPart::top);
 constexpr auto bottom = static_cast<std::uint8_t>(BoundaryPart::bottom);
 
-std::string metres(double value) { return format_quantity(value, Dimension::length); }
-
 double signed_area_of(const std::vector<Point>& corners) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -96,12 +94,12 @@ void add_hole(Region& region, Point centre, double radius, const std::string& wh
         if (curve.distance(centre) <= radius) {
             throw UsageError(
                 fmt::format("{}: a hole of radius {} at ({}, {}) meets the boundary or another hole; give one inside", where,
-                            metres(radius), metres(centre.x), metres(centre.y)));
+                            format_length(radius), format_length(centre.x), format_length(centre.y)));
         }
     }
     if (!contains(region, centre)) {
         throw UsageError(fmt::format("{}: ({}, {}) lies outside of the specimen or in another hole; give a point inside", where,
-                                     metres(centre.x), metres(centre.y)));
+                                     format_length(centre.x), format_length(centre.y)));
     }
     if (region.part_names.size() > std::numeric_limits<std::uint8_t>::max()) {
         throw UsageError(where + ": too many parts of the boundary; a specimen has at most 256");
@@ -119,7 +117,7 @@ PrescribedEdge central_slit(const Region& region, double length, double angle, c
     const auto pieces = clip(region, {-1 * reach, reach, {}, where});
     const double room = pieces.empty() ? 0 : mesher::length(pieces.back().to - pieces.front().from);
     if (length > room * (1 + 1e-9)) {
-        throw UsageError(where + ": " + metres(length) + " has no room; give at most " + metres(room) +
+        throw UsageError(where + ": " + format_length(length) + " has no room; give at most " + format_length(room) +
                          ", which is a joint through the specimen");
     }
     return {-length / 2 * along, length / 2 * along, ContactKind::pre_existing_crack, where};
@@ -128,7 +126,7 @@ PrescribedEdge central_slit(const Region& region, double length, double angle, c
 PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where) {
     const Box box = bounds(region);
     if (!(length < box.height())) {
-        throw UsageError(where + ": " + metres(length) + " has no room; give less than " + metres(box.height()));
+        throw UsageError(where + ": " + format_length(length) + " has no room; give less than " + format_length(box.height()));
     }
     return {{0, box.low.y}, {0, box.low.y + length}, ContactKind::pre_existing_crack, where};
 }

@@ -13,7 +13,6 @@ namespace graincrack::calibrate {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* grain_modulus = "rock.young_modulus";
 constexpr const char* grain_ratio = "rock.poisson_ratio";
 
@@ -46,7 +45,7 @@ std::vector<double> values_of(const Target& target, const std::vector<const Meas
     return values;
 }
 
-double log_or_nan(double value) { return value > 0 ? std::log(value) : nan; }
+double log_or_nan(double value) { return value > 0 ? std::log(value) : NAN; }
 
 /// What the surfaces say of a target that was not met.
 struct Miss {
@@ -192,7 +191,7 @@ void Calibration::make_design(const Box& box) {
                 Response& response = fit_.responses[r];
                 if (!run.test.has(response.target)) continue;
                 const std::vector<double> values = values_of(response.target, runs);
-                response.values.push_back(values.empty() ? nan : log_or_nan(sample(values).mean.value));
+                response.values.push_back(values.empty() ? NAN : log_or_nan(sample(values).mean.value));
                 response.tests += runs.size();
                 response.measured += values.size();
                 peaks_[r].push_back(!values.empty());
@@ -359,7 +358,7 @@ std::string off_text(const Outcome& o) {
     if (!o.ours) return fmt::format("{}: none of {} tests has a value", t.symbol(), o.tests);
     const double scale = t.kind.absolute ? 1 : 100 / t.value;
     const char* unit = t.kind.absolute ? "" : " %";
-    const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : nan;
+    const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : NAN;
     std::string text = fmt::format("{} differs by {:+.3g}{} (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
                                    (o.ours->mean.value - t.value) * scale, unit, half * scale, unit, t.deviation * scale, unit);
     if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have a value", o.ours->n, o.tests);
@@ -469,7 +468,7 @@ void Calibration::run() {
         for (const TargetKind& kind : target_kinds()) {
             if (kind.pressure == PressureOf::name && !(test.confining_pressure > 0)) continue;
             if (kind.pressure == PressureOf::none && test.confining_pressure > 0) continue;
-            Target t{kind, test.confining_pressure, nan, nan, Use::predict};
+            Target t{kind, test.confining_pressure, NAN, NAN, Use::predict};
             if (test.has(t) && kind.peak_drop <= test.peak_drop) add_response(t);
         }
     }

@@ -21,9 +21,9 @@ constexpr double costs_little = 0.25;
 constexpr double logit_deviation = 0.25;
 
 /// Residuals of a least-squares problem with their derivatives.
-class Problem {
+class LeastSquares {
 public:
-    Problem(const Place& first, const std::vector<Aim>& aims, const std::vector<LeastShare>& shares)
+    LeastSquares(const Place& first, const std::vector<Aim>& aims, const std::vector<LeastShare>& shares)
         : first_(first), aims_(aims), shares_(shares) {}
     std::vector<Place> kept;  ///< directions held at the first guess
 
@@ -64,7 +64,7 @@ private:
 };
 
 /// Levenberg and Marquardt's method; coordinates at an edge that would leave the box stay there.
-Place minimise(const Problem& problem, const Box& box, Place place) {
+Place minimise(const LeastSquares& problem, const Box& box, Place place) {
     Eigen::VectorXd r;
     Eigen::MatrixXd slopes;
     double damping = 1e-3;
@@ -99,7 +99,7 @@ Place minimise(const Problem& problem, const Box& box, Place place) {
     return place;
 }
 
-Place minimise_everywhere(const Problem& problem, const Box& box, const Place& first) {
+Place minimise_everywhere(const LeastSquares& problem, const Box& box, const Place& first) {
     std::vector<Place> starts = sobol_places(box, 0, 64);
     std::partial_sort(starts.begin(), starts.begin() + 3, starts.end(),
                       [&](const Place& a, const Place& b) { return problem.sum(a) < problem.sum(b); });
@@ -131,7 +131,7 @@ double Optimum::kept_share(Eigen::Index coordinate) const {
 }
 
 Optimum find_optimum(const Box& box, const Place& first, const std::vector<Aim>& aims, const std::vector<LeastShare>& shares) {
-    Problem problem(first, aims, shares);
+    LeastSquares problem(first, aims, shares);
     Optimum optimum;
     const auto n = static_cast<Eigen::Index>(aims.size());
     Eigen::MatrixXd slopes(n, box.size());

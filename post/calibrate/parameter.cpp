@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "post/fit/mohr_coulomb.hpp"
@@ -17,7 +16,6 @@ namespace graincrack::calibrate {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What default boxes follow from.
 struct Basis {
@@ -82,7 +80,7 @@ Parameter contrast(const Basis& b) {
         square += phase.fraction * r * r;
     }
     const double variation = std::sqrt(square - mean * mean) / mean;
-    if (!(variation > 0)) return {"", true, nan, nan, nan, nan, nan, ""};
+    if (!(variation > 0)) return {"", true, NAN, NAN, NAN, NAN, NAN, ""};
     return {"",
             true,
             0.17 / variation,
@@ -133,7 +131,7 @@ DisplayUnit unit_of(const std::string& key) {
 Basis basis_of(const Material& rock, double edge) {
     const auto of = [&](const char* key) {
         const auto found = rock.laboratory.find(key);
-        return found == rock.laboratory.end() ? nan : found->second;
+        return found == rock.laboratory.end() ? NAN : found->second;
     };
     Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional"};
     if (std::isnan(basis.friction_angle) && !std::isnan(of("cohesion"))) {
@@ -144,7 +142,7 @@ Basis basis_of(const Material& rock, double edge) {
 }
 
 /// A row of [parameters] on top of its default box.
-void set(Parameter& p, const TomlEntry& entry, const std::string& where) {
+void set_parameter(Parameter& p, const TomlEntry& entry, const std::string& where) {
     const std::string& text = entry.values.empty() ? entry.key : entry.values.front().text;
     if (entry.key == "scale") {
         if (text != "log" && text != "linear") throw InputError(fmt::format("{}: {} is neither log nor linear", where, text));
@@ -192,7 +190,7 @@ double Parameter::coordinate_by_log(double value) const {
 std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge) {
     const Basis basis = basis_of(rock, edge);
     const auto usual = [&](const std::string& key) {
-        Parameter p{"", true, nan, nan, nan, nan, nan};
+        Parameter p{"", true, NAN, NAN, NAN, NAN, NAN};
         for (const Row& row : rows) {
             if (key == row.key) p = row.box(basis);
         }
@@ -211,7 +209,7 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
         }
         Parameter p = usual(key);
         for (const TomlEntry& entry : file.entries) {
-            if (entry.section == section.name) set(p, entry, where + "." + entry.key);
+            if (entry.section == section.name) set_parameter(p, entry, where + "." + entry.key);
         }
         require_sound(p, where);
         parameters.push_back(p);

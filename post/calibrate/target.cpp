@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
@@ -15,12 +14,11 @@ namespace graincrack::calibrate {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double MPa = 1e6;
 
 double column(const Measures& measures, const char* name, double si) {
     const auto found = measures.find(name);
-    return found == measures.end() ? nan : found->second * si;
+    return found == measures.end() ? NAN : found->second * si;
 }
 double first_peak(const Measures& m) { return column(m, "first_peak_MPa", MPa); }
 double tensile_share(const Measures& m) {
@@ -144,12 +142,12 @@ std::vector<Target> laboratory_targets(const Material& rock, double pressure, co
     for (const double p : predicted_pressures) {
         if (p != pressure) add("first_peak_1MPa", p, ucs + slope * p, Use::predict);
     }
-    for (const char* name : {"direct_tension", "crack_initiation", "crack_damage"}) add(name, 0, nan, Use::predict);
+    for (const char* name : {"direct_tension", "crack_initiation", "crack_damage"}) add(name, 0, NAN, Use::predict);
     return targets;
 }
 
 /// A key of a row of [targets].
-void set(Target& target, const TomlEntry& entry, const std::string& where) {
+void set_target(Target& target, const TomlEntry& entry, const std::string& where) {
     const std::string& text = entry.values.empty() ? entry.key : entry.values.front().text;
     if (entry.key == "value") {
         target.value = parse_quantity(text, target.kind.quantity, where);
@@ -184,9 +182,9 @@ std::vector<Target> targets_of(const Material& rock, const TomlFile& file, doubl
         if (section.name.front() != "targets" || section.name.size() < 2) continue;
         const std::string where = fmt::format("{}: line {}: targets.{}", file.file, section.line, section.name[1]);
         Target target = target_of(section.name[1], where);
-        target.value = target.deviation = nan;
+        target.value = target.deviation = NAN;
         for (const TomlEntry& entry : file.entries) {
-            if (entry.section == section.name) set(target, entry, where + "." + entry.key);
+            if (entry.section == section.name) set_target(target, entry, where + "." + entry.key);
         }
         if (std::isnan(target.value) && target.use == Use::fit) {
             throw InputError(fmt::format("{}: value is missing; only a target with use = \"predict\" needs none", where));

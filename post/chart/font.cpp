@@ -11,13 +11,13 @@ namespace graincrack {
 
 namespace {
 
-struct Free {
+struct FreePango {
     void operator()(gpointer object) const { g_object_unref(object); }
     void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
     void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
 };
 template <class T>
-using Owned = std::unique_ptr<T, Free>;
+using Owned = std::unique_ptr<T, FreePango>;
 
 /// Letters keep their shape and distance at every resolution, so that what was measured once holds in each file.
 Owned<PangoContext> make_context() {

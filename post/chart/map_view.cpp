@@ -177,7 +177,7 @@ std::vector<LegendEntry> phase_legend(const Specimen& specimen) {
 
 double draw_scale_bar(Drawing& page, const MapScale& scale, const TextColumn& column, const LegendEnd& end) {
     const double length = round_length(0.3 * scale.width);
-    const std::string label = format_quantity(length, Dimension::length);
+    const std::string label = format_length(length);
     const double left = column.right - length * scale.pixels_per_metre;
     const double room = text_width(label, letters::text) + 14;
     const bool beside = end.last.x > column.left && left - room > end.last.x + 30;

@@ -25,11 +25,11 @@ constexpr double points_per_inch = 72;
 constexpr double default_resolution = 300;
 constexpr int max_pixels = 32767;  ///< of an image of Cairo, along a side
 
-struct Free {
+struct FreeCairo {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
     void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
-using Surface = std::unique_ptr<cairo_surface_t, Free>;
+using Surface = std::unique_ptr<cairo_surface_t, FreeCairo>;
 
 std::string ending(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
@@ -101,7 +101,7 @@ private:
 
 /// Draws all shapes on white. \param scale units of the surface to a pixel of the drawing
 void paint(const Drawing& drawing, cairo_surface_t* surface, double scale) {
-    const std::unique_ptr<cairo_t, Free> context(cairo_create(surface));
+    const std::unique_ptr<cairo_t, FreeCairo> context(cairo_create(surface));
     cairo_set_source_rgb(context.get(), 1, 1, 1);
     cairo_paint(context.get());
     cairo_scale(context.get(), scale, scale);

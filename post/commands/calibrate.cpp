@@ -16,7 +16,7 @@ namespace graincrack {
 
 namespace {
 
-struct Options {
+struct CalibrateOptions {
     std::string material;
     std::vector<std::string> settings;
 };
@@ -42,7 +42,7 @@ void write_heat_map(const std::string& file, const std::vector<calibrate::Sensit
                   file);
 }
 
-void write(const Options& options, const Call& call) {
+void write_decision(const CalibrateOptions& options, const Call& call) {
     using calibrate::Ending;
     const std::string& folder = call.file();
     const auto [decision, wanted_time, sensitivities] =
@@ -68,18 +68,18 @@ void write(const Options& options, const Call& call) {
 }  // namespace
 
 Command calibrate_command() {
-    return make_command<Options>(
+    return make_command<CalibrateOptions>(
         "calibrate", "the next runs of a calibration, or the calibrated material; starts no runs itself",
         {"results/my-rock", "results/my-rock --material augig-granite --set zooms=2"},
         FileArguments{"folder", "folder with strength.tsv and moduli.tsv of the finished runs"},
-        [](CLI::App& app, Options& options) {
+        [](CLI::App& app, CalibrateOptions& options) {
             app.add_option("--material", options.material,
                            "material with [targets], [parameters] and [study], or with [laboratory] alone: a name of "
                            "share/materials or a TOML file; default: FOLDER/material.toml")
                 ->type_name("FILE");
             add_names(app, "--set", options.settings, "KEY=VALUE", "new value of a key of [study]; may be given again");
         },
-        &write);
+        &write_decision);
 }
 
 }  // namespace graincrack

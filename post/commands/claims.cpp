@@ -11,13 +11,13 @@ namespace graincrack {
 
 namespace {
 
-struct Options {
+struct ClaimsCommandOptions {
     std::string study;
     std::vector<std::string> settings;
     claims::ClaimsFormat format = claims::ClaimsFormat::tsv;
 };
 
-void write(const Options& options, const Call& call) {
+void write_verdicts(const ClaimsCommandOptions& options, const Call& call) {
     if (call.files.size() < 2) {
         throw UsageError("tables: missing; claims needs the file of claims and the tables of results that it names");
     }
@@ -34,11 +34,11 @@ void write(const Options& options, const Call& call) {
 
 Command claims_command() {
     using Format = claims::ClaimsFormat;
-    return make_command<Options>(
+    return make_command<ClaimsCommandOptions>(
         "claims", "compare the claims of a paper with tables of results: verdicts with intervals",
         {"claims.tsv properties.tsv modes.tsv --study verification", "claims.tsv properties.tsv --set BTS=8.8 --format markdown"},
         FileArguments{"files", "the file of claims, then the tables of results that it names"},
-        [](CLI::App& app, Options& options) {
+        [](CLI::App& app, ClaimsCommandOptions& options) {
             app.add_option("--study", options.study, "name of the study, in the first column");
             add_names(app, "--set", options.settings, "NAME=VALUE",
                       "text that replaces {NAME} in the claims; may be given again");
@@ -50,7 +50,7 @@ Command claims_command() {
                                 {"html", Format::html}},
                                "form of the table");
         },
-        &write);
+        &write_verdicts);
 }
 
 }  // namespace graincrack

@@ -25,7 +25,7 @@ struct ExportOptions {
     std::optional<MeshFormat> format;
 };
 
-void add_options(CLI::App& app, ExportOptions& options) {
+void add_export_options(CLI::App& app, ExportOptions& options) {
     add_output(app, options.mesh, "mesh: .msh (Gmsh), .vtu (VTK) or .inp (Abaqus); - is stdout");
     add_choice<std::optional<MeshFormat>>(
         app, "--format", options.format, {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}, {"abaqus", MeshFormat::abaqus}},
@@ -41,7 +41,7 @@ std::string text_of(const SharedMesh& mesh, MeshFormat format, const std::string
     return "";
 }
 
-void run(const ExportOptions& options, const Call& call) {
+void export_mesh(const ExportOptions& options, const Call& call) {
     if (options.format) require_mesh_format(options.mesh, *options.format);
     const MeshFormat format = options.format ? *options.format : mesh_format_of(options.mesh);
     const H5Input file(call.file());
@@ -58,7 +58,7 @@ void run(const ExportOptions& options, const Call& call) {
 Command export_command() {
     return make_command<ExportOptions>("export", "the mesh of a specimen for other programs: Gmsh, VTK, Abaqus",
                                        {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.inp"},
-                                       FileArguments{"file", "specimen or run"}, add_options, run);
+                                       FileArguments{"file", "specimen or run"}, add_export_options, export_mesh);
 }
 
 }  // namespace graincrack

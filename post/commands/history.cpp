@@ -54,7 +54,7 @@ struct HistoryOptions {
     TableFormat format = TableFormat::tsv;
 };
 
-void add_options(CLI::App& app, HistoryOptions& options) {
+void add_history_options(CLI::App& app, HistoryOptions& options) {
     app.add_flag("--follow", options.follow, "print the rows of a running test as they appear, until it ends");
     auto* probe =
         app.add_option("--probe", options.probe, "print the history of this probe or boundary of a loading program instead")
@@ -64,7 +64,7 @@ void add_options(CLI::App& app, HistoryOptions& options) {
     add_format(app, options.format);
 }
 
-void run(const HistoryOptions& options, const Call& call) {
+void show_history(const HistoryOptions& options, const Call& call) {
     if (options.follow && (options.stages || !options.probe.empty())) {
         throw UsageError("history --follow: follows the history alone; leave out --probe and --stages");
     }
@@ -83,7 +83,8 @@ void run(const HistoryOptions& options, const Call& call) {
 
 Command history_command() {
     return make_command<HistoryOptions>("history", "history of a run as a table, tension positive",
-                                        {"uniaxial.h5", "uniaxial.h5 --follow --format jsonl"}, one_run, add_options, run);
+                                        {"uniaxial.h5", "uniaxial.h5 --follow --format jsonl"}, one_run, add_history_options,
+                                        show_history);
 }
 
 }  // namespace graincrack

@@ -178,12 +178,12 @@ struct InfoOptions {
     bool digest = false;
 };
 
-void add_options(CLI::App& app, InfoOptions& options) {
+void add_info_options(CLI::App& app, InfoOptions& options) {
     app.add_flag("--check", options.check, "read every dataset and validate the specimen");
     app.add_flag("--digest", options.digest, "print the digest of the file alone: SHA-256 over the content except /provenance");
 }
 
-void run(const InfoOptions& options, const Call& call) {
+void show_info(const InfoOptions& options, const Call& call) {
     for (const std::string& file : call.files) (options.digest ? write_digest : write_info)(call.out, file, options.check);
 }
 
@@ -191,7 +191,7 @@ void run(const InfoOptions& options, const Call& call) {
 
 Command info_command() {
     return make_command<InfoOptions>("info", "contents of a specimen or run", {"uniaxial.h5", "disc.h5 --check"},
-                                     FileArguments{"files", "specimens or runs"}, add_options, run);
+                                     FileArguments{"files", "specimens or runs"}, add_info_options, show_info);
 }
 
 }  // namespace graincrack

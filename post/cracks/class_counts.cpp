@@ -30,9 +30,8 @@ struct ClassRow {
     [[nodiscard]] Cell at_end(double ModeCounts::*mode) const { return count_cell(counts.at_end.*mode); }
 };
 
-using R = ClassRow;
-
-const Columns<R>& columns() {
+const Columns<ClassRow>& class_columns() {
+    using R = ClassRow;
     using namespace unit;
     static const Columns<R> all{{"file", none, [](const R& r) { return r.run.run; }},
                                 {"class", none, [](const R& r) { return r.counts.name; }},
@@ -46,7 +45,8 @@ const Columns<R>& columns() {
     return all;
 }
 
-const Columns<R>& terminal_columns() {
+const Columns<ClassRow>& class_terminal_columns() {
+    using R = ClassRow;
     static constexpr ColumnUnit at_peak{"at peak"}, at_end{"at end"};
     static const Columns<R> all{{"contacts", unit::none, [](const R& r) { return r.counts.name; }},
                                 {"number", unit::none, [](const R& r) { return r.counts.contacts; }},
@@ -128,22 +128,22 @@ void write_class_counts(std::ostream& out, const std::vector<RunClasses>& runs, 
         for (const RunClasses& run : runs) {
             for (const ClassCounts& each : run.classes) rows.push_back({run, each});
         }
-        return write_table(out, columns(), rows, format);
+        return write_table(out, class_columns(), rows, format);
     }
-    TerminalTable table(terminal_columns());
+    TerminalTable table(class_terminal_columns());
     for (const RunClasses& run : runs) {
         table.group(run.run + ", " + run.definition);
-        for (const ClassCounts& each : run.classes) table.row(cells_of(terminal_columns(), {run, each}));
+        for (const ClassCounts& each : run.classes) table.row(cells_of(class_terminal_columns(), {run, each}));
         const auto is_within = [](const std::string& name) { return !phase_of_within_class(name).empty(); };
         const auto sum = [&](const std::string& name, const auto& is_meant) {
-            table.row(cells_of(terminal_columns(), {run, sum_of(run, name, is_meant)}));
+            table.row(cells_of(class_terminal_columns(), {run, sum_of(run, name, is_meant)}));
         };
         if (std::any_of(run.classes.begin(), run.classes.end(), [&](const ClassCounts& each) { return is_within(each.name); })) {
             sum("within crystals", is_within);
             sum("between crystals", [&](const std::string& name) { return !is_within(name); });
         }
         sum("all", [](const std::string& /*name*/) { return true; });
-        if (run.crystals) table.row(cells_of(terminal_columns(), {run, *run.crystals}));
+        if (run.crystals) table.row(cells_of(class_terminal_columns(), {run, *run.crystals}));
     }
     table.write(out);
 }

@@ -38,9 +38,8 @@ struct SummaryRow {
     [[nodiscard]] Cell of_fit(double GutenbergRichter::*value) const { return fit ? Cell((*fit).*value) : Cell(); }
 };
 
-using R = SummaryRow;
-
-const Columns<R>& columns() {
+const Columns<SummaryRow>& summary_columns() {
+    using R = SummaryRow;
     using namespace unit;
     static const Columns<R> all = [] {
         Columns<R> list{{"file", none, [](const R& r) { return r.file; }},
@@ -105,7 +104,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
     end.events = events.size();
     const std::vector<double> magnitudes = magnitudes_of(events);
     if (!magnitudes.empty()) end.fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
-    write_table(out, columns(), rows, format);
+    write_table(out, summary_columns(), rows, format);
 }
 
 }  // namespace graincrack

@@ -36,7 +36,7 @@ struct FitRow {
     [[nodiscard]] bool is_tensile() const { return series.test == "brazilian" || series.test == "tension"; }
 };
 
-const Columns<FitRow>& columns() {
+const Columns<FitRow>& fit_columns() {
     using namespace unit;
     using R = FitRow;
     static const Columns<R> all{
@@ -138,7 +138,7 @@ void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs
         rows.push_back({s, "log-log", fit_power_law_log(s.edge, s.strength)});
         rows.push_back({s, "non-linear", fit_power_law(s.edge, s.strength)});
     }
-    write_table(out, columns(), rows, format);
+    write_table(out, fit_columns(), rows, format);
 }
 
 }  // namespace graincrack

@@ -14,38 +14,38 @@ namespace graincrack {
 
 namespace {
 
-const std::vector<std::string> columns{"x",
-                                       "y",
-                                       "group",
-                                       "fit",
-                                       "n",
-                                       "left_out",
-                                       "levels",
-                                       "x_low",
-                                       "x_high",
-                                       "intercept",
-                                       "intercept_low",
-                                       "intercept_high",
-                                       "slope",
-                                       "slope_low",
-                                       "slope_high",
-                                       "coefficient",
-                                       "coefficient_low",
-                                       "coefficient_high",
-                                       "elasticity",
-                                       "elasticity_low",
-                                       "elasticity_high",
-                                       "elasticity_at_x",
-                                       "r_squared",
-                                       "residual_deviation",
-                                       "lack_of_fit_F",
-                                       "lack_of_fit_p"};
+const std::vector<std::string> trend_columns{"x",
+                                             "y",
+                                             "group",
+                                             "fit",
+                                             "n",
+                                             "left_out",
+                                             "levels",
+                                             "x_low",
+                                             "x_high",
+                                             "intercept",
+                                             "intercept_low",
+                                             "intercept_high",
+                                             "slope",
+                                             "slope_low",
+                                             "slope_high",
+                                             "coefficient",
+                                             "coefficient_low",
+                                             "coefficient_high",
+                                             "elasticity",
+                                             "elasticity_low",
+                                             "elasticity_high",
+                                             "elasticity_at_x",
+                                             "r_squared",
+                                             "residual_deviation",
+                                             "lack_of_fit_F",
+                                             "lack_of_fit_p"};
 
 double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-std::vector<double> logarithms(std::span<const double> values) {
+std::vector<double> natural_logarithms(std::span<const double> values) {
     std::vector<double> out(values.size());
     std::transform(values.begin(), values.end(), out.begin(), [](double v) { return std::log(v); });
     return out;
@@ -143,7 +143,7 @@ std::vector<Cell> row_of(const TrendRows& rows, const TrendOptions& options) {
         row.emplace_back(*high);
         if (const auto trend = fit_trend(rows.x, rows.y, options.power)) append_fit(row, *trend);
     }
-    row.resize(columns.size());
+    row.resize(trend_columns.size());
     return row;
 }
 
@@ -181,8 +181,8 @@ Estimate Trend::at(double x) const {
 }
 
 std::optional<Trend> fit_trend(std::span<const double> x, std::span<const double> y, bool power) {
-    const std::vector<double> xs = power ? logarithms(x) : std::vector<double>(x.begin(), x.end());
-    const std::vector<double> ys = power ? logarithms(y) : std::vector<double>(y.begin(), y.end());
+    const std::vector<double> xs = power ? natural_logarithms(x) : std::vector<double>(x.begin(), x.end());
+    const std::vector<double> ys = power ? natural_logarithms(y) : std::vector<double>(y.begin(), y.end());
     const std::optional<Line> line = fit_line(xs, ys);
     if (!line) return std::nullopt;
     Trend trend{power, *line, {}, {}, {}, mean_of(x), std::nullopt};
@@ -199,7 +199,7 @@ std::optional<Trend> fit_trend(std::span<const double> x, std::span<const double
 void write_trend_table(std::ostream& out, const std::vector<std::string>& tables, const TrendOptions& options, TableFormat format,
                        std::ostream& diagnostics) {
     const std::vector<TrendRows> groups = collect_trends(tables, options, diagnostics);
-    TableWriter table(out, columns, format);
+    TableWriter table(out, trend_columns, format);
     for (const TrendRows& rows : groups) table.row(row_of(rows, options));
 }
 

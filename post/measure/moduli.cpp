@@ -55,7 +55,7 @@ struct ModuliRow {
     [[nodiscard]] std::string caveat() const { return measured ? warning(*measured, peak_kind) : ""; }
 };
 
-ModuliRow read_row(const std::string& path) {
+ModuliRow read_moduli_row(const std::string& path) {
     const RunReader reader(path);
     const RunData run = run_data(reader);
     const Specimen specimen = reader.specimen();
@@ -79,12 +79,10 @@ ModuliRow read_row(const std::string& path) {
     return row;
 }
 
-using R = ModuliRow;
-
 /// The four values by one convention, each under a prefix: "secant_", "plane_secant_".
-void append_pair(Columns<R>& columns, const std::string& prefix, ElasticPair Moduli::*convention) {
+void append_pair(Columns<ModuliRow>& columns, const std::string& prefix, ElasticPair Moduli::*convention) {
     const auto add = [&](const std::string& name, const ColumnUnit& unit, double ElasticPair::*value) {
-        columns.push_back({name, unit, [convention, value](const R& r) { return r.pair(convention, value); }});
+        columns.push_back({name, unit, [convention, value](const ModuliRow& r) { return r.pair(convention, value); }});
     };
     add(prefix + "young_modulus", unit::gigapascal, &ElasticPair::young_modulus);
     add(prefix + "poisson_ratio", unit::none, &ElasticPair::poisson_ratio);
@@ -92,19 +90,20 @@ void append_pair(Columns<R>& columns, const std::string& prefix, ElasticPair Mod
     add("plane_" + prefix + "poisson_ratio", unit::none, &ElasticPair::plane_poisson_ratio);
 }
 
-void append_thresholds(Columns<R>& columns, const std::string& strain, std::optional<Thresholds> R::*thresholds) {
+void append_thresholds(Columns<ModuliRow>& columns, const std::string& strain, std::optional<Thresholds> ModuliRow::*thresholds) {
     const auto add = [&](const std::string& name, std::optional<double> Thresholds::*stress) {
-        columns.push_back(
-            {name + strain, unit::megapascal, [thresholds, stress](const R& r) { return R::of(r.*thresholds, stress); }});
+        columns.push_back({name + strain, unit::megapascal,
+                           [thresholds, stress](const ModuliRow& r) { return ModuliRow::of(r.*thresholds, stress); }});
     };
     add("crack_initiation_crack_strain_", &Thresholds::initiation_by_crack_strain);
     add("crack_initiation_lateral_response_", &Thresholds::initiation_by_lateral_response);
     add("crack_damage_", &Thresholds::damage);
 }
 
-Cell of_platens(const R& r) { return r.measured ? Cell(r.measured->platen_young_modulus) : Cell(); }
+Cell of_platens(const ModuliRow& r) { return r.measured ? Cell(r.measured->platen_young_modulus) : Cell(); }
 
-Columns<R> all_columns() {
+Columns<ModuliRow> all_columns() {
+    using R = ModuliRow;
     using namespace unit;
     Columns<R> columns{{"file", none, [](const R& r) { return r.file; }}};
     append_pair(columns, "", &Moduli::chord);
@@ -133,7 +132,8 @@ Columns<R> all_columns() {
     return columns;
 }
 
-const Columns<R>& terminal_columns() {
+const Columns<ModuliRow>& moduli_terminal_columns() {
+    using R = ModuliRow;
     using namespace unit;
     static const Columns<R> all{
         {"run", none, [](const R& r) { return r.file; }},
@@ -151,18 +151,18 @@ const Columns<R>& terminal_columns() {
     return all;
 }
 
-void write_to_terminal(std::ostream& out, const std::vector<R>& rows) {
-    TerminalTable table(terminal_columns());
-    const auto title = [](const R& r) {
+void write_moduli_to_terminal(std::ostream& out, const std::vector<ModuliRow>& rows) {
+    TerminalTable table(moduli_terminal_columns());
+    const auto title = [](const ModuliRow& r) {
         return "plane " + r.plane +
                (r.plane == "strain" ? ": E and ν are material values, converted from those in the plane" : "");
     };
-    for (const auto& [name, members] : grouped<R>(rows, title)) {
+    for (const auto& [name, members] : grouped<ModuliRow>(rows, title)) {
         table.group(name);
-        for (const R* r : members) table.row(cells_of(terminal_columns(), *r));
+        for (const ModuliRow* r : members) table.row(cells_of(moduli_terminal_columns(), *r));
     }
     table.write(out);
-    for (const R& r : rows) {
+    for (const ModuliRow& r : rows) {
         if (const std::string caveat = r.caveat(); !caveat.empty()) out << r.file << ": warning: " << caveat << '\n';
     }
 }
@@ -285,9 +285,9 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
 
 void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
     std::vector<ModuliRow> rows;
-    for (const std::string& run : runs) rows.push_back(read_row(run));
+    for (const std::string& run : runs) rows.push_back(read_moduli_row(run));
     if (format == TableFormat::aligned) {
-        write_to_terminal(out, rows);
+        write_moduli_to_terminal(out, rows);
     } else {
         write_table(out, all_columns(), rows, format);
     }

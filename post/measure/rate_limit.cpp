@@ -24,8 +24,8 @@ constexpr double least_ratio = 1.2;      // of the rates: the limit has the scat
 double rate_of(const RunHeader& h) { return h.rate == "auto" ? h.rate_tolerance * h.rate_share : h.platen_speed; }
 
 /// A specimen under one test.
-using Key = std::tuple<std::string, double, std::int64_t, std::int64_t, double>;
-Key key_of(const RunData& run) {
+using RateKey = std::tuple<std::string, double, std::int64_t, std::int64_t, double>;
+RateKey rate_key(const RunData& run) {
     const SpecimenSummary& s = run.specimen;
     return {run.header.test, run.header.confining_pressure, s.seed, s.grains, s.mean_edge};
 }
@@ -61,10 +61,10 @@ void require_same_test(const RatePair& pair) {
 
 /// The pairs of each test and pressure.
 std::map<std::pair<double, std::string>, std::vector<RatePair>> pairs_of(const std::vector<RunData>& runs) {
-    std::map<Key, std::vector<const RunData*>> tests;
+    std::map<RateKey, std::vector<const RunData*>> tests;
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "the limit of slow loading");
-        tests[key_of(run)].push_back(&run);
+        tests[rate_key(run)].push_back(&run);
     }
     std::map<std::pair<double, std::string>, std::vector<RatePair>> pairs;
     for (auto& [key, members] : tests) {
@@ -111,9 +111,8 @@ struct RateRow {
     RateLimit limit;
 };
 
-using R = RateRow;
-
-const Columns<R>& columns() {
+const Columns<RateRow>& rate_columns() {
+    using R = RateRow;
     using namespace unit;
     static const Columns<R> all{{"test", none, [](const R& r) { return r.test; }},
                                 {"confining_pressure", megapascal, [](const R& r) { return r.confining_pressure; }},
@@ -130,12 +129,13 @@ const Columns<R>& columns() {
     return all;
 }
 
-Cell change_interval(const R& r) {
+Cell change_interval(const RateRow& r) {
     const Estimate& change = r.limit.change;
     return change.low ? Cell(fmt::format("{:+.2f} to {:+.2f}", 100 * *change.low, 100 * change.high.value_or(0))) : Cell();
 }
 
-const Columns<R>& terminal_columns() {
+const Columns<RateRow>& rate_terminal_columns() {
+    using R = RateRow;
     using namespace unit;
     static const Columns<R> all{
         {"test", none, [](const R& r) { return series_label(r.test, r.confining_pressure) + ", " + name_of(r.kind); }},
@@ -184,7 +184,7 @@ void write_rate_limits(std::ostream& out, const std::vector<std::string>& paths,
                             sample(slow).mean.value, limit});
         }
     }
-    write_table(out, columns(), terminal_columns(), rows, format);
+    write_table(out, rate_columns(), rate_terminal_columns(), rows, format);
 }
 
 }  // namespace graincrack

@@ -42,7 +42,7 @@ struct StrengthRow {
     }
 };
 
-StrengthRow read_row(const std::string& path) {
+StrengthRow read_strength_row(const std::string& path) {
     const RunReader reader(path);
     StrengthRow row{run_data(reader), {}, std::nullopt, 0, std::nullopt, {}};
     row.strength = measure_strength(row.run);
@@ -58,9 +58,8 @@ StrengthRow read_row(const std::string& path) {
     return row;
 }
 
-using R = StrengthRow;
-
-const Columns<R>& columns() {
+const Columns<StrengthRow>& strength_columns() {
+    using R = StrengthRow;
     using namespace unit;
     static const Columns<R> all = [] {
         Columns<R> list{
@@ -118,12 +117,13 @@ const Columns<R>& columns() {
     return all;
 }
 
-std::string ending(const R& r) {
+std::string ending(const StrengthRow& r) {
     const std::string& kind = r.strength.peak_kind;
     return kind == "drop" ? "peak" : kind == "cap" ? "strain limit" : "stopped";
 }
 
-const Columns<R>& terminal_columns() {
+const Columns<StrengthRow>& strength_terminal_columns() {
+    using R = StrengthRow;
     using namespace unit;
     static constexpr ColumnUnit cracks{"cracks"};
     static const Columns<R> all{{"run", none, [](const R& r) { return r.run.name; }},
@@ -139,9 +139,10 @@ const Columns<R>& terminal_columns() {
 }
 
 /// The same with what belongs to rings and to bending, where there are such runs.
-Columns<R> terminal_columns(const std::vector<R>& rows) {
+Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& rows) {
+    using R = StrengthRow;
     using namespace unit;
-    Columns<R> columns = terminal_columns();
+    Columns<R> columns = strength_terminal_columns();
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
     if (any([](const R& r) { return r.header().test == "bend"; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
@@ -154,14 +155,16 @@ Columns<R> terminal_columns(const std::vector<R>& rows) {
 }
 
 /// Runs of one test under a title, in the order in which the tests first come, with their mean.
-void write_to_terminal(std::ostream& out, const std::vector<R>& rows) {
-    const Columns<R> columns = terminal_columns(rows);
+void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRow>& rows) {
+    const Columns<StrengthRow> columns = strength_terminal_columns(rows);
     TerminalTable table(columns);
-    const auto title = [](const R& r) { return series_label(r.run) + ", plane " + std::string(name_of(r.header().plane)); };
-    for (const auto& [name, members] : grouped<R>(rows, title)) {
+    const auto title = [](const StrengthRow& r) {
+        return series_label(r.run) + ", plane " + std::string(name_of(r.header().plane));
+    };
+    for (const auto& [name, members] : grouped<StrengthRow>(rows, title)) {
         table.group(name);
         std::vector<double> strengths;
-        for (const R* r : members) {
+        for (const StrengthRow* r : members) {
             strengths.push_back(r->strength.value());
             table.row(cells_of(columns, *r));
         }
@@ -236,15 +239,15 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
     CaveatCount count;
     std::vector<std::string> doubts;
     for (const std::string& run : runs) {
-        const StrengthRow& row = rows.emplace_back(read_row(run));
+        const StrengthRow& row = rows.emplace_back(read_strength_row(run));
         const std::vector<Caveat> caveats = caveats_of(row.run, row.split);
         for (const Caveat& caveat : caveats) doubts.push_back(printable(row.run.name) + ": warning: " + caveat.text);
         count.add(row.run, caveats);
     }
     if (format == TableFormat::aligned) {
-        write_to_terminal(out, rows);
+        write_strengths_to_terminal(out, rows);
     } else {
-        write_table(out, columns(), rows, format);
+        write_table(out, strength_columns(), rows, format);
     }
     out.flush();
     if (!out) return;  // the command says so

@@ -21,9 +21,9 @@ struct Members {
     std::size_t without_peak = 0;
 };
 
-using Key = std::tuple<int, double, std::string, std::string>;  // order, confining pressure, test, shape
+using SummaryKey = std::tuple<int, double, std::string, std::string>;  // order, confining pressure, test, shape
 
-Key key_of(const RunData& run) {
+SummaryKey summary_key(const RunData& run) {
     const RunHeader& header = run.header;
     const int order = header.test == "brazilian" ? 0 : is_compression(header) ? 2 : 1;
     return {order, header.confining_pressure, header.test, distinct_shape(run)};
@@ -32,12 +32,12 @@ Key key_of(const RunData& run) {
 }  // namespace
 
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
-    std::map<Key, Members> sets;
+    std::map<SummaryKey, Members> sets;
     require_same_settings(runs, "a mean over runs");
     for (const RunData& run : runs) {
         require_same_material(run, runs.front(), "a mean over runs");
         const Strength strength = measure_strength(run);
-        Members& members = sets[key_of(run)];
+        Members& members = sets[summary_key(run)];
         members.plane = run.header.plane;  // the same in all, as settings are
         members.strengths.push_back(strength.value());
         if (strength.peak_kind != "drop") ++members.without_peak;
@@ -64,9 +64,8 @@ struct SummaryRow {
     double mean_edge = 0;  ///< m
 };
 
-using R = SummaryRow;
-
-const Columns<R>& columns() {
+const Columns<SummaryRow>& summary_columns() {
+    using R = SummaryRow;
     using namespace unit;
     static const Columns<R> all{{"test", none, [](const R& r) { return r.group.test; }},
                                 {"confining_pressure", megapascal, [](const R& r) { return r.group.confining_pressure; }},
@@ -83,7 +82,8 @@ const Columns<R>& columns() {
     return all;
 }
 
-const Columns<R>& terminal_columns() {
+const Columns<SummaryRow>& summary_terminal_columns() {
+    using R = SummaryRow;
     using namespace unit;
     static const Columns<R> all{
         {"test", none, [](const R& r) { return series_label(r.group.test, r.group.confining_pressure, r.group.shape); }},
@@ -111,7 +111,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
         for (const std::size_t i : sized.runs) edges += runs[i].specimen.mean_edge;
         rows.push_back({sized.group, edges / static_cast<double>(sized.runs.size())});
     }
-    write_table(out, columns(), terminal_columns(), rows, format);
+    write_table(out, summary_columns(), summary_terminal_columns(), rows, format);
     out.flush();
     if (!out) return;  // the command says so
     for (const std::string& line : doubts.lines()) diagnostics << "strength: warning: " << line << '\n';

@@ -105,9 +105,8 @@ struct ToughnessRow {
     Toughness toughness;
 };
 
-using R = ToughnessRow;
-
-const Columns<R>& columns() {
+const Columns<ToughnessRow>& toughness_columns() {
+    using R = ToughnessRow;
     using namespace unit;
     static const Columns<R> all{
         {"file", none, [](const R& r) { return r.run.name; }},
@@ -193,7 +192,7 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
         row.toughness = measure_toughness(reader, row.run);
         row.peak_load = measure_strength(row.run).peak_load;
     }
-    write_table(out, columns(), rows, format);
+    write_table(out, toughness_columns(), rows, format);
     out.flush();
     if (!out) return;  // the command says so
     for (const ToughnessRow& row : rows) {

@@ -29,7 +29,7 @@ std::vector<double> column(const CrackCounts& counts, const Get& get) {
     return values;
 }
 
-struct Curve {
+struct CountCurve {
     std::string label;
     std::vector<double> counts;
     Stroke stroke;
@@ -50,8 +50,8 @@ std::vector<std::size_t> pairs_by_cracks(const CrackCounts& counts) {
 }
 
 /// Both modes of some pairs together.
-void add_pairs(std::vector<Curve>& curves, const CrackCounts& counts, std::span<const std::size_t> pairs, const std::string& name,
-               Colour colour) {
+void add_pairs(std::vector<CountCurve>& curves, const CrackCounts& counts, std::span<const std::size_t> pairs,
+               const std::string& name, Colour colour) {
     const auto sum = [&](double ModeCounts::*mode) {
         return column(counts, [&](const Moment& m) {
             double all = 0;
@@ -63,20 +63,20 @@ void add_pairs(std::vector<Curve>& curves, const CrackCounts& counts, std::span<
     curves.push_back({name + ", shear", sum(&ModeCounts::shear), {colour, 3, Dash::dashed}});
 }
 
-std::vector<Curve> curves_of(const CrackCounts& counts) {
+std::vector<CountCurve> count_curves(const CrackCounts& counts) {
     if (counts.classes.size() == 1) {
         return {{"tensile", column(counts, [](const Moment& m) { return m.all.tensile; }), {palette::tensile, 4}},
                 {"shear", column(counts, [](const Moment& m) { return m.all.shear; }), {palette::shear, 3.5, Dash::dashed}}};
     }
-    std::vector<Curve> curves;
+    std::vector<CountCurve> curves;
     const std::vector<std::size_t> pairs = pairs_by_cracks(counts);
     const std::size_t own = pairs.size() > most_pairs + 1 ? most_pairs : pairs.size();
     for (std::size_t i = 0; i < own; ++i) {
         add_pairs(curves, counts, std::span(pairs).subspan(i, 1), mineral_label(counts.classes[pairs[i]]), palette::series(i));
     }
     if (own < pairs.size()) add_pairs(curves, counts, std::span(pairs).subspan(own), "other pairs", palette::series(own));
-    std::erase_if(curves, [](const Curve& curve) { return curve.counts.back() == 0; });
-    for (Curve& curve : curves) {  // before their first crack they would lie on one another
+    std::erase_if(curves, [](const CountCurve& curve) { return curve.counts.back() == 0; });
+    for (CountCurve& curve : curves) {  // before their first crack they would lie on one another
         for (std::size_t i = 0; i + 1 < curve.counts.size() && curve.counts[i + 1] == 0; ++i) curve.counts[i] = std::nan("");
     }
     return curves;
@@ -90,10 +90,10 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
     if (last.tensile + last.shear == 0) {
         throw InputError(run.name + ": no micro-cracks; counts over the loading need a run with some");
     }
-    const std::vector<Curve> curves = curves_of(counts);
+    const std::vector<CountCurve> curves = count_curves(counts);
     const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
     double most = 0;
-    for (const Curve& curve : curves) most = std::max(most, curve.counts.back());
+    for (const CountCurve& curve : curves) most = std::max(most, curve.counts.back());
     const Course course = course_of(run, abscissa);
     Chart chart(
         style,
@@ -101,7 +101,7 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
         course.axis, Axis{"micro-cracks (contacts)", 0, 1.08 * most}, {Axis{"stress, MPa", 0, 1.08 * largest(stress)}});
     const Stroke load{palette::rim, 4.5, Dash::dotted};
     chart.line(course.values, stress, load, Chart::Side::right);
-    for (const Curve& curve : curves) {
+    for (const CountCurve& curve : curves) {
         chart.line(course.values, curve.counts, curve.stroke);
         chart.legend(curve.stroke, curve.label);
     }

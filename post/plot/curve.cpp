@@ -75,7 +75,7 @@ double max_cracks(const RunData& run) {
     return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
 }
 
-ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
+ChartText curve_heading(const std::vector<Run>& runs, const std::string& definition) {
     const RunData& run = *runs[0].data;
     if (runs.size() > 1) {
         return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
@@ -93,14 +93,14 @@ ChartText heading(const std::vector<Run>& runs, const std::string& definition) {
 double drawn_lateral(const Extent& extent) { return std::max(extent.lateral, -0.75 * extent.strain); }
 
 /// \param definition of the cracks that are counted; empty if none are
-Chart page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
-           const std::vector<std::string>& caveats, const PictureStyle& style) {
+Chart curve_page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
+                 const std::vector<std::string>& caveats, const PictureStyle& style) {
     const double lateral = drawn_lateral(extent);
     const std::string stress = stress_name(*runs[0].data) + ", MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
-    ChartText text = heading(runs, definition);
+    ChartText text = curve_heading(runs, definition);
     text.notes.insert(text.notes.end(), caveats.begin(), caveats.end());
     return {style, text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, {right}};
 }
@@ -141,7 +141,7 @@ void draw_run(Chart& chart, const Run& run, std::size_t index) {
     draw_first_peak(chart, run);
 }
 
-void draw_laboratory(Chart& chart, const LaboratoryCurve& curve, std::size_t index) {
+void draw_laboratory_curve(Chart& chart, const LaboratoryCurve& curve, std::size_t index) {
     const std::vector<double> stress = times(curve.stress, 1e-6);
     const Stroke stroke{palette::ink, 2.5 + 1.5 * static_cast<double>(index), Dash::long_dashed};
     chart.line(times(curve.axial_strain, 100), stress, stroke);
@@ -191,7 +191,7 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
-    Chart chart = page(runs, extent, counts ? definition : "", caveats, style);
+    Chart chart = curve_page(runs, extent, counts ? definition : "", caveats, style);
     const std::vector<std::string> names = names_apart(data);
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -211,7 +211,7 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual))) {
         chart.legend(residual_stroke, "residual strength");
     }
-    for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory(chart, laboratory[i], i);
+    for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory_curve(chart, laboratory[i], i);
     if (!style.x_limits) mark_cut_branches(chart, runs, extent, 1.1 * drawn_lateral(extent));
     return chart.finish();
 }

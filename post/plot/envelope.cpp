@@ -19,9 +19,6 @@ namespace graincrack {
 
 namespace {
 
-constexpr double mega = 1e-6;
-constexpr double degrees = 180 / std::numbers::pi;
-
 struct Points {
     std::vector<double> x;
     std::vector<double> y;
@@ -37,7 +34,8 @@ Points circle(double low, double high) {
     constexpr int steps = 120;
     for (int i = 0; i <= steps; ++i) {
         const double angle = std::numbers::pi * i / steps;
-        points.add(mega * ((low + high) / 2 - (high - low) / 2 * std::cos(angle)), mega * (high - low) / 2 * std::sin(angle));
+        points.add(in_megapascals * ((low + high) / 2 - (high - low) / 2 * std::cos(angle)),
+                   in_megapascals * (high - low) / 2 * std::sin(angle));
     }
     return points;
 }
@@ -45,7 +43,7 @@ Points circle(double low, double high) {
 /// The part of the line above τ = 0, up to a normal stress.
 Points line_of(const Envelope& envelope, double high) {
     const double tangent = std::tan(envelope.friction_angle.value);
-    const double cohesion = envelope.cohesion.value * mega;
+    const double cohesion = envelope.cohesion.value * in_megapascals;
     const double low = tangent > 0 ? std::max(-cohesion / tangent, -high) : -high;
     Points points;
     for (const double normal : {low, high}) points.add(normal, cohesion + normal * tangent);
@@ -63,7 +61,7 @@ Points hull_of(const HoekBrown& fit, double largest) {
         const double root = fit.strength(confining) - confining;
         const double slope = 1 + fit.mi.value * fit.sigma_ci.value / (2 * root);
         const double normal = confining + root / (slope + 1);
-        points.add(normal * mega, (normal - confining) * std::sqrt(slope) * mega);
+        points.add(normal * in_megapascals, (normal - confining) * std::sqrt(slope) * in_megapascals);
     }
     return points;
 }
@@ -74,7 +72,7 @@ double largest_confining(const EnvelopeTests& tests) {
     return largest;
 }
 
-std::string interval_label(const Estimate& e, double factor) {
+std::string envelope_label(const Estimate& e, double factor) {
     return e.low ? fmt::format(" [{:.1f}, {:.1f}]", *e.low * factor, *e.high * factor) : std::string();
 }
 
@@ -82,8 +80,9 @@ std::string line_label(const Envelope& envelope) {
     const auto& c = envelope.cohesion;
     const auto& phi = envelope.friction_angle;
     if (!std::isfinite(c.value)) return "no Mohr–Coulomb line: the strength falls with the confining pressure";
-    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * mega, interval_label(c, mega),
-                       phi.value * degrees, interval_label(phi, degrees), envelope.line.r_squared);
+    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * in_megapascals,
+                       envelope_label(c, in_megapascals), phi.value * in_degrees, envelope_label(phi, in_degrees),
+                       envelope.line.r_squared);
 }
 
 /// Which stress of the tests is drawn, and how many of them have it.
@@ -98,13 +97,13 @@ std::string strength_label(const EnvelopeTests& tests) {
     return label;
 }
 
-Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
-           const std::vector<LaboratoryStrengths>& laboratory, const PictureStyle& style) {
+Chart envelope_page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
+                    const std::vector<LaboratoryStrengths>& laboratory, const PictureStyle& style) {
     double right = 0;
     double radius = 0;
     const auto include = [&](double confining, double strength) {
-        right = std::max(right, strength * mega);
-        radius = std::max(radius, (strength - confining) / 2 * mega);
+        right = std::max(right, strength * in_megapascals);
+        radius = std::max(radius, (strength - confining) / 2 * in_megapascals);
     };
     for (const auto& test : tests.compression) include(test.confining, test.strength);
     for (const auto& set : laboratory) {
@@ -112,7 +111,7 @@ Chart page(const EnvelopeTests& tests, const Envelope& envelope, const std::stri
     }
     double left = 0.06 * right;
     for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
-        for (const double strength : *strengths) left = std::max(left, 1.3 * strength * mega);
+        for (const double strength : *strengths) left = std::max(left, 1.3 * strength * in_megapascals);
     }
     std::vector<std::string> subtitle{line_label(envelope), strength_label(tests)};
     if (tests.at_strain_limit > 0) {
@@ -128,7 +127,7 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
     std::size_t next = 0;
     for (auto& [pressure, colour] : colours) {
         colour = next++;
-        chart.legend(series_stroke(colour, 3), fmt::format("σ3 = {:.4g} MPa", pressure * mega));
+        chart.legend(series_stroke(colour, 3), fmt::format("σ3 = {:.4g} MPa", pressure * in_megapascals));
     }
     for (const auto& test : tests.compression) {
         const Points points = circle(test.confining, test.strength);
@@ -145,7 +144,7 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
     tensile(tests.direct_tension, 0, Stroke{palette::tensile, 2.5}, "direct tension");
 }
 
-void draw_laboratory(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
+void draw_laboratory_strengths(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
     for (const auto& set : laboratory) {
         const Stroke stroke{palette::rim, 3.5, Dash::dotted};
         for (std::size_t i = 0; i < set.strength.size(); ++i) {
@@ -167,21 +166,21 @@ LaboratoryStrengths read_laboratory_strengths(const std::string& path) {
 Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const std::vector<LaboratoryStrengths>& laboratory,
                       const PictureStyle& style) {
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-    Chart chart = page(tests, envelope, title, laboratory, style);
+    Chart chart = envelope_page(tests, envelope, title, laboratory, style);
     draw_circles(chart, tests);
-    draw_laboratory(chart, laboratory);
+    draw_laboratory_strengths(chart, laboratory);
     double right = 0;
-    for (const auto& test : tests.compression) right = std::max(right, test.strength * mega);
+    for (const auto& test : tests.compression) right = std::max(right, test.strength * in_megapascals);
     if (std::isfinite(envelope.cohesion.value)) {
         const Points line = line_of(envelope, right);
         chart.line(line.x, line.y, Stroke{palette::ink, 4});
         chart.legend(Stroke{palette::ink, 4}, "Mohr–Coulomb");
     }
     if (envelope.hoek_brown) {
-        const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / mega));
+        const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / in_megapascals));
         chart.line(hull.x, hull.y, Stroke{palette::ink, 3, Dash::dashed});
         chart.legend(Stroke{palette::ink, 3, Dash::dashed},
-                     fmt::format("Hoek–Brown, σci {:.1f} MPa, mi {:.1f}", envelope.hoek_brown->sigma_ci.value * mega,
+                     fmt::format("Hoek–Brown, σci {:.1f} MPa, mi {:.1f}", envelope.hoek_brown->sigma_ci.value * in_megapascals,
                                  envelope.hoek_brown->mi.value));
     }
     return chart.finish();

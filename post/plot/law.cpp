@@ -50,14 +50,13 @@ private:
 };
 
 constexpr double micro = 1e6;
-constexpr double mega = 1e-6;
 
 /// Opens a contact to `reach`, with an unloading from half the softening down if that lies before.
 Path open_path(const ContactLaw& law, const ContactParameters& contact, double reach) {
     Path path{{0}, {0}};
     const auto keep = [&](const ContactMotion& motion, const ContactTraction& traction) {
         path.displacement.push_back(motion.opening * micro);
-        path.traction.push_back(traction.normal * mega);
+        path.traction.push_back(traction.normal * in_megapascals);
     };
     const double half = (contact.critical_opening + contact.ultimate_opening) / 2;
     Walk walk(law);
@@ -74,7 +73,7 @@ Path shear_path(const ContactLaw& law, const ContactParameters& contact, double 
     Path path;
     const auto keep = [&](const ContactMotion& motion, const ContactTraction& traction) {
         path.displacement.push_back(motion.sliding * micro);
-        path.traction.push_back(traction.shear * mega);
+        path.traction.push_back(traction.shear * in_megapascals);
     };
     const double opening = -compression / contact.normal_stiffness;
     Walk walk(law);
@@ -153,7 +152,7 @@ double frame_height(const PictureStyle& style) { return style.page_width < 700 ?
 Drawing draw_open(const LawCurves& curves, const ContactParameters& contact, const std::string& caption, double reach,
                   const PictureStyle& style) {
     Chart chart(style, {"", {caption}}, up_to("opening, µm", reach * micro),
-                up_to("normal traction, MPa", 1.12 * contact.tensile_strength * mega), {.height = frame_height(style)});
+                up_to("normal traction, MPa", 1.12 * contact.tensile_strength * in_megapascals), {.height = frame_height(style)});
     std::vector<Path> paths;
     for (const ContactLaw& law : curves.laws) paths.push_back(open_path(law, contact, reach));
     draw_paths(chart, curves, paths);
@@ -170,7 +169,7 @@ Drawing draw_shear(const LawCurves& curves, const ContactParameters& contact, do
         closed.push_back(shear_path(law, contact, compression, reach));
         highest = std::max({highest, largest(open.back().traction), largest(closed.back().traction)});
     }
-    Chart chart(style, {"", {fmt::format("sliding under {:.3g} MPa, thin: δn = 0", compression * mega)}},
+    Chart chart(style, {"", {fmt::format("sliding under {:.3g} MPa, thin: δn = 0", compression * in_megapascals)}},
                 up_to("sliding, µm", reach * micro), up_to("shear traction, MPa", 1.12 * highest),
                 {.height = frame_height(style)});
     draw_paths(chart, curves, closed);
@@ -194,7 +193,8 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
         style.title.empty() ? title : style.title,
         {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
                      contact.ultimate_opening * micro, contact.fracture_energy),
-         fmt::format("sliding: δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro, contact.cohesion * mega)}};
+         fmt::format("sliding: δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro,
+                     contact.cohesion * in_megapascals)}};
     Drawing page(static_cast<int>(style.page_width), 0);
     const TextColumn column{page_margin, page.width() - page_margin};
     page.set_height(draw_heading(page, heading, column, 14));

@@ -21,7 +21,7 @@ namespace graincrack {
 
 namespace {
 
-ChartText heading(const Specimen& specimen) {
+ChartText specimen_heading(const Specimen& specimen) {
     const MeshStatistics& mesh = specimen.statistics;
     const bool is_round = !has_end_faces(specimen);
     const std::string size = is_round ? "⌀ " + format_number(specimen.width * 1e3, 4)
@@ -74,7 +74,7 @@ void draw_strengths(MapView& map, const Specimen& specimen, const std::string& f
 }  // namespace
 
 Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour, const PictureStyle& style) {
-    MapView map(specimen, specimen.node_position, heading(specimen), {style});
+    MapView map(specimen, specimen.node_position, specimen_heading(specimen), {style});
     std::vector<LegendEntry> legend;
     if (colour == SpecimenColour::strength) {
         draw_strengths(map, specimen, file, legend);

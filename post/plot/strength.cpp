@@ -18,7 +18,6 @@ namespace graincrack {
 
 namespace {
 
-constexpr double mega = 1e-6;
 constexpr Colour interval{205, 214, 224};
 const Marker peak{palette::series(0), MarkerShape::disc, 15};
 const Marker no_peak{palette::series(1), MarkerShape::cross, 17};
@@ -29,13 +28,13 @@ constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distan
 std::optional<double> laboratory_of(const StrengthGroup& group, const std::optional<Material>& material) {
     const char* key = group.is_brazilian() ? "tensile_strength" : group.test == "uniaxial" ? "compressive_strength" : "";
     if (!material || material->laboratory.count(key) == 0) return std::nullopt;
-    return material->laboratory.at(key) * mega;
+    return material->laboratory.at(key) * in_megapascals;
 }
 
 std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<SizedStrengths>& rows,
                                const std::optional<Material>& material) {
     std::vector<double> values;
-    for (const RunData& run : runs) values.push_back(measure_strength(run).value() * mega);
+    for (const RunData& run : runs) values.push_back(measure_strength(run).value() * in_megapascals);
     for (const SizedStrengths& row : rows) {
         if (const auto value = laboratory_of(row.group, material)) values.push_back(*value);
     }
@@ -50,15 +49,17 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const SizedStrengt
         chart.line(std::vector<double>{x - half, x + half}, std::vector<double>(2, value), stroke);
     };
     // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
-    if (mean.low) chart.box(x - half_width, x + half_width, std::max(*mean.low * mega, lowest), *mean.high * mega, interval);
-    if (row.runs.size() > 1) level(mean.value * mega, half_width, mean_stroke);
+    if (mean.low)
+        chart.box(x - half_width, x + half_width, std::max(*mean.low * in_megapascals, lowest), *mean.high * in_megapascals,
+                  interval);
+    if (row.runs.size() > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
     if (const auto value = laboratory_of(row.group, material)) level(*value, 1.3 * half_width, laboratory_stroke);
     // Runs side by side in their order, symmetric about the tick.
     const double n = static_cast<double>(row.runs.size());
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
         const Strength strength = measure_strength(runs[row.runs[i]]);
         const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
-        chart.points(std::vector<double>{at}, std::vector<double>{strength.value() * mega},
+        chart.points(std::vector<double>{at}, std::vector<double>{strength.value() * in_megapascals},
                      strength.peak_kind == "drop" ? peak : no_peak);
     }
 }

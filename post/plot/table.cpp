@@ -14,14 +14,15 @@ namespace graincrack {
 
 namespace {
 
-struct Curve {
+struct ColumnCurve {
     std::string label;
     std::vector<double> x;
     std::vector<double> y;
 };
 
-std::vector<Curve> curves_of(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style) {
-    std::vector<Curve> curves;
+std::vector<ColumnCurve> column_curves(const std::vector<std::string>& files, const TablePlotOptions& options,
+                                       const PictureStyle& style) {
+    std::vector<ColumnCurve> curves;
     for (const std::string& file : files) {
         const TableFile table(file);
         std::string name = style.label_of(file);
@@ -53,9 +54,9 @@ std::string common_label(const std::vector<std::string>& columns) {
     return names + (unit->empty() || names.empty() ? "" : ", " + *unit);
 }
 
-Axis axis_over(const std::vector<Curve>& curves, const std::string& label, std::vector<double> Curve::*column) {
+Axis axis_over(const std::vector<ColumnCurve>& curves, const std::string& label, std::vector<double> ColumnCurve::*column) {
     std::vector<double> all;
-    for (const Curve& curve : curves) all.insert(all.end(), (curve.*column).begin(), (curve.*column).end());
+    for (const ColumnCurve& curve : curves) all.insert(all.end(), (curve.*column).begin(), (curve.*column).end());
     const auto [low, high] = padded_range(all, 0.05);
     return {label, low, high};
 }
@@ -63,9 +64,10 @@ Axis axis_over(const std::vector<Curve>& curves, const std::string& label, std::
 }  // namespace
 
 Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style) {
-    const std::vector<Curve> curves = curves_of(files, options, style);
+    const std::vector<ColumnCurve> curves = column_curves(files, options, style);
     const std::string y_label = common_label(options.y);
-    Chart chart(style, {}, axis_over(curves, column_label(options.x), &Curve::x), axis_over(curves, y_label, &Curve::y));
+    Chart chart(style, {}, axis_over(curves, column_label(options.x), &ColumnCurve::x),
+                axis_over(curves, y_label, &ColumnCurve::y));
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Marker marker{palette::series(i), marker_shape(i)};
         const Stroke stroke = series_stroke(i);

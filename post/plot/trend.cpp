@@ -22,14 +22,14 @@ std::vector<double> all_of(const std::vector<TrendRows>& groups, std::vector<dou
     return all;
 }
 
-Axis axis_over(const std::vector<double>& values, const std::string& label, bool logarithmic) {
+Axis trend_axis(const std::vector<double>& values, const std::string& label, bool logarithmic) {
     const auto [low, high] = padded_range(values, 0.08);
     if (!logarithmic) return {label, low, high};
     const auto [least, most] = padded_range(values, 0);
     return {label, least / 1.15, most * 1.15, true};
 }
 
-std::string interval_label(const std::string& name, const Estimate& e) {
+std::string trend_label(const std::string& name, const Estimate& e) {
     std::string label = fmt::format("{} = {:.3g}", name, e.value);
     if (e.low && e.high) label += fmt::format(" [{:.3g}, {:.3g}]", *e.low, *e.high);
     return label;
@@ -92,8 +92,8 @@ Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& opt
         y.insert(y.end(), each.curve.high.begin(), each.curve.high.end());
     }
     Chart chart(style, {"", {what + "; bands: 95 % interval of the mean"}},
-                axis_over(all_of(groups, &TrendRows::x), column_label(options.x), options.power),
-                axis_over(y, column_label(options.y), options.power));
+                trend_axis(all_of(groups, &TrendRows::x), column_label(options.x), options.power),
+                trend_axis(y, column_label(options.y), options.power));
     for (std::size_t i = 0; i < fitted.size(); ++i) {
         const FitCurve& curve = fitted[i].curve;
         if (curve.has_band()) chart.band(curve.x, curve.low, curve.high, pale(palette::series(i)));
@@ -106,7 +106,7 @@ Drawing draw_trend(const std::vector<TrendRows>& groups, const TrendOptions& opt
         chart.line(curve.x, curve.value, stroke);
         chart.points(rows.x, rows.y, marker);
         std::string label = rows.group.empty() ? "" : rows.group + ": ";
-        label += trend ? interval_label("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)
+        label += trend ? trend_label("b", trend->slope) + fmt::format(", R² = {:.3f}", trend->line.r_squared)
                        : fmt::format("{} rows at one x", rows.x.size());
         chart.legend(marker, label);
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numbers>
 
 #include "post/measure/grain_size.hpp"
 #include "post/report/html.hpp"
@@ -15,10 +14,7 @@ namespace graincrack {
 namespace {
 
 using html::number;
-using Value = std::function<std::optional<double>(const TestReport&)>;
-
-constexpr double mega = 1e-6;
-constexpr double degrees = 180 / std::numbers::pi;
+using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
 
 /// The runs of one grain size.
 struct SizedTests {
@@ -50,7 +46,7 @@ public:
 
     /// Samples over runs, a row for each grain size. \param key of [laboratory], "" for none \param factor from SI to the unit
     /// of the row
-    void add(const std::string& label, const std::vector<SizedTests>& sets, const Value& value, const std::string& key,
+    void add(const std::string& label, const std::vector<SizedTests>& sets, const ValueOfTest& value, const std::string& key,
              double factor) {
         for (const SizedTests& set : sets) {
             std::vector<double> values;
@@ -91,7 +87,7 @@ private:
     html::Table table_;
 };
 
-Value strength_of(const std::string& test, double confining) {
+ValueOfTest strength_of(const std::string& test, double confining) {
     return [=](const TestReport& t) -> std::optional<double> {
         const bool is_asked = t.data.header.test == test && t.data.header.confining_pressure == confining;
         if (!is_asked || !distinct_shape(t.data).empty()) return std::nullopt;
@@ -112,23 +108,24 @@ std::vector<double> pressures(const std::vector<TestReport>& tests) {
 /// Where a row belongs: the column of its property.
 using ComparisonColumnOf = std::function<ComparisonColumn&(const std::string& property)>;
 
-void add_strengths(const ComparisonColumnOf& column, const std::vector<TestReport>& tests, const std::vector<SizedTests>& sets,
-                   const std::vector<SizedEnvelope>& envelopes) {
-    column("tensile_strength").add("σt, Brazilian, MPa", sets, strength_of("brazilian", 0), "tensile_strength", mega);
-    column("compressive_strength").add("UCS, MPa", sets, strength_of("uniaxial", 0), "compressive_strength", mega);
+void add_compared_strengths(const ComparisonColumnOf& column, const std::vector<TestReport>& tests,
+                            const std::vector<SizedTests>& sets, const std::vector<SizedEnvelope>& envelopes) {
+    column("tensile_strength").add("σt, Brazilian, MPa", sets, strength_of("brazilian", 0), "tensile_strength", in_megapascals);
+    column("compressive_strength").add("UCS, MPa", sets, strength_of("uniaxial", 0), "compressive_strength", in_megapascals);
     for (const double p : pressures(tests)) {
-        column(fmt::format("confined_strength_{:g}MPa", p * mega))
-            .add(fmt::format("σ1 at {} MPa, MPa", number(p * mega)), sets, strength_of("triaxial", p), "", mega);
+        column(fmt::format("confined_strength_{:g}MPa", p * in_megapascals))
+            .add(fmt::format("σ1 at {} MPa, MPa", number(p * in_megapascals)), sets, strength_of("triaxial", p), "",
+                 in_megapascals);
     }
     for (const SizedEnvelope& each : envelopes) {  // follows from UCS and strengths under pressure
-        column("envelope").add(with_size("C, MPa", each.size), each.envelope.cohesion, "cohesion", mega);
-        column("envelope").add(with_size("φ, °", each.size), each.envelope.friction_angle, "friction_angle", degrees);
+        column("envelope").add(with_size("C, MPa", each.size), each.envelope.cohesion, "cohesion", in_megapascals);
+        column("envelope").add(with_size("φ, °", each.size), each.envelope.friction_angle, "friction_angle", in_degrees);
     }
-    column("direct_tensile_strength").add("direct tensile strength, MPa", sets, strength_of("tension", 0), "", mega);
+    column("direct_tensile_strength").add("direct tensile strength, MPa", sets, strength_of("tension", 0), "", in_megapascals);
 }
 
-void add_moduli(const ComparisonColumnOf& column, const std::vector<SizedTests>& sets) {
-    const auto uniaxial = [](const Value& value) {
+void add_compared_moduli(const ComparisonColumnOf& column, const std::vector<SizedTests>& sets) {
+    const auto uniaxial = [](const ValueOfTest& value) {
         return [value](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; };
     };
     const auto modulus = [](double ElasticPair::*member) {
@@ -138,16 +135,18 @@ void add_moduli(const ComparisonColumnOf& column, const std::vector<SizedTests>&
         .add("E, chord to ½ peak, GPa", sets, uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
     column("poisson_ratio").add("ν, chord to ½ peak", sets, uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
     column("crack_initiation")
-        .add("crack initiation (1 % of cracks), MPa", sets, uniaxial([](const TestReport& t) { return t.initiation; }), "", mega);
+        .add("crack initiation (1 % of cracks), MPa", sets, uniaxial([](const TestReport& t) { return t.initiation; }), "",
+             in_megapascals);
     for (std::size_t level = 0; level < std::tuple_size_v<InitiationByDamage>; ++level) {
         constexpr const char* percents[] = {"10", "50", "90"};
         column("crack_initiation")
             .add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]), sets,
-                 uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", mega);
+                 uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", in_megapascals);
     }
     column("crack_damage")
         .add("crack damage (2D volume), MPa", sets,
-             uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "", mega);
+             uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "",
+             in_megapascals);
 }
 
 }  // namespace
@@ -163,8 +162,8 @@ std::string comparison_columns(const std::vector<TestReport>& tests, const std::
         return known.count(property) > 0 || (property == "envelope" && line_is_fitted) ? fitted : others;
     };
     const std::vector<SizedTests> sets = by_size(tests);
-    add_strengths(column_of, tests, sets, envelopes);
-    add_moduli(column_of, sets);
+    add_compared_strengths(column_of, tests, sets, envelopes);
+    add_compared_moduli(column_of, sets);
     if (known.empty()) {
         return "<div class=\"columns\">\n" +
                others.str("Results",

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "post/fit/paper_rock.hpp"
@@ -16,13 +15,11 @@ namespace graincrack {
 
 namespace {
 
-constexpr double mega = 1e-6;
 constexpr double giga = 1e-9;
-constexpr double degrees = 180 / std::numbers::pi;
 
-using Value = std::optional<double>;
+using OptionalValue = std::optional<double>;
 
-Value scaled(const Value& value, double factor) { return value ? Value(*value * factor) : std::nullopt; }
+OptionalValue scaled(const OptionalValue& value, double factor) { return value ? OptionalValue(*value * factor) : std::nullopt; }
 
 Estimate scaled(const Estimate& e, double factor) { return {e.value * factor, scaled(e.low, factor), scaled(e.high, factor)}; }
 
@@ -33,24 +30,26 @@ public:
         if (is_rock_of_paper(material.name)) paper_ = PaperModel{};
     }
     /// Of [laboratory], SI.
-    [[nodiscard]] Value laboratory(const std::string& key) const {
+    [[nodiscard]] OptionalValue laboratory(const std::string& key) const {
         const auto found = material_.laboratory.find(key);
-        return found == material_.laboratory.end() ? std::nullopt : Value(found->second);
+        return found == material_.laboratory.end() ? std::nullopt : OptionalValue(found->second);
     }
     /// b of the laboratory's line.
-    [[nodiscard]] Value slope() const {
-        const Value angle = laboratory("friction_angle");
-        return angle ? Value(mohr_coulomb_slope(*angle)) : std::nullopt;
+    [[nodiscard]] OptionalValue slope() const {
+        const OptionalValue angle = laboratory("friction_angle");
+        return angle ? OptionalValue(mohr_coulomb_slope(*angle)) : std::nullopt;
     }
     /// σ1 of the laboratory's line; without pressure the UCS that was measured.
-    [[nodiscard]] Value strength_at(double pressure) const {
+    [[nodiscard]] OptionalValue strength_at(double pressure) const {
         if (pressure == 0) return laboratory("compressive_strength");
-        const Value cohesion = laboratory("cohesion");
-        const Value b = slope();
+        const OptionalValue cohesion = laboratory("cohesion");
+        const OptionalValue b = slope();
         if (!cohesion || !b) return std::nullopt;
         return 2 * *cohesion * std::sqrt(*b) + *b * pressure;
     }
-    [[nodiscard]] Value published(double PaperModel::*member) const { return paper_ ? Value((*paper_).*member) : std::nullopt; }
+    [[nodiscard]] OptionalValue published(double PaperModel::*member) const {
+        return paper_ ? OptionalValue((*paper_).*member) : std::nullopt;
+    }
 
 private:
     const Material& material_;
@@ -96,22 +95,24 @@ void add_strengths(std::vector<Property>& properties, const std::vector<RunData>
         property.without_peak = group.without_peak;
         if (group.is_brazilian()) {
             property.name = "tensile_strength_MPa";
-            property.laboratory = scaled(known.laboratory("tensile_strength"), mega);
+            property.laboratory = scaled(known.laboratory("tensile_strength"), in_megapascals);
             property.published = known.published(&PaperModel::tensile_strength);
         } else if (group.test == "tension") {
             property.name = "direct_tensile_strength_MPa";
         } else {
-            property.name = fmt::format("s1_at_{:.7g}_MPa", group.confining_pressure * mega);
-            property.laboratory = scaled(known.strength_at(group.confining_pressure), mega);
+            property.name = fmt::format("s1_at_{:.7g}_MPa", group.confining_pressure * in_megapascals);
+            property.laboratory = scaled(known.strength_at(group.confining_pressure), in_megapascals);
             if (group.confining_pressure == 0) property.published = known.published(&PaperModel::compressive_strength);
         }
-        add_mean(properties, std::move(property), group.strength, mega);
+        add_mean(properties, std::move(property), group.strength, in_megapascals);
     }
 }
 
 /// The slope b of an angle with its interval; b rises with φ.
 Estimate slope_of(const Estimate& angle) {
-    const auto slope = [](const Value& value) { return value ? Value(mohr_coulomb_slope(*value)) : std::nullopt; };
+    const auto slope = [](const OptionalValue& value) {
+        return value ? OptionalValue(mohr_coulomb_slope(*value)) : std::nullopt;
+    };
     return {mohr_coulomb_slope(angle.value), slope(angle.low), slope(angle.high)};
 }
 
@@ -126,7 +127,8 @@ bool have_two_pressures(const std::vector<RunData>& runs) {
 void add_envelope(std::vector<Property>& properties, const EnvelopeTests& tests, const Known& known) {
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     const auto seeds = fit_seed_envelopes(tests);
-    const auto add = [&](const std::string& name, const Value& laboratory, const Value& published, const Estimate& ours) {
+    const auto add = [&](const std::string& name, const OptionalValue& laboratory, const OptionalValue& published,
+                         const Estimate& ours) {
         properties.push_back({.name = name,
                               .laboratory = laboratory,
                               .published = published,
@@ -134,32 +136,35 @@ void add_envelope(std::vector<Property>& properties, const EnvelopeTests& tests,
                               .specimens = tests.compression.size(),
                               .without_peak = tests.at_strain_limit});
     };
-    const Value published_angle = known.published(&PaperModel::friction_angle);
-    add("cohesion_MPa", scaled(known.laboratory("cohesion"), mega), known.published(&PaperModel::cohesion),
-        scaled(envelope.cohesion, mega));
-    if (seeds) properties.back().deviation = scaled(seeds->cohesion.deviation, mega);
-    add("friction_angle_deg", scaled(known.laboratory("friction_angle"), degrees), published_angle,
-        scaled(envelope.friction_angle, degrees));
-    if (seeds) properties.back().deviation = scaled(seeds->friction_angle.deviation, degrees);
-    add("slope_b", known.slope(), published_angle ? Value(mohr_coulomb_slope(*published_angle / degrees)) : std::nullopt,
+    const OptionalValue published_angle = known.published(&PaperModel::friction_angle);
+    add("cohesion_MPa", scaled(known.laboratory("cohesion"), in_megapascals), known.published(&PaperModel::cohesion),
+        scaled(envelope.cohesion, in_megapascals));
+    if (seeds) properties.back().deviation = scaled(seeds->cohesion.deviation, in_megapascals);
+    add("friction_angle_deg", scaled(known.laboratory("friction_angle"), in_degrees), published_angle,
+        scaled(envelope.friction_angle, in_degrees));
+    if (seeds) properties.back().deviation = scaled(seeds->friction_angle.deviation, in_degrees);
+    add("slope_b", known.slope(),
+        published_angle ? OptionalValue(mohr_coulomb_slope(*published_angle / in_degrees)) : std::nullopt,
         slope_of(envelope.friction_angle));
     const EnvelopeAt yield = fit_envelope_at_first_yield(tests);
     if (!yield.envelope) return;
-    properties.push_back(
-        {.name = "cohesion_at_first_yield_MPa", .ours = scaled(yield.envelope->cohesion, mega), .specimens = yield.runs});
+    properties.push_back({.name = "cohesion_at_first_yield_MPa",
+                          .ours = scaled(yield.envelope->cohesion, in_megapascals),
+                          .specimens = yield.runs});
     properties.push_back({.name = "friction_angle_at_first_yield_deg",
-                          .ours = scaled(yield.envelope->friction_angle, degrees),
+                          .ours = scaled(yield.envelope->friction_angle, in_degrees),
                           .specimens = yield.runs});
 }
 
 }  // namespace
 
 std::optional<double> Property::off_laboratory_percent() const {
-    return laboratory && *laboratory != 0 ? Value(100 * (ours.value / *laboratory - 1)) : std::nullopt;
+    return laboratory && *laboratory != 0 ? OptionalValue(100 * (ours.value / *laboratory - 1)) : std::nullopt;
 }
 
 std::optional<double> Property::half_interval_percent() const {
-    return ours.low && ours.high && ours.value != 0 ? Value(std::abs(50 * (*ours.high - *ours.low) / ours.value)) : std::nullopt;
+    return ours.low && ours.high && ours.value != 0 ? OptionalValue(std::abs(50 * (*ours.high - *ours.low) / ours.value))
+                                                    : std::nullopt;
 }
 
 std::optional<double> Property::specimens_for_3_percent() const {

@@ -12,7 +12,7 @@ namespace graincrack {
 
 namespace {
 
-using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
+using NonlinearWorkspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 
 int call_residuals(const gsl_vector* x, void* pointer, gsl_vector* f) {
     const auto& residuals = *static_cast<const Residuals*>(pointer);
@@ -48,8 +48,8 @@ std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vecto
     problem.params = const_cast<Residuals*>(&residuals);  // NOLINT: GSL's pointer is not const
     gsl_multifit_nlinear_parameters options = gsl_multifit_nlinear_default_parameters();
     options.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
-    const Workspace work(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, n_residuals, p),
-                         &gsl_multifit_nlinear_free);
+    const NonlinearWorkspace work(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, n_residuals, p),
+                                  &gsl_multifit_nlinear_free);
     const gsl_vector_view view = gsl_vector_view_array(start.data(), p);
     gsl_multifit_nlinear_init(&view.vector, &problem, work.get());
     if (!settles(work.get())) return std::nullopt;

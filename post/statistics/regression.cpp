@@ -18,7 +18,7 @@ struct Release {
 };
 using Matrix = std::unique_ptr<gsl_matrix, Release<gsl_matrix, gsl_matrix_free>>;
 using Vector = std::unique_ptr<gsl_vector, Release<gsl_vector, gsl_vector_free>>;
-using Workspace =
+using LinearWorkspace =
     std::unique_ptr<gsl_multifit_linear_workspace, Release<gsl_multifit_linear_workspace, gsl_multifit_linear_free>>;
 
 }  // namespace
@@ -57,7 +57,7 @@ std::optional<Regression> regress(const DesignMatrix& design, const std::vector<
         gsl_vector_set(weights.get(), i, 1);
         for (std::size_t j = 0; j < p; ++j) gsl_matrix_set(X.get(), i, j, design[i][j]);
     }
-    const Workspace work(gsl_multifit_linear_alloc(n, p));
+    const LinearWorkspace work(gsl_multifit_linear_alloc(n, p));
     std::size_t rank = 0;
     Regression fit;
     // With unit weights GSL's covariance is (XᵀX)⁻¹.

@@ -321,4 +321,6 @@ std::string format_quantity(double value, Dimension dimension, int digits) {
     return fmt::format("{} {}", format_number(in_unit(value, dimension, chosen), digits), chosen);
 }
 
+std::string format_length(double value) { return format_quantity(value, Dimension::length); }
+
 }  // namespace graincrack

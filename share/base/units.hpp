@@ -54,5 +54,7 @@ double rounded(double value, int digits);
 
 /// A value in the largest common unit that keeps it readable: 0.004 m → "4 mm", 2.58e10 Pa → "25.8 GPa".
 std::string format_quantity(double value, Dimension dimension, int digits = 4);
+/// The same of a length.
+std::string format_length(double value);
 
 }  // namespace graincrack

@@ -75,7 +75,7 @@ void visit_moments(const Visit& visit) {
 }
 
 template <class T>
-void write_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values, std::size_t width = 1) {
+void write_crack_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values, std::size_t width = 1) {
     file.write<T>(dataset.path, std::span<const T>(values), extents_of(values.size() / width, width), dataset.unit,
                   dataset.description);
 }
@@ -100,13 +100,13 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
                 values.insert(values.end(), (crack.*member).begin(), (crack.*member).end());
             }
         }
-        write_column(file, dataset, values, Stored<T>::width);
+        write_crack_column(file, dataset, values, Stored<T>::width);
     });
     file.attribute(schema::crack_mode.path, "names", std::vector<std::string>{"tensile", "shear"});
     visit_moments([&](const schema::Dataset& dataset, CrackMoment Crack::*moment, double CrackMoment::*value) {
         std::vector<double> values;
         for (const Crack& crack : cracks) values.push_back(crack.*moment.*value);
-        write_column(file, dataset, values);
+        write_crack_column(file, dataset, values);
     });
 }
 

@@ -24,7 +24,7 @@ void require_same_phases(const Material& material, const std::vector<std::string
 }
 
 /// What a class is made from.
-struct Sides {
+struct ContactSides {
     const PhaseMaterial& first;
     const PhaseMaterial& second;
     double first_modulus, second_modulus;  ///< E of the grains, Pa
@@ -33,7 +33,7 @@ struct Sides {
 double by_rule(SideRule rule, double a, double b) { return rule == SideRule::mean ? 0.5 * (a + b) : std::min(a, b); }
 
 /// Values that a side gives, put together with those of the other side.
-void take_sides(const Sides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
+void take_sides(const ContactSides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
     const ContactParameters first = derived_contact(overlay(sides.first.contact, given), material.rock, plane);
     const ContactParameters second = derived_contact(overlay(sides.second.contact, given), material.rock, plane);
     for (const ContactParameter& row : all_contact_parameters()) {
@@ -43,7 +43,7 @@ void take_sides(const Sides& sides, const Material& material, PlaneCondition pla
     }
 }
 
-void take_stiffness_of_sides(const Sides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
+void take_stiffness_of_sides(const ContactSides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
     const double harmonic = 2 / (1 / sides.first_modulus + 1 / sides.second_modulus);
     const double ratio = harmonic / material.rock.young_modulus;
     const ContactParameters of_rock = derived_contact(given, material.rock, plane);
@@ -77,8 +77,8 @@ Fabric fabric_of(const Material& material, PlaneCondition plane, const std::opti
         for (std::size_t low = 0; low <= high; ++low) {
             const std::string& a = phase_names[low];
             const std::string& b = phase_names[high];
-            const Sides sides{fabric.phases.at(a), fabric.phases.at(b), made.phases[low].young_modulus,
-                              made.phases[high].young_modulus};
+            const ContactSides sides{fabric.phases.at(a), fabric.phases.at(b), made.phases[low].young_modulus,
+                                     made.phases[high].young_modulus};
             GivenContact given = base;
             take_sides(sides, material, plane, given);
             for (const std::string& pair : {a + "-" + b, b + "-" + a}) {

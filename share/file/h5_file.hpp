@@ -3,6 +3,7 @@
 // Files use the library's default version bounds, no object times, chunk + shuffle + deflate 1 for large arrays.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -133,5 +134,11 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Rows of an array of arrays as one flat span, as HDF5 needs them.
+template <class T, std::size_t n>
+std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
+    return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
+}
 
 }  // namespace graincrack

@@ -15,7 +15,7 @@ struct Side {
     double side;
     const schema::Dataset& dataset;
 };
-constexpr std::array<Side, 2> sides{{{-1, schema::platens_bottom}, {1, schema::platens_top}}};
+constexpr std::array<Side, 2> platen_sides{{{-1, schema::platens_bottom}, {1, schema::platens_top}}};
 
 /// Unit vector of a direction, without components of rounding.
 std::array<double, 2> axis_of(double direction) {
@@ -45,7 +45,7 @@ std::array<std::array<double, 2>, 4> PlatenFaceSet::bar(const PlatenFace& face, 
 void write_platen_faces(H5Output& file, const PlatenFaceSet& set) {
     file.create_group(schema::platens_group);
     file.quantity(schema::platens_group, "direction", set.direction, "rad");
-    for (const auto& [side, dataset] : sides) {
+    for (const auto& [side, dataset] : platen_sides) {
         std::vector<double> rows;
         for (const PlatenFace& face : set.faces) {
             if (face.side == side) rows.insert(rows.end(), {face.left, face.right, face.position});
@@ -66,7 +66,7 @@ PlatenFaceSet read_platen_faces(const H5Input& file, const Specimen& specimen) {
         throw InputError(fmt::format("{}: attribute direction of {} is {}; a finite number is needed", file.name(),
                                      schema::platens_group, set.direction));
     }
-    for (const auto& [side, dataset] : sides) {
+    for (const auto& [side, dataset] : platen_sides) {
         const std::vector<double> rows = read_finite(file, dataset.path, {rows_of(file, dataset.path), 3});
         for (std::size_t i = 0; i < rows.size(); i += 3) set.faces.push_back({side, rows[i], rows[i + 1], rows[i + 2]});
     }

@@ -21,11 +21,6 @@ namespace graincrack {
 namespace {
 
 template <class T, std::size_t n>
-std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
-    return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
-}
-
-template <class T, std::size_t n>
 void unflatten(const std::vector<T>& values, std::vector<std::array<T, n>>& rows) {
     rows.resize(values.size() / n);
     for (std::size_t i = 0; i < rows.size(); ++i) {

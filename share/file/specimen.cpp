@@ -15,12 +15,6 @@
 namespace graincrack {
 namespace {
 
-/// Rows of an array of arrays as one flat span, as HDF5 needs them.
-template <class T, std::size_t n>
-std::span<const T> flat(const std::vector<std::array<T, n>>& rows) {
-    return {rows.empty() ? nullptr : rows.front().data(), rows.size() * n};
-}
-
 template <class T, std::size_t n>
 std::vector<std::array<T, n>> table_of(const H5Input& file, const schema::Dataset& dataset) {
     const Extents extents = file.extents(dataset.path);

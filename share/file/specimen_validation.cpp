@@ -158,10 +158,10 @@ void check_mean_edge(const Specimen& s, const Checker& check) {
                   "mean_edge is more than 1 % off the mean edge of contacts and boundary");
 }
 
-/// Sides of the elements from node to node, counter-clockwise, by the node from which they run.
-class Sides {
+/// ElementSides of the elements from node to node, counter-clockwise, by the node from which they run.
+class ElementSides {
 public:
-    Sides(const Specimen& s, const Checker& check) : start_(s.n_nodes() + 1, 0), ends_(3 * s.n_elements()) {
+    ElementSides(const Specimen& s, const Checker& check) : start_(s.n_nodes() + 1, 0), ends_(3 * s.n_elements()) {
         for (const auto& nodes : s.element_nodes) {
             for (const std::int32_t from : nodes) ++start_[from + 1];
         }
@@ -218,7 +218,7 @@ void check_crystals(const Specimen& s, const Checker& check) {
     }
 }
 
-void check_contacts(const Specimen& s, Sides& sides, const Checker& check) {
+void check_contacts(const Specimen& s, ElementSides& sides, const Checker& check) {
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     const double slack = conformity * std::max(s.width, s.height);
     std::vector<bool> has_contact(s.n_grains(), s.n_contacts() == 0);
@@ -242,7 +242,7 @@ void check_contacts(const Specimen& s, Sides& sides, const Checker& check) {
     check.require(alone == has_contact.end(), "grain has no contact", static_cast<std::size_t>(alone - has_contact.begin()));
 }
 
-void check_boundary(const Specimen& s, Sides& sides, const Checker& check) {
+void check_boundary(const Specimen& s, ElementSides& sides, const Checker& check) {
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
         const auto& [from, to] = s.boundary_edges[b];
         check.require(all_below(s.boundary_edges[b], s.n_nodes()), "boundary edge names a node that does not exist", b);
@@ -259,7 +259,7 @@ void validate(const Specimen& specimen, const std::string& where) {
     check_sizes(specimen, check);
     check_elements(specimen, check);
     check_crystals(specimen, check);
-    Sides sides(specimen, check);
+    ElementSides sides(specimen, check);
     check_contacts(specimen, sides, check);
     check_boundary(specimen, sides, check);
     check_size(specimen, check);

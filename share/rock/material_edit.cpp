@@ -44,7 +44,7 @@ void check(const MaterialSetting& setting) {
 }
 
 /// A line of a TOML file, with a comment if it has one.
-std::string line_of(const std::string& key, const std::string& value, const std::string& comment) {
+std::string edited_line(const std::string& key, const std::string& value, const std::string& comment) {
     const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos;
     const std::string line = bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value);
     return comment.empty() ? line : fmt::format("{:<39} # {}", line, comment);
@@ -69,17 +69,17 @@ public:
         const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), same);
         if (found == toml_.entries.end()) {
             if (const auto example = example_of(table, key); example != lines_.end()) {
-                *example = line_of(key, setting.second, comment_of_example(*example));
+                *example = edited_line(key, setting.second, comment_of_example(*example));
                 return;
             }
-            return add(table, line_of(key, setting.second, "added"));
+            return add(table, edited_line(key, setting.second, "added"));
         }
         const auto on_line = [&](const TomlEntry& entry) { return entry.line == found->line; };
         if (std::count_if(toml_.entries.begin(), toml_.entries.end(), on_line) > 1 || found->values.empty()) {
             throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own",
                                          toml_.file, found->line, setting.first));
         }
-        lines_[static_cast<std::size_t>(found->line) - 1] = line_of(key, setting.second, "was " + found->values[0].text);
+        lines_[static_cast<std::size_t>(found->line) - 1] = edited_line(key, setting.second, "was " + found->values[0].text);
     }
     [[nodiscard]] std::string text() const {
         std::string text;

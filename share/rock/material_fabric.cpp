@@ -129,11 +129,11 @@ double young_modulus_of_grains(const PhaseMaterial& phase, const MaterialFabric&
 
 namespace {
 
-std::string line_of(const std::string& key, double value) { return fmt::format("{} = {:.17g}\n", key, value); }
+std::string fabric_line(const std::string& key, double value) { return fmt::format("{} = {:.17g}\n", key, value); }
 std::string contact_table(const std::string& name, const GivenContact& given) {
     std::string lines;
     for (const ContactParameter& row : all_contact_parameters()) {
-        if (given.*row.given) lines += line_of(row.key(), *(given.*row.given));
+        if (given.*row.given) lines += fabric_line(row.key(), *(given.*row.given));
     }
     return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
 }
@@ -142,11 +142,11 @@ std::string contact_table(const std::string& name, const GivenContact& given) {
 
 std::string fabric_text(const MaterialFabric& fabric) {
     std::string text;
-    if (!fabric.phases.empty()) text += "\n[phases]\n" + line_of("contrast", fabric.contrast);
+    if (!fabric.phases.empty()) text += "\n[phases]\n" + fabric_line("contrast", fabric.contrast);
     for (const auto& [name, phase] : fabric.phases) {
-        text += fmt::format("\n[phases.{}]\n{}", name, line_of("fraction", phase.fraction));
+        text += fmt::format("\n[phases.{}]\n{}", name, fabric_line("fraction", phase.fraction));
         const auto add = [&](const char* key, const std::optional<double>& value) {
-            if (value) text += line_of(key, *value);
+            if (value) text += fabric_line(key, *value);
         };
         add("young_modulus", phase.young_modulus);
         add("relative_young_modulus", phase.relative_young_modulus);
@@ -162,8 +162,8 @@ std::string fabric_text(const MaterialFabric& fabric) {
     for (const auto& [pair, given] : fabric.pairs) text += contact_table(fmt::format("pairs.\"{}\"", pair), given);
     for (const auto& [name, given] : fabric.flaws) text += contact_table("flaws." + name, given);
     if (fabric.strength_modulus) {
-        text += "\n[strength]\n" + line_of("modulus", *fabric.strength_modulus);
-        if (fabric.strength_correlation > 0) text += line_of("correlation", fabric.strength_correlation);
+        text += "\n[strength]\n" + fabric_line("modulus", *fabric.strength_modulus);
+        if (fabric.strength_correlation > 0) text += fabric_line("correlation", fabric.strength_correlation);
     }
     return text;
 }

@@ -11,13 +11,13 @@
 namespace graincrack {
 namespace {
 
-constexpr double servo_transits = 4;      // time constant of the servo
-constexpr double history_rows = 8000;     // to the strain limit
-constexpr std::int64_t min_steps = 20;    // between two rows: a row costs some two steps
-constexpr double max_transits = 0.5;      // and at most: what happens within a transit is to be seen
-constexpr double rest_transits = 400;     // that a block may take to come to rest
-constexpr double tension_load = 0.2;      // axial stress from which on it is a load for the rate, of the tensile strength:
-constexpr double bending_load = 0.3;      // the same of the nominal bending stress
+constexpr double servo_transits = 4;            // time constant of the servo
+constexpr double rows_to_max_strain = 8000;     // to the strain limit
+constexpr std::int64_t min_steps_per_row = 20;  // between two rows: a row costs some two steps
+constexpr double max_transits = 0.5;            // and at most: what happens within a transit is to be seen
+constexpr double rest_transits = 400;           // that a block may take to come to rest
+constexpr double tension_load = 0.2;            // axial stress from which on it is a load for the rate, of the tensile strength:
+constexpr double bending_load = 0.3;            // the same of the nominal bending stress
 constexpr double disc_load = 0.3;         // about a fifth of what the specimen may bear. A disc bears π/2 times the tensile
 constexpr double compression_load = 3.0;  // strength as load over diameter, a rectangle some fifteen times as much
 
@@ -103,16 +103,16 @@ PlatenSpeeds PlatenControl::next(const Feedback& feedback, double duration) {
 bool PlatenControl::paces_rows() const { return as<AutomaticRate>() != nullptr || as<LoadingBlocks>() != nullptr; }
 
 std::int64_t PlatenControl::interval_steps(double time_step) const {
-    const double travel = max_strain_ * height_ / 2 / history_rows;
+    const double travel = max_strain_ * height_ / 2 / rows_to_max_strain;
     if (const auto* const blocks = as<LoadingBlocks>()) return std::max<std::int64_t>(1, blocks->steps / parts_of_block);
     const double at_most = max_transits * transit_time_ / time_step;
     if (as<TimeFunction>() != nullptr) {
         const double speed = final_speed();
-        return std::max<std::int64_t>(min_steps / 2,
+        return std::max<std::int64_t>(min_steps_per_row / 2,
                                       static_cast<std::int64_t>(speed == 0 ? at_most : travel / speed / time_step));
     }
     const double wanted = speed_ == 0 ? at_most : std::min(at_most, travel / std::abs(speed_) / time_step);
-    return std::max(min_steps, static_cast<std::int64_t>(wanted));
+    return std::max(min_steps_per_row, static_cast<std::int64_t>(wanted));
 }
 
 double PlatenControl::mean_speed(double time) const {

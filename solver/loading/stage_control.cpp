@@ -10,10 +10,10 @@
 namespace graincrack {
 namespace {
 
-constexpr int rest_rows = 5;           // in succession that must be at rest: one may be so by chance
-constexpr double history_rows = 8000;  // of the longest time
-constexpr double wave_transits = 2;    // of a wave, to the other platen and back
-constexpr std::int64_t min_steps = 10;
+constexpr int rest_rows = 5;                   // in succession that must be at rest: one may be so by chance
+constexpr double rows_of_longest_time = 8000;  // of the longest time
+constexpr double wave_transits = 2;            // of a wave, to the other platen and back
+constexpr std::int64_t min_steps_of_stage_row = 10;
 
 /// Distance of a condition from being reached, with its side.
 double offset(const Condition& c, const Rows& rows) {
@@ -301,8 +301,8 @@ std::int64_t StageController::interval_steps(double time_step) const {
     const double longest_time = program_.longest_time();
     const bool by_platens = !program_.row_interval && !std::isfinite(longest_time);
     if (by_platens || platens_.paces_rows()) return platens_.interval_steps(time_step);
-    const double interval = program_.row_interval.value_or(longest_time / history_rows);
-    return std::max<std::int64_t>(program_.row_interval ? 1 : min_steps, std::llround(interval / time_step));
+    const double interval = program_.row_interval.value_or(longest_time / rows_of_longest_time);
+    return std::max<std::int64_t>(program_.row_interval ? 1 : min_steps_of_stage_row, std::llround(interval / time_step));
 }
 
 LoadingLength StageController::longest(double time_step) const {
@@ -315,7 +315,7 @@ LoadingLength StageController::longest(double time_step) const {
         const double time = has_end ? stage.longest_time : ahead.platens_.longest_time();
         const double interval = static_cast<double>(ahead.interval_steps(time_step)) * time_step;
         length.time += time;
-        length.rows += static_cast<std::size_t>(time / interval + (has_end ? 1 : history_rows));
+        length.rows += static_cast<std::size_t>(time / interval + (has_end ? 1 : rows_of_longest_time));
     }
     return length;
 }

@@ -21,7 +21,7 @@ Matrix6 stiffness_of(const TriangleGeometry& g, const PlaneElasticity& c) {
     return g.area * strains.transpose() * moduli * strains;
 }
 
-double largest_eigenvalue(const Matrix6& m) {
+double largest_eigenvalue_of_element(const Matrix6& m) {
     return Eigen::SelfAdjointEigenSolver<Matrix6>(m, Eigen::EigenvaluesOnly).eigenvalues()(5);
 }
 
@@ -30,7 +30,7 @@ std::vector<double> squared_frequencies(const Assemblage& a) {
     std::vector<double> squared;
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
         const TriangleGeometry g = a.element_geometry[e];
-        squared.push_back(largest_eigenvalue(stiffness_of(g, a.elasticity[e])) / (a.element_mass[e] / 3));
+        squared.push_back(largest_eigenvalue_of_element(stiffness_of(g, a.elasticity[e])) / (a.element_mass[e] / 3));
     }
     return squared;
 }

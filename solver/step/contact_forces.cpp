@@ -8,12 +8,12 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t n = contacts_per_chunk;
-static_assert(n % sum_lanes == 0);
+static_assert(contacts_per_chunk % sum_lanes == 0);
 
 /// A chunk's contacts side by side, and their points: 2 i + p. Motions, tractions and energies of points are those of the law of
 /// the class (see `ContactGeometry::strength`): motions and tractions over s, energies over s².
-struct Lanes {
+struct ContactLanes {
+    static constexpr std::int32_t n = contacts_per_chunk;
     alignas(64) double edge_x[n], edge_y[n], area[n];
     alignas(64) double strength[n];                    ///< s
     alignas(64) double force_area[n], energy_area[n];  ///< area times s and s²
@@ -38,7 +38,7 @@ struct Lanes {
     bool any_residual;                 ///< whether a point is residual or released; else `residual` and `released` are not set
 };
 
-void gather(const Assemblage& a, const State& s, Range range, Lanes& b) {
+void gather_contacts(const Assemblage& a, const State& s, Range range, ContactLanes& b) {
     const ContactGeometry* contacts = &a.contacts[range.begin];
     const Vector2* displacement = s.displacement.data();
     for (std::int32_t i = 0; i < range.size(); ++i) {
@@ -93,7 +93,7 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
 }
 
 /// Which points of a chunk are softening, and in which mode they failed.
-void find_softening(const State& s, Range range, Lanes& b) {
+void find_softening(const State& s, Range range, ContactLanes& b) {
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     double found = 0;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
@@ -110,7 +110,7 @@ void find_softening(const State& s, Range range, Lanes& b) {
 }
 
 /// Which points of a chunk are intact, softening, residual or released before they move.
-void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
+void sort_points(const Assemblage& a, const State& s, Range range, ContactLanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
     const std::uint8_t* const residual = &s.residual[2 * static_cast<std::size_t>(range.begin)];
@@ -132,7 +132,7 @@ void sort_points(const Assemblage& a, const State& s, Range range, Lanes& b) {
     });
 }
 
-GRAINCRACK_INLINE void find_motions(std::int32_t count, Lanes& b) {
+GRAINCRACK_INLINE void find_motions(std::int32_t count, ContactLanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         const double squared = b.edge_x[i] * b.edge_x[i] + b.edge_y[i] * b.edge_y[i];
         const double inv = squared < 4 * lost_frame * b.area[i] * b.area[i] ? 0.0 : 1 / std::sqrt(squared);
@@ -172,7 +172,8 @@ struct Points {
 
 /// The intact response of all points, right where it holds.
 template <class Law>
-GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
+GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const Points& points, std::int32_t count,
+                                             ContactLanes& b) {
     const ContactLaw law = constants;  // a copy that no store can change
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -198,7 +199,8 @@ constexpr bool has_softening = requires(const ContactLaw& law, const SofteningPo
 
 /// The softening response of softening points.
 template <class Law>
-GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
+GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, const Points& points, std::int32_t count,
+                                                ContactLanes& b) {
     const ContactLaw law = constants;
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -228,7 +230,7 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
 }
 
 /// Keeps the largest motions of softening points.
-void store_largest(Range range, const Lanes& b, State& s) {
+void store_largest(Range range, const ContactLanes& b, State& s) {
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.softening[k] != 0) {
@@ -240,7 +242,8 @@ void store_largest(Range range, const Lanes& b, State& s) {
 }
 
 /// The residual response of residual points; released contacts carry nothing here.
-GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, const Points& points, std::int32_t count, Lanes& b) {
+GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, const Points& points, std::int32_t count,
+                                               ContactLanes& b) {
     const ContactLaw law = constants;
     const double* const old_opening = points.old_opening;
     const double* const old_sliding = points.old_sliding;
@@ -259,7 +262,7 @@ GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, cons
 }
 
 /// What friction dissipates at the points of a chunk, J.
-GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
+GRAINCRACK_INLINE double sum_friction(std::int32_t count, ContactLanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.energy_area[i] * b.friction[2 * i];
         b.friction[2 * i + 1] = b.energy_area[i] * b.friction[2 * i + 1];
@@ -268,7 +271,7 @@ GRAINCRACK_INLINE double sum_friction(std::int32_t count, Lanes& b) {
 }
 
 /// \return number of points that need the full law
-GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const Lanes& b) {
+GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const ContactLanes& b) {
     std::int32_t undone = 0;
     for (std::int32_t k = 0; k < 2 * count; ++k) undone += b.done[k] == 0 ? 1 : 0;
     return undone;
@@ -277,7 +280,7 @@ GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const Lanes& b) 
 /// Books the fracture energies of the points of a chunk: by point, and in the sums by mode.
 /// \param is_tensile whether that of point k counts as tensile
 template <class IsTensile>
-GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, Lanes& b, ContactSums& sums,
+GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, ContactLanes& b, ContactSums& sums,
                                      const IsTensile& is_tensile) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -373,7 +376,7 @@ void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex&
 }
 
 /// The same of the softening points of a chunk on the vector path, where none fails or separates.
-void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const Lanes& b) {
+void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.passes[k] != 0) {
@@ -394,7 +397,8 @@ void pull_apart(const ContactLaw& law, double far, ContactResponse& r) {
 
 /// The full law at the points of a chunk that need it.
 template <class Law>
-void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, Lanes& b) {
+void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s,
+                    ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.done[k] != 0) continue;
@@ -416,7 +420,7 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
 /// The responses without a branch, at all points of a chunk. \return number of points that need the full law
 template <class Law>
 std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s,
-                               Lanes& b) {
+                               ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     const std::int32_t count = range.size();
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
@@ -456,7 +460,8 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
 /// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's
 /// length from each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy
 /// exact. \param force [8][n] x, y on a1, a2, b1, b2
-GRAINCRACK_INLINE void find_forces(std::int32_t count, const Lanes& b, double* __restrict force) {
+GRAINCRACK_INLINE void find_contact_forces(std::int32_t count, const ContactLanes& b, double* __restrict force) {
+    constexpr std::int32_t n = ContactLanes::n;
     for (std::int32_t i = 0; i < count; ++i) {
         const double tx = b.tangent_x[i];
         const double ty = b.tangent_y[i];
@@ -484,7 +489,8 @@ GRAINCRACK_INLINE void find_forces(std::int32_t count, const Lanes& b, double* _
     }
 }
 
-GRAINCRACK_INLINE void store_motions(std::int32_t count, const Lanes& b, double* __restrict opening, double* __restrict sliding) {
+GRAINCRACK_INLINE void store_motions(std::int32_t count, const ContactLanes& b, double* __restrict opening,
+                                     double* __restrict sliding) {
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         opening[k] = b.opening[k];
         sliding[k] = b.sliding[k];
@@ -497,8 +503,8 @@ void advance_contacts(const Assemblage& a, const ContactLaws& laws, std::int32_t
     const Range range = a.contact_chunks[chunk].contacts;
     const ContactLaw& law = laws[a.contact_chunks[chunk].contact_class];
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    Lanes b;
-    gather(a, s, range, b);
+    ContactLanes b;
+    gather_contacts(a, s, range, b);
     prefetch_ahead(a, s, chunk);
     sort_points(a, s, range, b);
     contact_law::with_law(law.variant, [&](auto kind) {
@@ -507,7 +513,7 @@ void advance_contacts(const Assemblage& a, const ContactLaws& laws, std::int32_t
         }
     });
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        find_forces(range.size(), b, &s.contact_force[slot_stride * static_cast<std::size_t>(chunk)]);
+        find_contact_forces(range.size(), b, &s.contact_force[slot_stride * static_cast<std::size_t>(chunk)]);
         store_motions(range.size(), b, &s.opening[first], &s.sliding[first]);
     });
 }

@@ -7,10 +7,9 @@
 namespace graincrack {
 namespace {
 
-constexpr std::int32_t n = elements_per_chunk;
-
 /// Edge displacements of the elements of a chunk, side by side.
-struct Lanes {
+struct ElementLanes {
+    static constexpr std::int32_t n = elements_per_chunk;
     alignas(64) double a_x[n], a_y[n], b_x[n], b_y[n];
 };
 
@@ -26,7 +25,7 @@ Triangles triangles_from(const Assemblage& a, std::int32_t e) {
             &t.area[e],        &c.c11[e],         &c.c12[e],         &c.mu[e]};
 }
 
-void gather(const Assemblage& a, Range elements, const State& s, Lanes& b) {
+void gather_elements(const Assemblage& a, Range elements, const State& s, ElementLanes& b) {
     const std::array<std::int32_t, 3>* const nodes = &a.element_nodes[elements.begin];
     const Vector2* const displacement = s.displacement.data();
     for (std::int32_t i = 0; i < elements.size(); ++i) {
@@ -42,7 +41,9 @@ void gather(const Assemblage& a, Range elements, const State& s, Lanes& b) {
 }
 
 /// \param force [6][n] x, y on the three nodes
-GRAINCRACK_INLINE void find_forces(const Triangles& triangles, std::int32_t count, const Lanes& b, double* __restrict force) {
+GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std::int32_t count, const ElementLanes& b,
+                                                double* __restrict force) {
+    constexpr std::int32_t n = ElementLanes::n;
     const Triangles t = triangles;
     for (std::int32_t i = 0; i < count; ++i) {
         const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
@@ -62,10 +63,11 @@ GRAINCRACK_INLINE void find_forces(const Triangles& triangles, std::int32_t coun
 void find_element_forces(const Assemblage& a, std::int32_t chunk, State& s) {
     const Range elements = a.element_chunks[chunk];
     const Triangles triangles = triangles_from(a, elements.begin);
-    Lanes b;
-    gather(a, elements, s, b);
+    ElementLanes b;
+    gather_elements(a, elements, s, b);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        find_forces(triangles, elements.size(), b, &s.element_force[element_slot_stride * static_cast<std::size_t>(chunk)]);
+        find_forces_of_triangles(triangles, elements.size(), b,
+                                 &s.element_force[element_slot_stride * static_cast<std::size_t>(chunk)]);
     });
 }
 

@@ -36,7 +36,7 @@ struct Means {
 };
 
 /// What is found for each node of a chunk, x and y in turn.
-struct Lanes {
+struct NodeLanes {
     static constexpr std::int32_t size = 2 * nodes_per_chunk;
     alignas(64) double relative_damping[size];  ///< damping force of the relative motion, of which the mean is to be subtracted
     alignas(64) double new_velocity[size];
@@ -99,7 +99,7 @@ GRAINCRACK_INLINE void damp_relative_motion(std::int32_t size, const Damping& da
 
 /// Damping forces of the mean motions of clusters and of the relative motions of their nodes.
 GRAINCRACK_INLINE void find_damping_forces(const Rows& rows, const Nodes& of_chunk, const Damping& shares, std::int32_t count,
-                                           Means& means, Lanes& b) {
+                                           Means& means, NodeLanes& b) {
     const Nodes nodes = of_chunk;
     const Damping damping = shares;
     for (std::int32_t k = 0; k < count; ++k) means.relative[k] = 0;
@@ -128,7 +128,7 @@ void set_mean(double* values, std::int32_t cluster, const Vector2& mean) {
 /// Damping forces and mean motions of a chunk. The mean motion of a cluster that a platen constrains is the platen's, and is not
 /// damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index, const State& s,
-          Means& means, Lanes& b) {
+          Means& means, NodeLanes& b) {
     const NodeChunk& chunk = a.node_chunks[index];
     const Rows rows = rows_of(a, chunk);
     const Nodes nodes = nodes_from(parameters.mass_scaling, chunk.nodes.begin, s);
@@ -159,7 +159,7 @@ GRAINCRACK_INLINE void accelerate_row(std::int32_t size, const double* force, co
 
 /// New velocities of a chunk. \return twice the energy absorbed by damping over Δt, W
 GRAINCRACK_INLINE double accelerate(const Rows& rows, const Nodes& of_chunk, double own, double time_step,
-                                    std::int32_t n_components, const Means& means, Lanes& b) {
+                                    std::int32_t n_components, const Means& means, NodeLanes& b) {
     const Nodes nodes = of_chunk;
     for (std::int32_t row = 0; row < rows.count; ++row) {
         const auto [begin, size] = rows[row];
@@ -170,7 +170,7 @@ GRAINCRACK_INLINE double accelerate(const Rows& rows, const Nodes& of_chunk, dou
 }
 
 /// v and F of the step become those of the step before, u += Δt v.
-GRAINCRACK_INLINE void move(const double* force, const Lanes& b, double time_step, std::int32_t n_components,
+GRAINCRACK_INLINE void move(const double* force, const NodeLanes& b, double time_step, std::int32_t n_components,
                             double* __restrict last_force, double* __restrict velocity, double* __restrict displacement) {
     for (std::int32_t i = 0; i < n_components; ++i) {
         velocity[i] = b.new_velocity[i];
@@ -187,7 +187,7 @@ double platen_acceleration(const StepLoading& loading, double time_step, std::ui
 
 /// Work of a platen on the added mass of a cluster that it constrains, J.
 double platen_work(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, const NodeChunk& chunk,
-                   const ConstrainedCluster& constrained, const State& s, const Lanes& b) {
+                   const ConstrainedCluster& constrained, const State& s, const NodeLanes& b) {
     const double dt = parameters.time_step;
     const std::size_t platen = constrained.constraining_platen - 1U;
     const double acceleration = platen_acceleration(loading, dt, constrained.constraining_platen);
@@ -205,7 +205,7 @@ double platen_work(const Assemblage& a, const StepParameters& parameters, const 
 void damp_clusters(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index,
                    State& s) {
     Means means;
-    Lanes b;
+    NodeLanes b;
     damp(a, parameters, loading, index, s, means, b);
     const NodeChunk& chunk = a.node_chunks[index];
     for (std::int32_t i = chunk.nodes.begin; i < chunk.nodes.end; ++i) {
@@ -221,7 +221,7 @@ void integrate_clusters(const Assemblage& a, const StepParameters& parameters, c
     const NodeChunk& chunk = a.node_chunks[index];
     const double dt = parameters.time_step;
     Means means;
-    Lanes b;
+    NodeLanes b;
     damp(a, parameters, loading, index, s, means, b);
     for (std::int32_t k = 0; k < 2 * chunk.clusters.size(); ++k) means.acceleration[k] += means.damping[k];
     for (const auto& [cluster, platen] : s.clusters.constrained[index]) {
