@@ -158,7 +158,7 @@ void check_mean_edge(const Specimen& s, const Checker& check) {
                   "mean_edge is more than 1 % off the mean edge of contacts and boundary");
 }
 
-/// ElementSides of the elements from node to node, counter-clockwise, by the node from which they run.
+/// Sides of the elements from node to node, counter-clockwise, by the node from which they run.
 class ElementSides {
 public:
     ElementSides(const Specimen& s, const Checker& check) : start_(s.n_nodes() + 1, 0), ends_(3 * s.n_elements()) {

@@ -4,13 +4,13 @@
 namespace graincrack::test {
 namespace {
 
-const std::string page = GRAINCRACK_SOURCE "/share/doc/file-format.md";
+const std::string page_of_format = GRAINCRACK_SOURCE "/share/doc/file-format.md";
 
 TEST(FileFormat, TheReaderOfThePageReadsARun) {
     const Shell shell;
     shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + past_peak);
-    const std::string text =
-        shell.must("sed -n '/^```python/,/^```$/{/^```/d;p}' " + page + " >reader.py\n/usr/bin/python3 reader.py run.h5");
+    const std::string text = shell.must("sed -n '/^```python/,/^```$/{/^```/d;p}' " + page_of_format +
+                                        " >reader.py\n/usr/bin/python3 reader.py run.h5");
     EXPECT_EQ(n_lines(text), 3) << text;
     EXPECT_LT(text.find("peak "), text.find("tensile contact points: ")) << text;
     const int points = std::atoi(text.substr(std::min(text.size(), text.find("tensile contact points: ") + 24)).c_str());
@@ -34,7 +34,7 @@ with h5py.File('run.h5') as run:
 for name in sorted(names):
     if not name.endswith('_unit'): print(name)
 )");
-    const std::string text = content_of(page);
+    const std::string text = content_of(page_of_format);
     std::istringstream names(shell.must("/usr/bin/python3 names.py"));
     int n = 0;
     for (std::string name; std::getline(names, name); ++n) {

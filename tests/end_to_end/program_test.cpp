@@ -7,10 +7,10 @@
 namespace graincrack::test {
 namespace {
 
-const std::string solve = "graincrack-solve program bar.h5 --material augig-granite --quiet ";
+const std::string solve_bar = "graincrack-solve program bar.h5 --material augig-granite --quiet ";
 
 /// A small bar and a pulse through it.
-void lay_out(const Shell& shell) {
+void lay_out_bar(const Shell& shell) {
     shell.must("graincrack-mesh rectangle --width 40mm --height 10mm --edge 3mm --quiet -o bar.h5");
     write_text(shell.file("pulse.toml"), R"(
 name = "pulse"
@@ -25,8 +25,8 @@ stage.wait.until.time = "5 us"
 
 TEST(Programs, RunFromFileToProbe) {
     const Shell shell;
-    lay_out(shell);
-    shell.must(solve + "--program pulse.toml --damping none -o run.h5");
+    lay_out_bar(shell);
+    shell.must(solve_bar + "--program pulse.toml --damping none -o run.h5");
     const std::string stages = shell.must("graincrack-post history run.h5 --stages");
     EXPECT_EQ(n_lines(stages), 3);
     EXPECT_NE(stages.find("end.velocity_x"), std::string::npos) << stages;
@@ -45,7 +45,7 @@ TEST(Programs, RunFromFileToProbe) {
         "--quiet -o - <bar.h5 >pipe.h5");
     EXPECT_EQ(shell.must("graincrack-post info --digest pipe.h5 | cut -d' ' -f1"),
               shell.must("graincrack-post info --digest run.h5 | cut -d' ' -f1"));
-    EXPECT_NE(shell.must(solve + "--program pulse.toml --damping 0.1 --dry-run").find("max_steps"), std::string::npos);
+    EXPECT_NE(shell.must(solve_bar + "--program pulse.toml --damping 0.1 --dry-run").find("max_steps"), std::string::npos);
 }
 
 // A standard test is a program: run as such it is the same run, past its peak, with the frame of the peak.
@@ -81,7 +81,7 @@ TEST(Programs, AStandardTestIsTheProgramThatItPrints) {
 // Masses are scaled unless something is dynamic, or the user wants otherwise.
 TEST(Programs, MassesAreScaledForWhatIsQuasiStatic) {
     const Shell shell;
-    lay_out(shell);
+    lay_out_bar(shell);
     const auto factor = [&](const std::string& command) {
         return std::atof(shell
                              .must("graincrack-solve " + command +
@@ -107,7 +107,7 @@ TEST(Programs, MassesAreScaledForWhatIsQuasiStatic) {
     shell.must(first + "-o scaled.h5\n" + first + "--mass-scaling none -o plain.h5");
     EXPECT_GT(factor("program bar.h5 --program press.toml --restart scaled.h5"), 10);
     EXPECT_EQ(factor("program bar.h5 --program press.toml --restart plain.h5"), 0);
-    const Outcome outcome = shell.run(solve + "--program pulse.toml --damping 0.1 --restart scaled.h5 -o run.h5");
+    const Outcome outcome = shell.run(solve_bar + "--program pulse.toml --damping 0.1 --restart scaled.h5 -o run.h5");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("scaled.h5: has scaled masses, and pulse.toml is dynamic (boundary.source"), std::string::npos)
         << outcome.err;
@@ -136,11 +136,11 @@ platens.max_strain = "1 %"
 platen_speed = { auto = "together", tolerance = 0.02 }
 until.peak_drop = 0.3
 )");
-    const std::string table = shell.must(solve + "--program press.toml --sensitivity --frames 0 -o run.h5");
+    const std::string table = shell.must(solve_bar + "--program press.toml --sensitivity --frames 0 -o run.h5");
     EXPECT_EQ(n_lines(table), 7) << table;
     EXPECT_NE(table.find("a quarter of the mass scaling"), std::string::npos) << table;
     EXPECT_NE(table.find("half the rate"), std::string::npos) << table;
-    EXPECT_NE(shell.must(solve + "--program press.toml --dry-run").find("max_steps"), std::string::npos);
+    EXPECT_NE(shell.must(solve_bar + "--program press.toml --dry-run").find("max_steps"), std::string::npos);
     // A stage that must come to rest and does not: one line, no file.
     write_text(shell.file("hasty.toml"), R"(
 name = "hasty"
@@ -152,7 +152,7 @@ platen_pressure = { to = "2 MPa", over = "10 us" }
 until = { rest = 1e-5, time = "30 us" }
 must_end_by = "rest"
 )");
-    const Outcome hasty = shell.run(solve + "--program hasty.toml -o hasty.h5");
+    const Outcome hasty = shell.run(solve_bar + "--program hasty.toml -o hasty.h5");
     EXPECT_EQ(hasty.exit_code, 4) << hasty.err;
     EXPECT_EQ(n_lines(hasty.err), 1) << hasty.err;
     EXPECT_NE(hasty.err.find("hasty.toml: stage hold: ended by time, not by rest"), std::string::npos) << hasty.err;
@@ -187,9 +187,9 @@ TEST(Programs, AJointThroughTheWholeWidthSlidesWhereRockBears) {
 
 TEST(Programs, WhatDoesNotFitIsOneLine) {
     const Shell shell;
-    lay_out(shell);
+    lay_out_bar(shell);
     const auto refused = [&](const std::string& options, int exit_code, const std::string& named) {
-        const Outcome outcome = shell.run(solve + options + " -o run.h5");
+        const Outcome outcome = shell.run(solve_bar + options + " -o run.h5");
         EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
         EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;

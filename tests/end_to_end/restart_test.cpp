@@ -42,7 +42,7 @@ platen_speed = { auto = "together", tolerance = 0.02 }
 until = { peak_drop = 0.2, time = "0.5 ms" }
 )";
 
-void lay_out(const Shell& shell) {
+void lay_out_program(const Shell& shell) {
     shell.must("graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o specimen.h5");
     const auto write = [&](const std::string& name, const std::string& stages, const std::string& tables) {
         write_text(shell.file(name), "stages = " + stages + head + tables);
@@ -52,7 +52,8 @@ void lay_out(const Shell& shell) {
     write("second.toml", R"(["crush"])", crush);
     write("auto.toml", R"(["confine", "press"])", confine + press);
 }
-const std::string solve = "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";
+const std::string solve_program =
+    "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";
 
 /// Makes the material one of three phases, with contacts of a pair and strengths that scatter, and the specimen of it.
 void make_phases(const Shell& shell) {
@@ -79,11 +80,11 @@ TEST(Restart, GoesOnToTheByte) {
     for (const auto& [options, has_phases] :
          {Case{"--mass-scaling none ", false}, Case{"", false}, Case{frictional, false}, Case{"", true}}) {
         const Shell shell;
-        lay_out(shell);
+        lay_out_program(shell);
         if (has_phases) make_phases(shell);
-        shell.must((has_phases ? "export GRAINCRACK_MATERIALS=.\n" : "") + solve + options +
-                   "--program whole.toml -o whole.h5\n" + solve + options + "--program first.toml -o first.h5\n" + solve +
-                   options + "--threads 2 --program second.toml --restart first.h5 -o second.h5");
+        shell.must((has_phases ? "export GRAINCRACK_MATERIALS=.\n" : "") + solve_program + options +
+                   "--program whole.toml -o whole.h5\n" + solve_program + options + "--program first.toml -o first.h5\n" +
+                   solve_program + options + "--threads 2 --program second.toml --restart first.h5 -o second.h5");
         const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run + " | tail -n +2"); };
         const std::string first = rows("first.h5");
         const std::string second = rows("second.h5");
@@ -170,22 +171,22 @@ TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
     for (const std::string program :
          {"--program whole.toml ", "--program second.toml --restart first.h5 ", "--program auto.toml "}) {
         const Shell shell;
-        lay_out(shell);
-        shell.must(solve + "--program first.toml -o first.h5");
-        shell.must("(until test -e whole.h5; do cp whole.h5.checkpoint kept.h5 2>/dev/null; sleep 0.02; done) & " + solve +
-                   program + "--checkpoint-every 1ms -o whole.h5; wait");
+        lay_out_program(shell);
+        shell.must(solve_program + "--program first.toml -o first.h5");
+        shell.must("(until test -e whole.h5; do cp whole.h5.checkpoint kept.h5 2>/dev/null; sleep 0.02; done) & " +
+                   solve_program + program + "--checkpoint-every 1ms -o whole.h5; wait");
         const auto rows = [&](const std::string& run) { return shell.must("graincrack-post history " + run); };
         EXPECT_GT(n_lines(rows("kept.h5")), 10);
         EXPECT_LT(n_lines(rows("kept.h5")), n_lines(rows("whole.h5")));
         EXPECT_NE(shell.run("test -e whole.h5.checkpoint").exit_code, 0);
         const std::string own = program.substr(0, program.find("toml") + 5);
-        shell.must(solve + own + "--restart kept.h5 --threads 2 -o again.h5");
+        shell.must(solve_program + own + "--restart kept.h5 --threads 2 -o again.h5");
         EXPECT_EQ(rows("again.h5"), rows("whole.h5"));
         EXPECT_EQ(rows("again.h5 --stages"), rows("whole.h5 --stages"));
         EXPECT_EQ(rows("again.h5 --probe membrane"), rows("whole.h5 --probe membrane"));
         expect_same_arrays(H5Input(shell.file("again.h5")), H5Input(shell.file("whole.h5")), "/state");
         expect_same_arrays(H5Input(shell.file("again.h5")), H5Input(shell.file("whole.h5")), "/cracks");
-        const Outcome outcome = shell.run(solve + "--program first.toml --restart kept.h5 -o other.h5");
+        const Outcome outcome = shell.run(solve_program + "--program first.toml --restart kept.h5 -o other.h5");
         EXPECT_EQ(outcome.exit_code, 3);
         EXPECT_NE(outcome.err.find("kept.h5: is the checkpoint of another program than first.toml"), std::string::npos)
             << outcome.err;
@@ -194,9 +195,9 @@ TEST(Restart, AProgramGoesOnFromItsCheckpoint) {
 
 TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
     const Shell shell;
-    lay_out(shell);
-    shell.must(solve + "--program first.toml -o first.h5");
-    shell.must(solve + "--program second.toml --restart first.h5 -o same.h5\n" + solve +
+    lay_out_program(shell);
+    shell.must(solve_program + "--program first.toml -o first.h5");
+    shell.must(solve_program + "--program second.toml --restart first.h5 -o same.h5\n" + solve_program +
                "--program second.toml --restart first.h5 --contact-friction-angle 5deg --contact-cohesion 40MPa -o weak.h5");
     // The energy balance of each row is relative to the largest stored energy of both runs.
     const auto residual = [&](const std::string& run) {
@@ -214,7 +215,7 @@ TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
     EXPECT_NE(last_stress("weak.h5"), last_stress("same.h5"));
     EXPECT_LT(residual("weak.h5"), 5e-3);
     const auto refused = [&](const std::string& options, const std::string& named) {
-        const Outcome outcome = shell.run(solve + options + " -o run.h5");
+        const Outcome outcome = shell.run(solve_program + options + " -o run.h5");
         EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
         EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;

@@ -14,18 +14,18 @@
 namespace graincrack {
 namespace {
 
-const Rock& rock() {
+const Rock& rock_of_cases() {
     static const Rock granite = test::augig_granite().rock;
     return granite;
 }
 
-struct Case {
+struct AddedMassCase {
     Assemblage assemblage;
     Boundary boundary;
     double added = 0;
 };
-Case make_case(const Specimen& specimen, double share) {
-    Case c{make_assemblage(specimen, rock(), PlaneCondition::strain), {}};
+AddedMassCase make_case(const Specimen& specimen, double share) {
+    AddedMassCase c{make_assemblage(specimen, rock_of_cases(), PlaneCondition::strain), {}};
     LoadingRequest loading;
     c.boundary = test::boundary_of_test(c.assemblage, specimen, loading, test::augig_contact());
     c.added = scale_mass_of_stiffest_elements(c.assemblage, share);
@@ -43,7 +43,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 TEST(AddedMass, IsWhatWasAskedForAndNoMore) {
     const Specimen specimen = rectangle();
     for (const double share : {0.005, 0.02, 0.1}) {
-        const Case c = make_case(specimen, share);
+        const AddedMassCase c = make_case(specimen, share);
         EXPECT_LE(c.added, share * (1 + 1e-6));
         EXPECT_GE(c.added, 0.999 * share);
         EXPECT_NEAR(sum(c.assemblage.mass) / sum(c.assemblage.rock_mass) - 1, c.added, 1e-12);
@@ -55,13 +55,13 @@ TEST(AddedMass, IsWhatWasAskedForAndNoMore) {
 }
 
 TEST(AddedMass, NoneChangesNothing) {
-    const Case c = make_case(rectangle(), 0);
+    const AddedMassCase c = make_case(rectangle(), 0);
     EXPECT_EQ(c.added, 0);
     EXPECT_EQ(c.assemblage.mass, c.assemblage.rock_mass);
 }
 
 TEST(AddedMass, GoesToFew) {
-    const Case c = make_case(rectangle(), max_added_mass);
+    const AddedMassCase c = make_case(rectangle(), max_added_mass);
     std::size_t heavier = 0;
     for (std::size_t i = 0; i < c.assemblage.mass.size(); ++i) {
         heavier += c.assemblage.mass[i] > c.assemblage.rock_mass[i] ? 1U : 0U;
@@ -72,7 +72,7 @@ TEST(AddedMass, GoesToFew) {
 
 // Grains of one triangle have three nodes of one mass each, before and after: so their centres of mass stay.
 TEST(AddedMass, KeepsCentresOfMass) {
-    const Case c = make_case(rectangle(), max_added_mass);
+    const AddedMassCase c = make_case(rectangle(), max_added_mass);
     for (const auto& nodes : c.assemblage.element_nodes) {
         EXPECT_DOUBLE_EQ(c.assemblage.mass[nodes[0]], c.assemblage.mass[nodes[1]]);
         EXPECT_DOUBLE_EQ(c.assemblage.mass[nodes[0]], c.assemblage.mass[nodes[2]]);
@@ -82,8 +82,8 @@ TEST(AddedMass, KeepsCentresOfMass) {
 TEST(AddedMass, MakesTheStepWithMassScalingLonger) {
     for (const int elements_per_edge : {1, 2}) {
         const Specimen specimen = rectangle(elements_per_edge);
-        const Case before = make_case(specimen, 0);
-        const Case after = make_case(specimen, max_added_mass);
+        const AddedMassCase before = make_case(specimen, 0);
+        const AddedMassCase after = make_case(specimen, max_added_mass);
         const double gain = stable_time_step(after.assemblage, after.boundary, test::augig_law(), 100) /
                             stable_time_step(before.assemblage, before.boundary, test::augig_law(), 100);
         EXPECT_GT(gain, 1.05) << elements_per_edge << " elements an edge";
@@ -92,7 +92,7 @@ TEST(AddedMass, MakesTheStepWithMassScalingLonger) {
 
 // Equal grains would all have to be heavier: the mass is spread, and the step grows as its root.
 TEST(AddedMass, OfEqualGrainsIsSpread) {
-    Assemblage a = make_assemblage(test::union_jack_grid(4, 4, 0.02, 0.02), rock(), PlaneCondition::strain);
+    Assemblage a = make_assemblage(test::union_jack_grid(4, 4, 0.02, 0.02), rock_of_cases(), PlaneCondition::strain);
     const std::vector<double> before = a.mass;
     const double added = scale_mass_of_stiffest_elements(a, 0.1);
     EXPECT_NEAR(added, 0.1, 1e-6);

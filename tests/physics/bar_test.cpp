@@ -20,26 +20,27 @@ Rock rock_without_poisson_effect() {
     rock.poisson_ratio = 0;
     return rock;
 }
-const double E = rock_without_poisson_effect().young_modulus;
+const double bar_modulus = rock_without_poisson_effect().young_modulus;
 const double density = rock_without_poisson_effect().density;
-const double bar_speed = std::sqrt(E / density);
+const double bar_speed = std::sqrt(bar_modulus / density);
 
 // --- interfaces every s ------------------------------------------------------------------------------------------------
 
 constexpr int segments = 20;
-constexpr int cells = 8;  // of a segment: a wave of two segments is resolved by 16, off by 0.2 %
+constexpr int cells_of_segment = 8;  // of a segment: a wave of two segments is resolved by 16, off by 0.2 %
 constexpr double spacing = 0.01;
-constexpr double height = spacing / cells;
-const double stiffness = 10 * E / spacing;  // of the interfaces, Pa/m
+constexpr double cell_height = spacing / cells_of_segment;
+const double interface_stiffness = 10 * bar_modulus / spacing;  // of the interfaces, Pa/m
 
 SmallRun bar_with_interfaces(double fraction = 0.5) {
     ContactLaw law = augig_law();
-    law.kt = stiffness;
-    law.ks = stiffness / 10;
+    law.kt = interface_stiffness;
+    law.ks = interface_stiffness / 10;
     law.w = law.ks / law.kt;
     law.stiffest_shear = law.ks;
-    return {test::crossed_blocks(segments * cells, 1, segments * spacing, height, [](int i, int) { return i / cells; }), law,
-            PlaneCondition::stress, fraction, rock_without_poisson_effect()};
+    return {test::crossed_blocks(segments * cells_of_segment, 1, segments * spacing, cell_height,
+                                 [](int i, int) { return i / cells_of_segment; }),
+            law, PlaneCondition::stress, fraction, rock_without_poisson_effect()};
 }
 
 TEST(Bar, ModulusWithInterfaces) {
@@ -48,13 +49,13 @@ TEST(Bar, ModulusWithInterfaces) {
     const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), boundary_load(run, {stress, 0, 0}));
     // Nodes of two elements that are ten segments apart.
     const auto at = [&](int segment) {
-        const std::size_t element = 4 * static_cast<std::size_t>(cells) * static_cast<std::size_t>(segment);
+        const std::size_t element = 4 * static_cast<std::size_t>(cells_of_segment) * static_cast<std::size_t>(segment);
         return test::displacement_of(
             u, run.assemblage.node_of_specimen[static_cast<std::size_t>(run.specimen.element_nodes[element][0])]);
     };
     const double strain = (at(14).x - at(4).x) / (10 * spacing);
-    const double expected = 1 / (1 / E + 1 / (stiffness * spacing));
-    EXPECT_LT(expected, 0.95 * E);
+    const double expected = 1 / (1 / bar_modulus + 1 / (interface_stiffness * spacing));
+    EXPECT_LT(expected, 0.95 * bar_modulus);
     verify("elements: bar with interfaces, modulus (GPa)", stress / strain * 1e-9, expected * 1e-9, 1e-9, "1/E + 1/(k s)");
 }
 
@@ -95,7 +96,7 @@ double measured_frequency(int half_waves, int periods) {
 double bloch_frequency(double q) {
     const auto excess = [q](double omega) {
         const double x = omega * spacing / bar_speed;
-        return std::cos(x) - omega * density * bar_speed / (2 * stiffness) * std::sin(x) - std::cos(q * spacing);
+        return std::cos(x) - omega * density * bar_speed / (2 * interface_stiffness) * std::sin(x) - std::cos(q * spacing);
     };
     double low = 0;
     double high = pi * bar_speed / spacing;
@@ -107,7 +108,7 @@ double bloch_frequency(double q) {
 }
 
 TEST(Bar, WavesWithInterfaces) {
-    const double speed = std::sqrt(1 / (1 / E + 1 / (stiffness * spacing)) / density);
+    const double speed = std::sqrt(1 / (1 / bar_modulus + 1 / (interface_stiffness * spacing)) / density);
     EXPECT_NEAR(speed / bar_speed, 0.953463, 5e-7);
     verify("dynamics: bar with interfaces, speed of long waves over c0",
            measured_frequency(1, 8) * segments * spacing / pi / bar_speed, 0.953463, 5e-3, "sqrt(E_eff/rho)/c0 at k s/E = 10");

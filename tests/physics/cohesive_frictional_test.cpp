@@ -14,7 +14,6 @@
 namespace graincrack {
 namespace {
 
-using std::numbers::e;
 using test::ContactWalk;
 using test::expect_close;
 using test::integral;
@@ -22,17 +21,19 @@ using test::MPa;
 using test::verify;
 
 /// Contacts as weak as a strength that depends on pressure lets them be: cc 14 MPa.
-ContactParameters weak(double mode_ii_fracture_energy = 330) {
+ContactParameters weak_frictional(double mode_ii_fracture_energy = 330) {
     Material material = test::augig_granite();
     material.contact.cohesion = 14 * MPa;
     material.contact.mode_ii_fracture_energy = mode_ii_fracture_energy;
     return contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
 }
-ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::cohesive_frictional, Coupling::full); }
+ContactLaw frictional_law(const ContactParameters& c) {
+    return make_contact_law(c, LawVariant::cohesive_frictional, Coupling::full);
+}
 /// Sliding at which a closed point has lost its cohesion: half of it times cc is G_II less what lies under the curve up to the
 /// peak beyond the triangle, δcs (1 + 2 [G_II/(cc δcs) − (e − 2)]).
-double last_sliding(const ContactParameters& c) {
-    return c.critical_sliding + 2 * (c.mode_ii_fracture_energy / c.cohesion - (e - 2) * c.critical_sliding);
+double last_frictional_sliding(const ContactParameters& c) {
+    return c.critical_sliding + 2 * (c.mode_ii_fracture_energy / c.cohesion - (std::numbers::e - 2) * c.critical_sliding);
 }
 /// A point under a compression, by its history.
 ContactHistory pressed(const ContactLaw& law, double pressure) {
@@ -43,25 +44,26 @@ ContactHistory pressed(const ContactLaw& law, double pressure) {
 
 TEST(CohesiveFrictional, SlidingHasTheAreaGII) {
     for (const double energy : {70.0, 330.0, 1000.0}) {
-        const ContactParameters c = weak(energy);
-        const ContactLaw law = law_of(c);
+        const ContactParameters c = weak_frictional(energy);
+        const ContactLaw law = frictional_law(c);
         ContactWalk walk(law, pressed(law, 0));
         const auto shear = [&](double s) { return walk.to({-1e-30, s}).shear; };
         verify("law: cohesive-frictional, area under sliding without pressure (J/m2)",
-               integral(shear, 0, c.critical_sliding, 8) + integral(shear, c.critical_sliding, last_sliding(c), 1), energy, 1e-9,
-               "G_II");
-        EXPECT_EQ(walk.to({-1e-30, 1.001 * last_sliding(c)}).shear, 1e-30 * law.kt * law.tan_phi);
+               integral(shear, 0, c.critical_sliding, 8) + integral(shear, c.critical_sliding, last_frictional_sliding(c), 1),
+               energy, 1e-9, "G_II");
+        EXPECT_EQ(walk.to({-1e-30, 1.001 * last_frictional_sliding(c)}).shear, 1e-30 * law.kt * law.tan_phi);
         EXPECT_EQ(walk.history().first_mode, CrackMode::shear);
         EXPECT_EQ(damage(law, walk.history()), 1);
     }
 }
 
 TEST(CohesiveFrictional, OpeningHasTheAreaGf) {
-    const ContactParameters c = weak();
-    const ContactLaw law = law_of(c);
+    const ContactParameters c = weak_frictional();
+    const ContactLaw law = frictional_law(c);
     ContactWalk walk(law);
     const auto normal = [&](double o) { return walk.to({o, 0}).normal; };
-    const double last = c.critical_opening * (1 + 2 * (c.fracture_energy / (c.tensile_strength * c.critical_opening) - (e - 2)));
+    const double last =
+        c.critical_opening * (1 + 2 * (c.fracture_energy / (c.tensile_strength * c.critical_opening) - (std::numbers::e - 2)));
     verify("law: cohesive-frictional, area under opening (J/m2)",
            integral(normal, 0, c.critical_opening, 8) + integral(normal, c.critical_opening, last, 1), c.fracture_energy, 1e-9,
            "Gf");
@@ -72,9 +74,9 @@ TEST(CohesiveFrictional, OpeningHasTheAreaGf) {
 // Past the peak cohesion falls on a line while friction rises on one; the strength is where friction reaches its limit.
 TEST(CohesiveFrictional, TheStrengthFeelsPressure) {
     for (const double energy : {70.0, 330.0, 1000.0}) {
-        const ContactParameters c = weak(energy);
-        const ContactLaw law = law_of(c);
-        const double softening = last_sliding(c) - c.critical_sliding;
+        const ContactParameters c = weak_frictional(energy);
+        const ContactLaw law = frictional_law(c);
+        const double softening = last_frictional_sliding(c) - c.critical_sliding;
         for (const double pressure : {0.0, 5.0, 20.0, 50.0, 100.0}) {
             const double limit = pressure * MPa * law.tan_phi;
             const double mobilised = limit / law.ks;
@@ -86,7 +88,7 @@ TEST(CohesiveFrictional, TheStrengthFeelsPressure) {
             EXPECT_TRUE(walk.history().failed());
             const double half = walk.go({opening, c.critical_sliding + 0.5 * mobilised}, 200).shear;
             const double peak = walk.go({opening, c.critical_sliding + mobilised}, 200).shear;
-            walk.go({opening, 1.01 * last_sliding(c)}, 400);
+            walk.go({opening, 1.01 * last_frictional_sliding(c)}, 400);
             verify("law: cohesive-frictional, traction while friction is mobilised (MPa)", half / MPa,
                    (c.cohesion * (1 - 0.5 * mobilised / softening) + 0.5 * limit) / MPa, 1e-9, "two lines");
             verify("law: cohesive-frictional, peak traction (MPa)", peak / MPa,
@@ -100,20 +102,20 @@ TEST(CohesiveFrictional, TheStrengthFeelsPressure) {
 
 // With a residual friction angle friction weakens as cohesion does.
 TEST(CohesiveFrictional, FrictionWeakensWithCohesion) {
-    ContactParameters c = weak();
+    ContactParameters c = weak_frictional();
     c.residual_friction_angle = 30 * test::degree;
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = frictional_law(c);
     const double pressure = 20 * MPa;
     ContactWalk walk(law, pressed(law, pressure));
     const double opening = walk.history().motion.opening;
     for (const double lost : {0.3, 0.6, 0.9}) {
-        const double sliding = c.critical_sliding + lost * (last_sliding(c) - c.critical_sliding);
+        const double sliding = c.critical_sliding + lost * (last_frictional_sliding(c) - c.critical_sliding);
         const double tan_phi = (1 - lost) * law.tan_phi + lost * std::tan(30 * test::degree);
         verify("law: cohesive-frictional, traction while friction weakens (MPa)", walk.go({opening, sliding}, 2000).shear / MPa,
                (c.cohesion * (1 - lost) + pressure * tan_phi) / MPa, 1e-9, "both in proportion to 1 − D");
         expect_close(damage(law, walk.history()), lost, 1e-9, 1);
     }
-    walk.go({opening, 2 * last_sliding(c)}, 20000);
+    walk.go({opening, 2 * last_frictional_sliding(c)}, 20000);
     expect_close(walk.traction().shear, pressure * std::tan(30 * test::degree), 1e-12, pressure);
     EXPECT_TRUE(contact_law::CohesiveFrictional::is_residual(law, walk.history()));
     EXPECT_GE(walk.min_friction(), 0);
@@ -123,11 +125,11 @@ TEST(CohesiveFrictional, FrictionWeakensWithCohesion) {
 
 // Below the energy of the way to the peak nothing softens: under pressure the law is `consistent`.
 TEST(CohesiveFrictional, SuddenLossIsTheLimitOfSmallEnergies) {
-    const double least = (e - 2) * weak().cohesion * weak().critical_sliding;
-    const ContactParameters c = weak(0.9 * least);
-    const ContactLaw law = law_of(c);
+    const double least = (std::numbers::e - 2) * weak_frictional().cohesion * weak_frictional().critical_sliding;
+    const ContactParameters c = weak_frictional(0.9 * least);
+    const ContactLaw law = frictional_law(c);
     EXPECT_FALSE(law.softens_in_shear);
-    EXPECT_TRUE(law_of(weak(1.1 * least)).softens_in_shear);
+    EXPECT_TRUE(frictional_law(weak_frictional(1.1 * least)).softens_in_shear);
     const ContactLaw consistent = make_contact_law(c, LawVariant::consistent, Coupling::full);
     for (const double pressure : {5.0, 50.0}) {
         ContactWalk here(law, pressed(law, pressure * MPa));

@@ -22,10 +22,10 @@ using test::verify;
 using test::verify_between;
 
 ContactParameters parameters() { return augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i); }
-ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::combined, Coupling::full); }
+ContactLaw combined_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::combined, Coupling::full); }
 /// o_r and s_r, m.
 double last_opening(const ContactLaw& law) { return law.op * (1 + law.o_range); }
-double last_sliding(const ContactLaw& law) { return law.sp * (1 + law.s_range); }
+double last_combined_sliding(const ContactLaw& law) { return law.sp * (1 + law.s_range); }
 
 /// z as Munjiza, Andrews & White (1999) print it.
 double printed_softening(double D) {
@@ -51,7 +51,7 @@ TEST(CombinedLaw, TheCurveIsMunjizas) {
 
 TEST(CombinedLaw, ThePartsOfTheCurveInOpening) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     ContactWalk walk(law);
     for (const double x : {0.2, 0.7, 1.0}) {
         expect_close(walk.to({x * law.op, 0}).normal, c.tensile_strength * x * (2 - x), 1e-14, c.tensile_strength);
@@ -74,7 +74,7 @@ TEST(CombinedLaw, ThePartsOfTheCurveInOpening) {
 
 TEST(CombinedLaw, AreasAreTheFractureEnergies) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     ContactWalk opened(law);
     const auto normal = [&](double o) { return opened.to({o, 0}).normal; };
     verify("law: combined, area under opening (J/m2)",
@@ -86,9 +86,9 @@ TEST(CombinedLaw, AreasAreTheFractureEnergies) {
         ContactWalk slid(law, start);
         const auto shear = [&](double s) { return slid.to({opening, s}).shear; };
         verify("law: combined, area under sliding (J/m2)",
-               integral(shear, 0, law.sp, 4) + integral(shear, law.sp, last_sliding(law), 40), c.mode_ii_fracture_energy, 1e-9,
-               "G_II");
-        expect_close(slid.to({opening, 1.001 * last_sliding(law)}).shear, 0, 1e-15, c.cohesion);  // friction of 1e-30 m
+               integral(shear, 0, law.sp, 4) + integral(shear, law.sp, last_combined_sliding(law), 40), c.mode_ii_fracture_energy,
+               1e-9, "G_II");
+        expect_close(slid.to({opening, 1.001 * last_combined_sliding(law)}).shear, 0, 1e-15, c.cohesion);  // friction of 1e-30 m
         EXPECT_TRUE(slid.history().separated);
     }
     expect_close(c.mode_ii_fracture_energy, 4 * c.fracture_energy, 1e-12, c.fracture_energy);  // (K_IIC/K_IC)² = 4
@@ -96,7 +96,7 @@ TEST(CombinedLaw, AreasAreTheFractureEnergies) {
 
 TEST(CombinedLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     const auto booked = [&](const ContactMotion& end, int steps) {
         ContactWalk walk(law);
         walk.go(end, steps);
@@ -104,7 +104,7 @@ TEST(CombinedLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
         return walk.fracture();
     };
     const ContactMotion open{1.01 * last_opening(law), 0};
-    const ContactMotion slid{0, 1.01 * last_sliding(law)};
+    const ContactMotion slid{0, 1.01 * last_combined_sliding(law)};
     verify("law: combined, booked in opening over G_I", booked(open, 8000) / c.fracture_energy, 1, 1e-6, "1, trapezia");
     verify("law: combined, booked in sliding over G_II", booked(slid, 8000) / c.mode_ii_fracture_energy, 1, 1e-6, "1, trapezia");
     const double coarse = std::abs(booked(slid, 500) - c.mode_ii_fracture_energy);
@@ -115,11 +115,11 @@ TEST(CombinedLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
 // Where the largest opening and sliding are the present ones, the tractions are z of the joint D.
 TEST(CombinedLaw, TheModesInteract) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     for (const double share : {0.1, 0.3, 0.6}) {
         ContactWalk walk(law);
         const double opening = law.op + share * (last_opening(law) - law.op);
-        const double sliding = law.sp + 0.5 * (last_sliding(law) - law.sp);
+        const double sliding = law.sp + 0.5 * (last_combined_sliding(law) - law.sp);
         walk.go({opening, -sliding}, 100);
         const double z = printed_softening(std::sqrt(share * share + 0.25));
         verify("law: combined, tractions under both modes over strength", walk.traction().normal / c.tensile_strength, z, 1e-12,
@@ -133,7 +133,7 @@ TEST(CombinedLaw, TheModesInteract) {
 // Nothing jumps at δn = 0, whether intact or failed.
 TEST(CombinedLaw, NoJumpWhereAPointOpens) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     const double tiny = 1e-12 * law.op;
     for (const double y : {0.3, 0.9, 2.5}) {
         ContactHistory start;
@@ -152,7 +152,7 @@ TEST(CombinedLaw, NoJumpWhereAPointOpens) {
 // Cohesion first, friction as soon as it has failed: nearly cc + σn tan φ in all, σn tan φ in the end.
 TEST(CombinedLaw, ShearUnderPressure) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     for (const double pressure : {5 * MPa, 20 * MPa, 100 * MPa}) {
         const double closure = -pressure / law.kt;
         ContactWalk walk(law);
@@ -160,24 +160,24 @@ TEST(CombinedLaw, ShearUnderPressure) {
         walk.go({closure, law.sp}, 1000);
         expect_close(walk.traction().shear, c.cohesion, 1e-12, c.cohesion);
         EXPECT_FALSE(walk.history().failed());
-        walk.go({closure, last_sliding(law)}, 20000);
+        walk.go({closure, last_combined_sliding(law)}, 20000);
         const double friction = pressure * std::tan(c.friction_angle);
         // what z loses while friction is mobilised over σ tan φ/ks
-        const double mobilised = friction / law.ks / (last_sliding(law) - law.sp);
+        const double mobilised = friction / law.ks / (last_combined_sliding(law) - law.sp);
         verify_between("law: combined, peak under pressure over c + sigma tan(phi)",
                        walk.largest_shear() / (c.cohesion + friction),
                        (munjiza_softening(mobilised) * c.cohesion + friction) / (c.cohesion + friction) * (1 - 1e-4), 1,
                        "1 less what z loses until friction is mobilised, to a step");
-        walk.go({closure, 1.1 * last_sliding(law)}, 1000);
+        walk.go({closure, 1.1 * last_combined_sliding(law)}, 1000);
         EXPECT_TRUE(walk.history().separated);
         verify("law: combined, residual shear (MPa)", walk.traction().shear / MPa, friction / MPa, 1e-11, "sigma_n tan(phi)");
         // less friction, the area is G_II
         expect_close(walk.fracture(), c.mode_ii_fracture_energy, 1e-5, c.mode_ii_fracture_energy);
         const double before = walk.friction();
         const double elastic = 2 * friction / law.ks;
-        walk.go({closure, -last_sliding(law)}, 20000);
+        walk.go({closure, -last_combined_sliding(law)}, 20000);
         expect_close(walk.traction().shear, -friction, 1e-12, friction);
-        const double slip = 2.1 * last_sliding(law) - elastic;
+        const double slip = 2.1 * last_combined_sliding(law) - elastic;
         verify("law: combined, friction on the way back (J/m2)", walk.friction() - before, friction * slip, 1e-6,
                "traction times slip");
     }
@@ -186,7 +186,7 @@ TEST(CombinedLaw, ShearUnderPressure) {
 // Failed open and closed again: friction from zero, on all of the area, with what cohesion is left.
 TEST(CombinedLaw, ClosingAfterOpening) {
     const ContactParameters c = parameters();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = combined_law(c);
     ContactWalk walk(law);
     const double opening = law.op + 0.5 * (last_opening(law) - law.op);
     walk.go({opening, 0}, 1000);

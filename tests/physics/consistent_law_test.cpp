@@ -19,13 +19,12 @@ using test::expect_close;
 using test::integral;
 using test::MPa;
 using test::verify;
-constexpr double e = std::numbers::e;
 
-ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::consistent, Coupling::full); }
+ContactLaw consistent_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::consistent, Coupling::full); }
 
 TEST(ConsistentLaw, PureOpeningIsEq7) {
     const ContactParameters c = augig_contact();
-    ContactWalk walk(law_of(c));
+    ContactWalk walk(consistent_law(c));
     for (const double x : {0.1, 0.5, 0.9, 1.0}) {
         const double opening = x * c.critical_opening;
         const double traction = c.normal_stiffness * opening * std::exp(-x);
@@ -34,7 +33,7 @@ TEST(ConsistentLaw, PureOpeningIsEq7) {
     for (const double d : {0.1, 0.5, 0.9}) {
         const double opening = c.critical_opening + d * (c.ultimate_opening - c.critical_opening);
         expect_close(walk.to({opening, 0}).normal, (1 - d) * c.tensile_strength, 1e-12, c.tensile_strength);
-        expect_close(damage(law_of(c), walk.history()), d, 1e-12, 1);
+        expect_close(damage(consistent_law(c), walk.history()), d, 1e-12, 1);
     }
     EXPECT_EQ(walk.to({1.001 * c.ultimate_opening, 0}).normal, 0);
     EXPECT_TRUE(walk.history().separated);
@@ -44,7 +43,7 @@ TEST(ConsistentLaw, PureOpeningIsEq7) {
 TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
     for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
         const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
-        const ContactLaw law = law_of(c);
+        const ContactLaw law = consistent_law(c);
         for (const double degrees : {0.0, 20.0, 45.0, 70.0, 89.0}) {
             const double n = std::cos(degrees * std::numbers::pi / 180);
             const double t = std::sin(degrees * std::numbers::pi / 180);
@@ -56,7 +55,7 @@ TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
             // λ = 1, and at λu, where no strength is left: Gf = tears · [(1 − 2/e) + (λu − 1)/(2 e)], tears = q/λ²
             const double peak = 1 / std::hypot(n * law.inv_dct, t * law.inv_dso);
             const double tears = (law.kt * n * n + law.ks * t * t) * peak * peak;
-            const double last = peak * (1 + 2 * e * (c.fracture_energy / tears - (1 - 2 / e)));
+            const double last = peak * (1 + 2 * std::numbers::e * (c.fracture_energy / tears - (1 - 2 / std::numbers::e)));
             const double work = integral(along, 0, peak, 8) + integral(along, peak, last, 8);
             verify("law: consistent, area under opening in five directions (J/m2)", work, c.fracture_energy, 1e-9, "Gf, Eq 32");
             EXPECT_EQ(along(1.001 * last), 0);
@@ -72,14 +71,14 @@ TEST(ConsistentLaw, SlidingUnderPressureIsEq10AndThenFriction) {
     const ContactParameters c = augig_contact();
     for (const double pressure : {20 * MPa, 30 * MPa, 100 * MPa}) {
         const double closure = -pressure / c.normal_stiffness;
-        ContactWalk walk(law_of(c));
+        ContactWalk walk(consistent_law(c));
         walk.to({closure, 0});
         for (const double y : {0.3, 0.7, 1.0 - 1e-12}) {
             const double s = y * c.critical_sliding;
             expect_close(walk.to({closure, s}).shear, c.shear_stiffness * s * std::exp(-y), 1e-12, c.cohesion);
         }
         EXPECT_FALSE(walk.history().failed());
-        ContactWalk split(law_of(c));
+        ContactWalk split(consistent_law(c));
         split.to({closure, 0});
         const auto shear = [&](double s) { return split.to({closure, s}).shear; };
         verify("law: consistent, shear to its peak under pressure (J/m2)", integral(shear, 0, c.critical_sliding, 8), 155.46,
@@ -103,12 +102,12 @@ TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {
     // An open point is stretched by δs/δso what a closed one is by δs/δcs: cohesion falls to the open curve, never rises.
     for (const double s : {0.01, 0.1, 0.3}) {
         const double sliding = s * c.critical_sliding;
-        ContactWalk walk(law_of(c));
+        ContactWalk walk(consistent_law(c));
         walk.to({-tiny, 0});
         const double closed = walk.go({-tiny, sliding}, 100).shear;
         const double before = walk.fracture();
         const double open = walk.to({tiny, sliding}).shear;
-        const double open_load = sliding * c.shear_stiffness / (e * c.open_shear_strength);
+        const double open_load = sliding * c.shear_stiffness / (std::numbers::e * c.open_shear_strength);
         if (open_load < 1) expect_close(open, c.shear_stiffness * sliding * std::exp(-open_load), 1e-9, closed);
         EXPECT_LE(open, closed);
         EXPECT_GT(walk.fracture(), before);

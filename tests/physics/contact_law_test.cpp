@@ -25,7 +25,6 @@ using test::MPa;
 using test::name_of_law;
 using test::variants_of_the_text;
 using test::verify;
-constexpr double e = std::numbers::e;
 
 TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
     const ContactParameters c = augig_contact();
@@ -38,7 +37,7 @@ TEST(ContactLaw, AreaUnderOpeningIsTheFractureEnergy) {
         const double after = integral(traction, c.critical_opening * (1 + 1e-13), c.ultimate_opening, 8);
         verify("law: area under opening (J/m2)", before + after, c.fracture_energy, 1e-9, "Gf, Eqs 14, 32");
         verify("law: area under opening as printed (J/m2)", before + after, 412.97965, 1e-7, "Eq 32 by hand, eight digits");
-        expect_close(before, c.tensile_strength * c.critical_opening * (e - 2), 1e-12, before);
+        expect_close(before, c.tensile_strength * c.critical_opening * (std::numbers::e - 2), 1e-12, before);
         verify("law: its part before the peak over Gf", before / c.fracture_energy, 0.0040, 0.0125,
                "tc dct (e - 2)/Gf, two digits");
         EXPECT_EQ(walk.to({c.ultimate_opening * 1.001, 0}).normal, 0);
@@ -79,7 +78,7 @@ TEST(ContactLaw, ShearUnderPressurePeaksAtTheCohesion) {
             };
             const double energy = integral(traction, 0, c.critical_sliding, 8);
             verify("law: shear to its peak under pressure (J/m2)", energy, 155.46, 5e-5, "cc dcs (e - 2), five digits");
-            expect_close(energy, c.cohesion * c.critical_sliding * (e - 2), 1e-12, energy);
+            expect_close(energy, c.cohesion * c.critical_sliding * (std::numbers::e - 2), 1e-12, energy);
             verify("law: shear peak at any pressure (MPa)", traction(c.critical_sliding * (1 - 1e-12)) / MPa, c.cohesion / MPa,
                    1e-11, "cc, Eq 10");
             EXPECT_LE(largest, c.cohesion * (1 + 1e-14));

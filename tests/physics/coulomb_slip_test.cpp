@@ -26,10 +26,10 @@ ContactParameters with_residual() {
     c.residual_friction_angle = 30 * degree;
     return c;
 }
-ContactLaw law_of(const ContactParameters& c) { return make_contact_law(c, LawVariant::coulomb_slip, Coupling::full); }
+ContactLaw slip_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::coulomb_slip, Coupling::full); }
 
 TEST(CoulombSlip, ShearUnderPressurePeaksAtCohesionAndFrictionAndFallsToTheResidualOnes) {
-    const ContactLaw law = law_of(with_residual());
+    const ContactLaw law = slip_law(with_residual());
     struct Case {
         double pressure, peak, residual;  // MPa; c + σ tan φ and c_r + σ tan φ_r by hand
     };
@@ -56,7 +56,7 @@ TEST(CoulombSlip, ShearUnderPressurePeaksAtCohesionAndFrictionAndFallsToTheResid
 }
 
 TEST(CoulombSlip, LoopsAtTheResidualDissipateTractionTimesSlip) {
-    const ContactLaw law = law_of(with_residual());
+    const ContactLaw law = slip_law(with_residual());
     const double closure = -20 * MPa / law.kt;
     const double residual = 10 * MPa + 20 * MPa * std::tan(30 * degree);
     const double reach = 5e-6;
@@ -77,7 +77,7 @@ TEST(CoulombSlip, LoopsAtTheResidualDissipateTractionTimesSlip) {
 
 TEST(CoulombSlip, TensionIsLinearAndThenGone) {
     const ContactParameters c = augig_contact();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = slip_law(c);
     ContactWalk walk(law);
     const double strain_at_peak = c.tensile_strength / law.kt;
     walk.go({strain_at_peak * (1 - 1e-9), 0}, 10);
@@ -95,7 +95,7 @@ TEST(CoulombSlip, TensionIsLinearAndThenGone) {
 // Open: the Coulomb line goes on into tension.
 TEST(CoulombSlip, TensionLowersTheShearStrength) {
     const ContactParameters c = augig_contact();
-    const ContactLaw law = law_of(c);
+    const ContactLaw law = slip_law(c);
     const double normal = 20 * MPa;
     const double strength = 51.7561 * MPa;  // 74.57 − 20 tan 48.76°, by hand
     ContactWalk walk(law);
@@ -114,7 +114,7 @@ TEST(CoulombSlip, TensionLowersTheShearStrength) {
 
 // Failed in shear, then opened: the residual tension is borne once, shear on the residual strength relaxes as friction.
 TEST(CoulombSlip, ResidualTensionIsBorneOnceAndNothingAfter) {
-    const ContactLaw law = law_of(with_residual());
+    const ContactLaw law = slip_law(with_residual());
     const double closure = -20 * MPa / law.kt;
     ContactWalk walk(law);
     walk.to({closure, 0});
@@ -150,7 +150,7 @@ TEST(CoulombSlip, StiffnessAsGiven) {
     Material granite = test::augig_granite();
     granite.contact.normal_stiffness = 4e14;
     granite.contact.shear_stiffness = 1e14;
-    const ContactLaw law = law_of(contact_parameters(granite, PlaneCondition::strain, {}));
+    const ContactLaw law = slip_law(contact_parameters(granite, PlaneCondition::strain, {}));
     const ContactTraction t = update_contact(law, {-1e-8, 2e-8}, {}).traction;
     EXPECT_EQ(t.normal, -1e-8 * 4e14);
     EXPECT_EQ(t.shear, 2e-8 * 1e14);

@@ -41,11 +41,11 @@ struct Hinge {
     }
 };
 
-constexpr LawVariant laws[] = {LawVariant::scaled, LawVariant::continuous, LawVariant::consistent,
-                               LawVariant::cohesive_frictional};
+constexpr LawVariant laws_that_lose_frames[] = {LawVariant::scaled, LawVariant::continuous, LawVariant::consistent,
+                                                LawVariant::cohesive_frictional};
 
 TEST(LostFrame, ABondOnWhichAGrainTurnsOverBreaks) {
-    for (const LawVariant law : laws) {
+    for (const LawVariant law : laws_that_lose_frames) {
         Hinge hinge(law);
         const ContactPairList& list = hinge.run.state.contact_pairs;
         // The sense in which the contact opens.

@@ -165,12 +165,12 @@ TEST(MassScaling, StepGrowsUntilTheGrainsLimitIt) {
 
 // --- motion ----------------------------------------------------------------------------------------------------------------
 
-struct Momenta {
+struct ScaledMomenta {
     Vector2 linear;
     double angular = 0, linear_scale = 0, angular_scale = 0;
 };
-Momenta momenta_of(const SmallRun& run) {
-    Momenta m;
+ScaledMomenta scaled_momenta_of(const SmallRun& run) {
+    ScaledMomenta m;
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
         const Vector2 p = run.assemblage.mass[i] * run.state.velocity[i];
         const Vector2 x = run.assemblage.position[i] + run.state.displacement[i];
@@ -189,13 +189,13 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
         // Drift, a little spin, a pull along y and a shear: cracks of both modes.
         run.set_velocity([](const Vector2& p) { return Vector2{3 + 400 * p.y, -1 + 100 * p.x + 1500 * p.y}; });
         run.begin();
-        const Momenta before = momenta_of(run);
+        const ScaledMomenta before = scaled_momenta_of(run);
         const Energies start = run.measured().energies;
         double drift = 0;
         for (int i = 0; i < 100; ++i) {
             run.steps(50);
             const Energies e = run.measured().energies;
-            const Momenta now = momenta_of(run);
+            const ScaledMomenta now = scaled_momenta_of(run);
             verify("dynamics: momentum with mass scaling while it falls apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);
@@ -212,7 +212,7 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
 }
 
 /// Two grains on one contact, the upper one flying off.
-SmallRun two_grains(double factor) {
+SmallRun two_scaled_grains(double factor) {
     const Specimen s =
         test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
                                  {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1});
@@ -224,7 +224,7 @@ TEST(MassScaling, ReturningGrainsMakeNoEnergy) {
         double gap, speed;
     };
     for (const Fall& fall : {Fall{2e-4, 0.1}, Fall{2e-4, 10}, Fall{1e-6, 1}}) {
-        SmallRun run = two_grains(100);
+        SmallRun run = two_scaled_grains(100);
         run.parameters.time_step *= 0.2;  // a contact that closes within a step makes or takes energy, in proportion to the step
         run.begin();
         for (const std::size_t point : {0, 1}) store_point(broken_contact(), false, point, run.state);

@@ -16,7 +16,7 @@ using test::SmallRun;
 using test::Tensor;
 using test::verify;
 
-ContactLaw law_of(PlaneCondition plane, double normal = 1, double shear = 1) {
+ContactLaw elastic_law(PlaneCondition plane, double normal = 1, double shear = 1) {
     ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::scaled, Coupling::full);
     law.kt *= normal;
     law.ks *= shear;
@@ -48,7 +48,7 @@ TEST(Moduli, OfAnEquilateralLattice) {
     const Rock rock = test::augig_granite().rock;
     const double sv = 2 * std::sqrt(3.0) / edge;
     for (const auto& [normal, shear] : {std::pair{1.0, 1.0}, std::pair{0.05, 0.05}, std::pair{0.1, 5.0}}) {
-        const ContactLaw law = law_of(PlaneCondition::stress, normal, shear);
+        const ContactLaw law = elastic_law(PlaneCondition::stress, normal, shear);
         const SmallRun run(test::equilateral_lattice(n, n, edge), law, PlaneCondition::stress);
         const Eigen::SparseMatrix<double> stiffness = tangent_stiffness(run);
         const double stress = 1e6;
@@ -91,7 +91,7 @@ TEST(Moduli, OfRandomMeshes) {
         mesher::SpecimenRequest request;
         request.region = mesher::rectangle(0.08, 0.16);
         request.grains = c.grains;
-        const SmallRun run(mesher::make_specimen(request), law_of(c.plane), c.plane);
+        const SmallRun run(mesher::make_specimen(request), elastic_law(c.plane), c.plane);
         Moduli m = pulled(run);
         if (c.plane == PlaneCondition::strain) {
             m = {fpz::material_young_modulus(m.young_modulus, m.poisson_ratio), fpz::material_poisson_ratio(m.poisson_ratio)};

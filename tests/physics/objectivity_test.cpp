@@ -70,7 +70,7 @@ TEST(Objectivity, ForcesTurnWithTheSpecimen) {
 
 /// A pulse of pressure on the left and right sides, undamped, in steps of the same length (what the iteration finds as the stable
 /// one depends on the angle by its last digits).
-SmallRun loaded(double angle) {
+SmallRun loaded_run(double angle) {
     SmallRun run(test::rotated(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), angle), augig_law());
     run.press_on({BoundaryPart::left, BoundaryPart::right}, 0.5);
     EXPECT_NEAR(run.parameters.time_step, 3e-8, 1e-8);
@@ -84,7 +84,7 @@ SmallRun loaded(double angle) {
 }
 
 TEST(Objectivity, ElasticLoadingOfATurnedSpecimen) {
-    const SmallRun upright = loaded(0);
+    const SmallRun upright = loaded_run(0);
     EXPECT_EQ(upright.failed_points(), 0U);
     const double force = largest(upright.state.force);
     const double displacement = largest(upright.state.displacement);
@@ -92,7 +92,7 @@ TEST(Objectivity, ElasticLoadingOfATurnedSpecimen) {
     EXPECT_GT(force, 1e3);
     for (const double degrees : {30.0, 90.0}) {
         const double angle = degrees * std::numbers::pi / 180;
-        SmallRun run = loaded(angle);
+        SmallRun run = loaded_run(angle);
         for (std::size_t i = 0; i < run.state.force.size(); ++i) {
             run.state.force[i] = turned(run.state.force[i], -angle);
             run.state.displacement[i] = turned(run.state.displacement[i], -angle);

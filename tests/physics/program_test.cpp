@@ -21,7 +21,7 @@ using test::ProgramRun;
 using test::verify;
 
 constexpr double g = 9.81;
-const Rock rock = test::augig_granite().rock;
+const Rock rock_of_programs = test::augig_granite().rock;
 
 /// Mean velocity of the nodes of the upper half.
 Vector2 velocity_of_upper_half(const test::SmallRun& run) {
@@ -105,7 +105,7 @@ TEST(Program, AColumnCarriesItsWeight) {
                       augig_law(), PlaneCondition::strain, 0.8);
     column.go(100);
     EXPECT_EQ(column.stage_controller.records().at(0).ended_by, "rest");
-    const double foot = rock.density * g * height;
+    const double foot = rock_of_programs.density * g * height;
     for (const auto& [probe, y] : {std::pair{"low", -0.03125}, {"middle", 0.0}, {"high", 0.03125}}) {
         // The stress is linear and CSTs are constant: the mean over a circle that lies evenly about y is exact.
         verify(std::string("dynamics: column under its weight, axial stress at y = ") + std::to_string(1000 * y).substr(0, 6) +
@@ -309,10 +309,10 @@ TEST(Program, AWaveRunsAndIsReflected) {
     const std::string rollers = "boundary.sides = { box = [\"-1 m\", \"1 m\", \"-1 m\", \"1 m\"], velocity_y = 0.0 }";
     const std::string push = "pressure = { pulse = \"1 MPa\", over = \"8 us\" }";
     const double cp = 3359.56;
-    const Wave strain = wave(rollers, PlaneCondition::strain, rock, push, "x", "");
+    const Wave strain = wave(rollers, PlaneCondition::strain, rock_of_programs, push, "x", "");
     // 200 cells of 1 mm against a pulse of 27 mm: dispersion is of the order (π/27)²/24 = 6e-4.
     verify("dynamics: P wave, plane strain (m/s)", strain.speed, cp, 5e-3, "sqrt((lambda + 2 mu)/rho)");
-    verify("dynamics: P wave, velocity over stress (m/s)", strain.peak_velocity, 1e6 / (rock.density * cp), 1e-2,
+    verify("dynamics: P wave, velocity over stress (m/s)", strain.peak_velocity, 1e6 / (rock_of_programs.density * cp), 1e-2,
            "sigma/(rho c)");
     verify("dynamics: P wave, velocity at a free end over that of the wave", strain.end_velocity / strain.peak_velocity, 2, 1e-2,
            "free end");
@@ -320,10 +320,10 @@ TEST(Program, AWaveRunsAndIsReflected) {
            "free end: same velocity, opposite stress");
     EXPECT_LT(strain.residual, 1e-3);
 
-    const Wave stress = wave(rollers, PlaneCondition::stress, rock, push, "x", "");
+    const Wave stress = wave(rollers, PlaneCondition::stress, rock_of_programs, push, "x", "");
     verify("dynamics: P wave, plane stress (m/s)", stress.speed, 3206.19, 5e-3, "sqrt(E/(rho (1 - nu^2)))");
 
-    Rock without = rock;
+    Rock without = rock_of_programs;
     without.poisson_ratio = 0;
     const Wave bar = wave("", PlaneCondition::stress, without, push, "x", "boundary.wall = { on = \"right\", velocity_x = 0.0 }");
     verify("dynamics: wave in a bar (m/s)", bar.speed, 3120.23, 5e-3, "sqrt(E/rho)");
@@ -332,9 +332,10 @@ TEST(Program, AWaveRunsAndIsReflected) {
     EXPECT_EQ(bar.end_velocity, 0);
 
     const std::string slide = "boundary.sides = { box = [\"-1 m\", \"1 m\", \"-1 m\", \"1 m\"], velocity_x = 0.0 }";
-    const Wave shear = wave(slide, PlaneCondition::strain, rock, "traction_y = { pulse = \"1 MPa\", over = \"8 us\" }", "y", "");
+    const Wave shear =
+        wave(slide, PlaneCondition::strain, rock_of_programs, "traction_y = { pulse = \"1 MPa\", over = \"8 us\" }", "y", "");
     verify("dynamics: S wave (m/s)", shear.speed, 1989.39, 5e-3, "sqrt(G/rho)");
-    verify("dynamics: S wave, velocity over stress (m/s)", shear.peak_velocity, 1e6 / (rock.density * 1989.39), 1e-2,
+    verify("dynamics: S wave, velocity over stress (m/s)", shear.peak_velocity, 1e6 / (rock_of_programs.density * 1989.39), 1e-2,
            "tau/(rho c)");
 }
 

@@ -19,7 +19,7 @@
 namespace graincrack {
 namespace {
 
-struct Case {
+struct RestartCase {
     const char* name;
     TestKind test;
     RateKind rate;
@@ -28,26 +28,26 @@ struct Case {
     LawVariant law = LawVariant::consistent;
     bool has_phases = false;  ///< three, with contacts of a pair and strengths that scatter
 };
-void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
+void PrintTo(const RestartCase& c, std::ostream* stream) { *stream << c.name; }
 
 /// Grains of many shapes, between which node–edge contacts come and go after the peak.
-const Specimen& specimen() {
+const Specimen& restart_specimen() {
     static const Specimen s = [] {
-        mesher::SpecimenRequest request;
-        request.region = mesher::rectangle(0.04, 0.08);
-        request.grains = 300;
-        request.seed = 4;
-        return mesher::make_specimen(request);
+        mesher::SpecimenRequest restart_request;
+        restart_request.region = mesher::rectangle(0.04, 0.08);
+        restart_request.grains = 300;
+        restart_request.seed = 4;
+        return mesher::make_specimen(restart_request);
     }();
     return s;
 }
 
-const Specimen& specimen_of(const Case& c) {
-    static const Specimen phased = test::varied_phases(specimen()).specimen;
-    return c.has_phases ? phased : specimen();
+const Specimen& specimen_of(const RestartCase& c) {
+    static const Specimen phased = test::varied_phases(restart_specimen()).specimen;
+    return c.has_phases ? phased : restart_specimen();
 }
 
-SimulationRequest request(const Case& c) {
+SimulationRequest restart_request(const RestartCase& c) {
     SimulationRequest r;
     r.material = c.has_phases ? test::granite_of_phases() : test::augig_granite();
     r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
@@ -67,14 +67,14 @@ SimulationRequest request(const Case& c) {
     return r;
 }
 
-std::string digest_of(const std::string& run) { return H5Input(run, "run").digest(); }
+std::string run_digest(const std::string& run) { return H5Input(run, "run").digest(); }
 
 /// Checkpoints are slow to write: what counts is the time that the run gets between them. On the clock of this test a row takes
 /// one second and a checkpoint a hundred.
 TEST(Checkpoints, FollowOneAnotherAnIntervalAfterTheLastWasWritten) {
     const test::TemporaryFolder folder;
     const std::string run = folder.file("run.h5");
-    SimulationRequest r = request({"uniaxial", TestKind::uniaxial, RateKind::fixed, 0.5, false});
+    SimulationRequest r = restart_request({"uniaxial", TestKind::uniaxial, RateKind::fixed, 0.5, false});
     double time = 0;
     std::size_t rows = 0;
     std::vector<std::size_t> checkpoints;  // after how many rows
@@ -95,17 +95,17 @@ TEST(Checkpoints, FollowOneAnotherAnIntervalAfterTheLastWasWritten) {
         rows = n;
         return false;
     };
-    simulate(specimen(), r, run, Verbosity::quiet, {});
+    simulate(restart_specimen(), r, run, Verbosity::quiet, {});
     ASSERT_GT(checkpoints.size(), 3U);
     for (std::size_t i = 1; i < checkpoints.size(); ++i) EXPECT_EQ(checkpoints[i] - checkpoints[i - 1], 101U);
 }
 
-class Restart : public testing::TestWithParam<Case> {};
+class Restart : public testing::TestWithParam<RestartCase> {};
 
 TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
     const test::TemporaryFolder folder;
     const std::string whole = folder.file("whole.h5");
-    const SimulationSummary summary = simulate(specimen_of(GetParam()), request(GetParam()), whole, Verbosity::quiet, {});
+    const SimulationSummary summary = simulate(specimen_of(GetParam()), restart_request(GetParam()), whole, Verbosity::quiet, {});
     const std::size_t rows = RunReader(whole).history().size();
     EXPECT_GT(summary.tensile_cracks + summary.shear_cracks, 10U);  // so that what is compared has happened
     const std::string run = folder.file("run.h5");
@@ -118,7 +118,7 @@ TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
     std::string restart;
     std::size_t restarts = 0;
     for (const std::size_t stop : stops) {
-        SimulationRequest r = request(GetParam());
+        SimulationRequest r = restart_request(GetParam());
         r.threads = 1 + static_cast<int>(restarts % 2);
         r.restart = restart;
         r.stops_after = [stop](std::size_t n) { return n == stop; };
@@ -129,23 +129,23 @@ TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
         ++restarts;
     }
     EXPECT_GE(restarts, 10U);
-    SimulationRequest r = request(GetParam());
+    SimulationRequest r = restart_request(GetParam());
     r.restart = restart;
     simulate(specimen_of(GetParam()), r, run, Verbosity::quiet, {});
-    EXPECT_EQ(digest_of(run), digest_of(whole));
+    EXPECT_EQ(run_digest(run), run_digest(whole));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfATest, Restart,
-                         testing::Values(Case{"UniaxialUnscaled", TestKind::uniaxial, RateKind::fixed, 1.0, false},
-                                         Case{"UniaxialAuto", TestKind::uniaxial, RateKind::automatic, 0, true},
-                                         Case{"UniaxialCohesiveFrictional", TestKind::uniaxial, RateKind::fixed, 1.0, false,
-                                              LawVariant::cohesive_frictional},
-                                         Case{"UniaxialThreePhases", TestKind::uniaxial, RateKind::fixed, 1.0, true,
-                                              LawVariant::consistent, true},
-                                         Case{"TriaxialScaled", TestKind::triaxial, RateKind::fixed, 1.0, true},
-                                         Case{"TriaxialBlocks", TestKind::triaxial, RateKind::blocks, 0.5, true},
-                                         Case{"Tension", TestKind::tension, RateKind::fixed, 0.3, true}),
-                         [](const testing::TestParamInfo<Case>& row) { return std::string(row.param.name); });
+                         testing::Values(RestartCase{"UniaxialUnscaled", TestKind::uniaxial, RateKind::fixed, 1.0, false},
+                                         RestartCase{"UniaxialAuto", TestKind::uniaxial, RateKind::automatic, 0, true},
+                                         RestartCase{"UniaxialCohesiveFrictional", TestKind::uniaxial, RateKind::fixed, 1.0,
+                                                     false, LawVariant::cohesive_frictional},
+                                         RestartCase{"UniaxialThreePhases", TestKind::uniaxial, RateKind::fixed, 1.0, true,
+                                                     LawVariant::consistent, true},
+                                         RestartCase{"TriaxialScaled", TestKind::triaxial, RateKind::fixed, 1.0, true},
+                                         RestartCase{"TriaxialBlocks", TestKind::triaxial, RateKind::blocks, 0.5, true},
+                                         RestartCase{"Tension", TestKind::tension, RateKind::fixed, 0.3, true}),
+                         [](const testing::TestParamInfo<RestartCase>& row) { return std::string(row.param.name); });
 
 }  // namespace
 }  // namespace graincrack

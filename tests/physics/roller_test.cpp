@@ -35,7 +35,7 @@ std::string push_and_wait(const std::string& platens) {
 }
 
 /// Forces of the faces of platens along their axis, N, in their order.
-std::vector<double> forces_of(const test::SmallRun& run, double* moment = nullptr) {
+std::vector<double> roller_forces(const test::SmallRun& run, double* moment = nullptr) {
     std::vector<double> forces(run.boundary.platens.size(), 0.0);
     for (const PlatenPoint& point : run.state.platen_points) {
         const Platen& platen = run.boundary.platens[point.platen];
@@ -65,7 +65,7 @@ TEST(Roller, APunchMeetsWhatLiesBeforeItOnly) {
     }
     EXPECT_GE(below, 8U);
     program.go(50);
-    const std::vector<double> forces = forces_of(program.run);
+    const std::vector<double> forces = roller_forces(program.run);
     ASSERT_EQ(forces.size(), 2U);
     EXPECT_LT(forces[1], -1e3);
     expect_close(forces[0], -forces[1], 1e-3, forces[0]);  // 768 nodes
@@ -83,7 +83,7 @@ TEST(Roller, ThreeRollersBearABeam) {
                        augig_law(), PlaneCondition::strain, 0.8);
     program.go(50);
     double moment = 0;
-    const std::vector<double> forces = forces_of(program.run, &moment);
+    const std::vector<double> forces = roller_forces(program.run, &moment);
     ASSERT_EQ(forces.size(), 3U);
     const double load = -forces[2];
     EXPECT_GT(load, 1e2);
@@ -94,7 +94,7 @@ TEST(Roller, ThreeRollersBearABeam) {
 }
 
 /// The specimen turned by 90° counter-clockwise.
-Specimen turned(Specimen s) {
+Specimen turned_over(Specimen s) {
     for (auto& p : s.node_position) p = {-p[1], p[0]};
     std::swap(s.width, s.height);
     return s;
@@ -106,10 +106,10 @@ TEST(Roller, PlatensAlongXPressAsThoseAlongYPressTheTurnedSpecimen) {
         ProgramRun program(s, push_and_wait(platens), augig_law(), PlaneCondition::strain, 0.8, 0.5, test::augig_granite().rock,
                            test::augig_contact(), 0.3);
         program.go(50);
-        return forces_of(program.run);
+        return roller_forces(program.run);
     };
     const std::vector<double> along_x = run(specimen, "direction = \"0 deg\"\n");
-    const std::vector<double> along_y = run(turned(specimen), "");
+    const std::vector<double> along_y = run(turned_over(specimen), "");
     ASSERT_EQ(along_x.size(), 2U);
     EXPECT_LT(along_x[1], -1e3);
     for (std::size_t i = 0; i < 2; ++i) expect_close(along_x[i], along_y[i], 1e-3, along_y[i]);  // 576 nodes

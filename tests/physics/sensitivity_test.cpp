@@ -22,7 +22,7 @@ namespace {
 
 using test::expect_close;
 
-Specimen disc(int grains, int elements_per_edge) {
+Specimen refined_disc(int grains, int elements_per_edge) {
     mesher::SpecimenRequest request;
     request.region = mesher::disc(0.04);
     request.grains = grains;
@@ -46,7 +46,7 @@ SimulationRequest brazilian() {
 TEST(Sensitivity, ChangesOneThingEach) {
     SimulationRequest request = brazilian();
     request.mass_scaling = true;
-    const Specimen specimen = disc(30, 1);
+    const Specimen specimen = refined_disc(30, 1);
     const auto axial = [](const SensitivityCase& c) { return *c.request.program->stages.back().platens; };
     const auto cases = sensitivity_cases(request, program_of(request, specimen), 100);
     ASSERT_EQ(cases.size(), 5U);
@@ -121,7 +121,7 @@ TEST(Sensitivity, TheRunKeepsTheTable) {
     SimulationRequest request = brazilian();
     request.sensitivity = true;
     const test::TemporaryFolder folder;
-    const SimulationSummary summary = simulate(disc(30, 1), request, folder.file("run.h5"), Verbosity::quiet, {});
+    const SimulationSummary summary = simulate(refined_disc(30, 1), request, folder.file("run.h5"), Verbosity::quiet, {});
     ASSERT_EQ(summary.sensitivity.size(), 5U);
     EXPECT_EQ(summary.sensitivity[0].peak_axial_stress, summary.header.peak_axial_stress);
     EXPECT_NE(summary.sensitivity[1].peak_axial_stress, summary.header.peak_axial_stress);
@@ -135,13 +135,13 @@ TEST(Sensitivity, TheRunKeepsTheTable) {
     }
     EXPECT_TRUE(std::isfinite(read[4].peak_axial_stress));
     request.sensitivity = false;
-    simulate(disc(30, 1), request, folder.file("plain.h5"), Verbosity::quiet, {});
+    simulate(refined_disc(30, 1), request, folder.file("plain.h5"), Verbosity::quiet, {});
     EXPECT_TRUE(read_sensitivity(RunReader(folder.file("plain.h5")).file()).empty());
 }
 
 TEST(Refinement, GivesTheMeshOfTwiceTheElementsAlongAnEdge) {
-    const Specimen fine = refined(disc(50, 1));
-    const Specimen made = disc(50, 2);
+    const Specimen fine = refined(refined_disc(50, 1));
+    const Specimen made = refined_disc(50, 2);
     EXPECT_NO_THROW(validate(fine, "refined"));
     EXPECT_EQ(fine.n_nodes(), made.n_nodes());
     EXPECT_EQ(fine.n_elements(), made.n_elements());
@@ -165,7 +165,7 @@ TEST(Refinement, GivesTheMeshOfTwiceTheElementsAlongAnEdge) {
 }
 
 TEST(Refinement, HalvesOfAContactAreWhatItWas) {
-    Specimen coarse = disc(30, 1);
+    Specimen coarse = refined_disc(30, 1);
     coarse.flaw_names = {"joint"};
     for (std::size_t c = 0; c < coarse.n_contacts(); ++c) {
         coarse.contact_flaw.push_back(static_cast<std::uint8_t>(c % 2));

@@ -15,12 +15,12 @@ namespace {
 using test::SmallRun;
 using test::verify;
 
-constexpr double radius = 0.04;
+constexpr double disc_radius = 0.04;
 constexpr double omega = 1000;  // rad/s; stresses are compared scaled to 100
 
-Specimen disc() {
+Specimen spinning_disc() {
     mesher::SpecimenRequest request;
-    request.region = mesher::disc(2 * radius);
+    request.region = mesher::disc(2 * disc_radius);
     request.grains = 452;
     return mesher::make_specimen(request);
 }
@@ -54,7 +54,7 @@ double centre_stress(const SmallRun& run) {
             centroid += (1.0 / 3) * run.assemblage.position[static_cast<std::size_t>(i)];
         }
         const double squared = dot(centroid, centroid);
-        if (squared < radius * radius / 16) {
+        if (squared < disc_radius * disc_radius / 16) {
             const double a = run.assemblage.element_geometry[e].area;
             const double fall = 2650 * omega * omega * (2 + 2 * nu) / 8 * squared;
             sum += a * (0.5 * (frame.element_stress[e][0] + frame.element_stress[e][1]) + fall);
@@ -67,7 +67,7 @@ double centre_stress(const SmallRun& run) {
 // (3 + ν)/8 ρω²R² = 17119 Pa at R = 40 mm, 100 rad/s. Measured with stiff contacts and this mesh: 0.4 % above, with 200 grains
 // 0.9 %; contacts of Augig granite make ν 0.25 of 0.23 and add 0.6 %. During the turn the stress of rest must stay.
 TEST(SpinningDisc, WholeTurnUnderItsCentrifugalStress) {
-    SmallRun run(disc(), test::augig_law(), PlaneCondition::stress);
+    SmallRun run(spinning_disc(), test::augig_law(), PlaneCondition::stress);
     const Vector2 centre = run.mean(run.assemblage.position);
     run.state.displacement = spun(run, centre);
     const double half = -0.5 * omega * run.parameters.time_step;  // velocities belong to half a step before
@@ -90,10 +90,10 @@ TEST(SpinningDisc, WholeTurnUnderItsCentrifugalStress) {
         for (const Vector2& u : run.state.displacement) farthest = std::max(farthest, length(u));
         if (k < stations) run.steps(steps / stations);
     }
-    EXPECT_GT(farthest, 1.9 * radius);  // it really turned
+    EXPECT_GT(farthest, 1.9 * disc_radius);  // it really turned
     EXPECT_EQ(run.failed_points(), 0U);
     const double gap = 2 * std::numbers::pi - omega * run.parameters.time_step * static_cast<double>(steps / stations * stations);
-    EXPECT_LT(length(run.state.displacement.front()), radius * (gap + 1e-3));  // and is back
+    EXPECT_LT(length(run.state.displacement.front()), disc_radius * (gap + 1e-3));  // and is back
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 using test::SmallRun;
 
 /// A specimen crushed with mass scaling until grains have slid past each other.
-SmallRun crushed() {
+SmallRun crushed_disc() {
     SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.25), test::augig_law(LawVariant::consistent));
     LoadingRequest request;
     request.platen_friction = 5 * test::degree;
@@ -68,14 +68,14 @@ double energy_of(const SmallRun& run) {
 }
 
 TEST(StableArea, ContactsAreNoStifferThanTheLongStepAllows) {
-    SmallRun run = crushed();
+    SmallRun run = crushed_disc();
     limit_contact_areas(run.assemblage, run.parameters, run.state);
     EXPECT_LE(stiffness_of_contacts(run), 0.5);
     EXPECT_GT(stiffness_of_contacts(run), 0.02);  // and not needlessly soft
 }
 
 TEST(StableArea, ReducingAreasChangesNoEnergy) {
-    SmallRun run = crushed();
+    SmallRun run = crushed_disc();
     ContactPairList& list = run.state.contact_pairs;
     const double before = energy_of(run);
     EXPECT_GT(before, 0);
@@ -99,7 +99,7 @@ TEST(StableArea, ReducingAreasChangesNoEnergy) {
 }
 
 TEST(StableArea, NothingIsReducedWithoutMassScaling) {
-    SmallRun run = crushed();
+    SmallRun run = crushed_disc();
     run.parameters.mass_scaling = {};
     const std::vector<NodeEdgeContact> contacts = run.state.contact_pairs.contacts;
     run.parameters.time_step *= 100;

@@ -20,8 +20,8 @@ using test::SmallRun;
 using test::verify;
 using test::verify_between;
 
-constexpr double pressed = 1e-9;  // m: platens that touch, far short of what moves a contact off its initial stiffness
-constexpr double moved = 1e-14;   // m: small against that
+constexpr double touching = 1e-9;  // m: platens that touch, far short of what moves a contact off its initial stiffness
+constexpr double moved = 1e-14;    // m: small against that
 
 /// A run between platens that touch.
 SmallRun between_platens(const Specimen& specimen, const ContactLaw& law, const ContactParameters& contact = augig_contact()) {
@@ -29,7 +29,7 @@ SmallRun between_platens(const Specimen& specimen, const ContactLaw& law, const 
     LoadingRequest loading;
     loading.platen_friction = 5 * test::degree;
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, contact), 1);
-    run.state.loading.platen_displacement = {pressed, -pressed};
+    run.state.loading.platen_displacement = {touching, -touching};
     return run;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -15,27 +14,9 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/provenance.hpp"
 #include "share/file/run_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace graincrack::test {
-
-/// A folder of its own for a test, removed with it.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "graincrack-post-XXXXXX").string();
-        path_ = ::mkdtemp(name.data());
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// columns × rows rectangles, each cut along its rising diagonal into two grains of one triangle.
 inline Specimen grid_specimen(int columns, int rows, double width, double height) {

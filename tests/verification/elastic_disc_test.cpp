@@ -18,13 +18,13 @@ using std::numbers::pi;
 using test::SmallRun;
 using test::verify;
 
-constexpr double diameter = 0.08;
-constexpr double radius = diameter / 2;
+constexpr double disc_diameter = 0.08;
+constexpr double disc_radius = disc_diameter / 2;
 
 /// A disc with stiff contacts, compressed to about 1 MPa and held until it is at rest.
 SmallRun compressed_disc() {
     mesher::SpecimenRequest request;
-    request.region = mesher::disc(diameter);
+    request.region = mesher::disc(disc_diameter);
     request.grains = 452;
     request.elements_per_edge = 2;
     ContactParameters contact = test::augig_contact(PlaneCondition::stress);
@@ -38,7 +38,7 @@ SmallRun compressed_disc() {
     run.parameters.damping = 0.8;
     run.begin();
     const double approach = 5e-6;  // of each platen: some 3 MPa across the disc
-    const double transit = diameter / 3120.23;
+    const double transit = disc_diameter / 3120.23;
     const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
     const double speed = approach / (10 * transit);
     IntervalLoading platens;
@@ -54,13 +54,13 @@ SmallRun compressed_disc() {
 struct PointLoads {
     double force;
     [[nodiscard]] std::array<double, 2> normal_stresses(const Vector2& p) const {
-        const double above = radius - p.y;
-        const double below = radius + p.y;
+        const double above = disc_radius - p.y;
+        const double below = disc_radius + p.y;
         const double r1 = p.x * p.x + above * above;
         const double r2 = p.x * p.x + below * below;
         const double factor = -2 * force / pi;
-        return {factor * (above * p.x * p.x / (r1 * r1) + below * p.x * p.x / (r2 * r2) - 1 / diameter),
-                factor * (above * above * above / (r1 * r1) + below * below * below / (r2 * r2) - 1 / diameter)};
+        return {factor * (above * p.x * p.x / (r1 * r1) + below * p.x * p.x / (r2 * r2) - 1 / disc_diameter),
+                factor * (above * above * above / (r1 * r1) + below * below * below / (r2 * r2) - 1 / disc_diameter)};
     }
 };
 
@@ -100,15 +100,15 @@ TEST(ElasticDisc, StressOfTwoPointLoads) {
     const Measurement at_rest = run.measured();
     EXPECT_EQ(run.failed_points(), 0U);
     const double force = -0.5 * (at_rest.force_top - at_rest.force_bottom);
-    EXPECT_GT(force, 0.5e6 * diameter);
+    EXPECT_GT(force, 0.5e6 * disc_diameter);
     test::expect_close(at_rest.force_top, -at_rest.force_bottom, 2e-3, force);  // 1e-3 measured; runs must stay below 2 %
     EXPECT_LT(at_rest.unbalanced_ratio, 1e-4);
     const PointLoads loads{force};
-    test::expect_close(loads.normal_stresses({})[0], 2 * force / (pi * diameter), 1e-12, force / diameter);
-    test::expect_close(loads.normal_stresses({})[1], -6 * force / (pi * diameter), 1e-12, force / diameter);
+    test::expect_close(loads.normal_stresses({})[0], 2 * force / (pi * disc_diameter), 1e-12, force / disc_diameter);
+    test::expect_close(loads.normal_stresses({})[1], -6 * force / (pi * disc_diameter), 1e-12, force / disc_diameter);
 
     const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
-    const Means centre = means(run, frame, loads, [](const Vector2& p) { return length(p) < radius / 6; });
+    const Means centre = means(run, frame, loads, [](const Vector2& p) { return length(p) < disc_radius / 6; });
     EXPECT_GT(centre.elements, 20);
     // Means over the central region, converted to the centre by the ratio of the formula's values.
     const std::array<double, 2> exact = loads.normal_stresses({});
@@ -118,8 +118,8 @@ TEST(ElasticDisc, StressOfTwoPointLoads) {
            exact[1] * 1e-6, 0.03, "-6P/(pi D t)");
     for (int bin = -3; bin < 3; ++bin) {  // of a sixth of the radius
         const Means m = means(run, frame, loads, [bin](const Vector2& p) {
-            const double x = 6 * p.x / radius;
-            return x >= bin && x < bin + 1 && std::abs(p.y) < radius / 8;
+            const double x = 6 * p.x / disc_radius;
+            return x >= bin && x < bin + 1 && std::abs(p.y) < disc_radius / 8;
         });
         EXPECT_GT(m.elements, 10);
         const int percent = 100 * (2 * bin + 1) / 12;

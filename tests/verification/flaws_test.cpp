@@ -27,7 +27,7 @@ using test::verify;
 constexpr PlaneCondition plane = PlaneCondition::stress;
 const Rock rock = test::augig_granite().rock;
 
-Specimen specimen_of(const Region& region, double edge, int elements_per_edge, std::uint64_t seed = 1) {
+Specimen flawed_specimen(const Region& region, double edge, int elements_per_edge, std::uint64_t seed = 1) {
     mesher::SpecimenRequest request;
     request.region = region;
     request.edge = edge;
@@ -100,8 +100,8 @@ TEST(Slits, HalfDiscHasTheToughnessOfISRM) {
     Region region = mesher::half_disc(2 * radius);
     region.edges = {mesher::slit_from_below(region, slit, "slit")};
     mesher::centre_region(region);
-    const SmallRun coarse = stiff(specimen_of(region, 2e-3, 2));
-    const SmallRun fine = stiff(specimen_of(region, 2e-3, 4));
+    const SmallRun coarse = stiff(flawed_specimen(region, 2e-3, 2));
+    const SmallRun fine = stiff(flawed_specimen(region, 2e-3, 4));
     for (const auto& [span, expected] : {std::pair{0.5, 3.680}, std::pair{0.6, 4.668}, std::pair{0.8, 6.646}}) {
         const double k =
             extrapolated(mode_i_of_bending(coarse, slit, span * 2 * radius), mode_i_of_bending(fine, slit, span * 2 * radius));
@@ -115,8 +115,8 @@ TEST(Slits, BeamHasTheToughnessOfE399) {
     for (const double ratio : {0.3, 0.5}) {
         Region region = mesher::rectangle(4.5 * height, height);
         region.edges = {mesher::slit_from_below(region, ratio * height, "slit")};
-        const double k = extrapolated(mode_i_of_bending(stiff(specimen_of(region, 2e-3, 2)), ratio * height, 4 * height),
-                                      mode_i_of_bending(stiff(specimen_of(region, 2e-3, 4)), ratio * height, 4 * height));
+        const double k = extrapolated(mode_i_of_bending(stiff(flawed_specimen(region, 2e-3, 2)), ratio * height, 4 * height),
+                                      mode_i_of_bending(stiff(flawed_specimen(region, 2e-3, 4)), ratio * height, 4 * height));
         const double f = 3 * std::sqrt(ratio) * (1.99 - ratio * (1 - ratio) * (2.15 - 3.93 * ratio + 2.7 * ratio * ratio)) /
                          (2 * (1 + 2 * ratio) * std::pow(1 - ratio, 1.5));
         verify(fmt::format("specimens: notched beam, f at a/W {}", ratio), k * std::sqrt(height) / 4, f, 0.03,
@@ -133,7 +133,7 @@ TEST(Slits, CrackedDiscIsInPureModeIIAtItsAngle) {
         Region region = mesher::disc(diameter, mesher::Pole::vertex);
         const double direction = (90 - angles[i]) * test::degree;
         region.edges = {mesher::central_slit(region, 2 * half, direction, "slit")};
-        const SmallRun run = stiff(specimen_of(region, 2e-3, 2));
+        const SmallRun run = stiff(flawed_specimen(region, 2e-3, 2));
         Eigen::VectorXd load = no_load(run);
         add_force(run, {0, diameter / 2}, {0, -1}, load);
         add_force(run, {0, -diameter / 2}, {0, 1}, load);
@@ -229,7 +229,7 @@ TEST(Holes, StressConcentrationIsKirschs) {
     constexpr double radius = 0.01;
     Region region = mesher::rectangle(0.1, 0.1);
     mesher::add_hole(region, {}, radius, "hole");
-    const SmallRun run = stiff(specimen_of(region, 2e-3, 2));
+    const SmallRun run = stiff(flawed_specimen(region, 2e-3, 2));
     const Kirsch field{radius, 0, -1e6};
     const std::vector<test::Tensor> stress = test::element_stresses(run, displacements(run, load_of(run, field)));
     // Beside the hole, over rings: the mean of the stress along the load over that of the formula, and where it goes to at the
@@ -257,7 +257,7 @@ std::vector<OnJoint> tractions_on_joint(double radius, std::uint64_t seed) {
     Region region = mesher::rectangle(12 * radius, 12 * radius);
     mesher::add_hole(region, {}, radius, "hole");
     region.edges = {{{-10 * radius, -10 * radius}, {10 * radius, 10 * radius}, {ContactKind::grain_boundary, "joint"}}};
-    Specimen specimen = specimen_of(region, 0.2 * radius, 2, seed);
+    Specimen specimen = flawed_specimen(region, 0.2 * radius, 2, seed);
     const std::vector<std::uint8_t> is_joint = std::exchange(specimen.contact_flaw, {});
     specimen.flaw_names.clear();  // it has the law of all
     const SmallRun run = stiff(std::move(specimen));
@@ -338,7 +338,7 @@ TEST(Flaws, APlaneOfWeaknessSlidesAtJaegersStrength) {
         request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
         request.material.contact.friction_angle = 50 * test::degree;
         request.contact = contact_parameters(request.material, request.plane, {});
-        const TestOutcome outcome = run_test(specimen_of(region, 5e-3, 1), request, "joint", Verbosity::quiet);
+        const TestOutcome outcome = run_test(flawed_specimen(region, 5e-3, 1), request, "joint", Verbosity::quiet);
         verify(fmt::format("specimens: strength of a flaw at {} deg under 5 MPa (MPa)", angle),
                outcome.header.peak_axial_stress / test::MPa, joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
     }
@@ -367,7 +367,7 @@ TEST(Flaws, JointedRockHasItsModulus) {
         request.contact = contact_parameters(request.material, plane, {});
         request.material.fabric.flaws["joint"].normal_stiffness = 50e9 / spacing;
         request.material.fabric.flaws["joint"].shear_stiffness = 10e9 / spacing;
-        const TestOutcome outcome = run_test(specimen_of(region, 4e-3, 1), request, "joints", Verbosity::quiet);
+        const TestOutcome outcome = run_test(flawed_specimen(region, 4e-3, 1), request, "joints", Verbosity::quiet);
         const std::vector<double>& stress = outcome.history[HistoryColumn::axial_stress];
         const std::vector<double>& strain = outcome.history[HistoryColumn::axial_strain];
         const std::size_t half = stress.size() / 2;

@@ -68,10 +68,10 @@ TEST(Fracture, StraightInterfaceTakesItsFractureEnergy) {
 
 // --- double cantilever ---------------------------------------------------------------------------------------------------
 
-constexpr double h = 0.01;          // height of an arm, m
-constexpr int cells = 8;            // of four triangles, over the height of an arm
-constexpr double cell = h / cells;  // m
-constexpr double width = 2 * cell;  // of the loaded part of a face
+constexpr double h = 0.01;                 // height of an arm, m
+constexpr int cells_of_arm = 8;            // of four triangles, over the height of an arm
+constexpr double cell = h / cells_of_arm;  // m
+constexpr double width = 2 * cell;         // of the loaded part of a face
 constexpr double small = 1e-3 * cell;
 
 /// Two arms of solid grain on an interface that is cut open from the left end to `cut` (m from it). Pressure acts on the arms'
@@ -92,8 +92,8 @@ struct Cantilever {
         run.begin();
     }
     static Specimen specimen(double length, double cut, double couple) {
-        Specimen s = test::crossed_blocks(static_cast<int>(std::lround(length / cell)), 2 * cells, length, 2 * h,
-                                          [](int, int j) { return j < cells ? 0 : 1; });
+        Specimen s = test::crossed_blocks(static_cast<int>(std::lround(length / cell)), 2 * cells_of_arm, length, 2 * h,
+                                          [](int, int j) { return j < cells_of_arm ? 0 : 1; });
         const auto within = [length](double x, double from, double to) {
             return x > -length / 2 + from - small && x < -length / 2 + to + small;
         };

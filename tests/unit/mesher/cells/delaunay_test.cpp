@@ -15,7 +15,7 @@ namespace graincrack::mesher {
 namespace {
 
 /// Cells of a region with grain edges of 2.5 mm.
-PlaneCells cells_of(const Region& region, std::uint64_t seed) {
+PlaneCells delaunay_cells_of(const Region& region, std::uint64_t seed) {
     constexpr double edge = 2.5e-3;
     RandomNumbers random(seed);
     const DepthGrid depth(region, 0.7 * edge);
@@ -29,7 +29,7 @@ Point at(const PlaneCells& cells, int p) { return cells.points[static_cast<std::
 TEST(DelaunayCells, FillARegionWithHolesAndNothingElse) {
     const Region region = l_with_holes();
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        const PlaneCells cells = cells_of(region, seed);
+        const PlaneCells cells = delaunay_cells_of(region, seed);
         EXPECT_GT(cells.size(), 1000U);
         double sum = 0;
         std::map<std::pair<int, int>, int> directed;
@@ -91,7 +91,7 @@ TEST(DelaunayCells, FollowPrescribedEdges) {
                                                      {{-0.01, 0.011}, {-0.005, 0.026}}, {{-0.04, 0.0}, {-0.03, 0.003}}};
     for (const auto& [from, to] : edges) region.edges.push_back({from, to, ContactKind::pre_existing_crack});
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        const PlaneCells cells = cells_of(region, seed);
+        const PlaneCells cells = delaunay_cells_of(region, seed);
         for (const auto& [from, to] : edges) {
             const auto pieces = clip(region, {from, to});
             ASSERT_EQ(pieces.size(), 1U);
@@ -120,7 +120,7 @@ TEST(DelaunayCells, FollowPrescribedEdges) {
 TEST(DelaunayCells, FollowAPrescribedEdgeThatCutsACorner) {
     Region region = rectangle(0.08, 0.06);
     region.edges = {{{0.0379, -0.03}, {0.04, -0.0279}}};
-    const PlaneCells cells = cells_of(region, 1);
+    const PlaneCells cells = delaunay_cells_of(region, 1);
     EXPECT_NEAR(covered(cells, region.edges[0].from, region.edges[0].to), length({0.0021, 0.0021}), 1e-16);
 }
 

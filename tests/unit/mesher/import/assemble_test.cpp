@@ -20,7 +20,7 @@ Specimen specimen_of(ImportedMesh mesh, const Placement& placement = {}, std::ve
     return assemble(std::move(mesh), placement, "file", notes == nullptr ? unused : *notes);
 }
 
-std::string message_of(ImportedMesh mesh, const Placement& placement = {}) {
+std::string assembly_message(ImportedMesh mesh, const Placement& placement = {}) {
     try {
         specimen_of(std::move(mesh), placement);
     } catch (const InputError& error) {
@@ -131,27 +131,27 @@ TEST(Assemble, RefusesWhatDoesNotConform) {
     hanging.triangles = {{0, 1, 6}, {0, 6, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};  // a point on the side of the right square
     hanging.grain_of_triangle = {0, 0, 0, 1, 1};
     EXPECT_EQ(
-        message_of(hanging),
+        assembly_message(hanging),
         "file: the mesh does not conform: the point (0, 0) lies on the side from (0, 0.5) to (0, -0.5) without being its end");
     ImportedMesh twice = squares();
     twice.triangles.push_back({0, 1, 5});
     twice.grain_of_triangle.push_back(1);
-    EXPECT_EQ(message_of(twice),
+    EXPECT_EQ(assembly_message(twice),
               "file: two triangles overlap: both have the side from (-1, -0.5) to (0, -0.5) with themselves on its left");
     ImportedMesh crossing = squares();
     crossing.points.insert(crossing.points.end(), {{.5, 0}, {3, -.1}, {3, .1}});
     crossing.triangles.push_back({6, 7, 8});
     crossing.grain_of_triangle.push_back(1);
-    EXPECT_EQ(message_of(crossing).substr(0, 38), "file: the mesh overlaps itself: the si");
+    EXPECT_EQ(assembly_message(crossing).substr(0, 38), "file: the mesh overlaps itself: the si");
     ImportedMesh flat = squares();
     flat.points[4] = {-.5, -.5};
-    EXPECT_EQ(message_of(flat), "file: a triangle at (-1, -0.5) has no area");
+    EXPECT_EQ(assembly_message(flat), "file: a triangle at (-1, -0.5) has no area");
     ImportedMesh one_point = squares();
     for (Point& p : one_point.points) p = {1, 1};
-    EXPECT_EQ(message_of(one_point), "file: all points lie at one place, or too far apart");
+    EXPECT_EQ(assembly_message(one_point), "file: all points lie at one place, or too far apart");
     Placement placement;
     placement.scale = 1e6;
-    EXPECT_EQ(message_of(squares(), placement).substr(0, 16), "file: 2000 km ac");
+    EXPECT_EQ(assembly_message(squares(), placement).substr(0, 16), "file: 2000 km ac");
 }
 
 TEST(Assemble, AMeshAroundTheOriginIsNotMoved) {
@@ -166,7 +166,7 @@ TEST(Assemble, AMeshAroundTheOriginIsNotMoved) {
     for (const std::uint8_t part : s.boundary_part) EXPECT_EQ(s.part_names[part], "rim");
     Placement placement;
     placement.origin = Point{0.01, 0};
-    EXPECT_NE(message_of(mesh, placement).find("the middle of the nodes along x is more than 0.1 %"), std::string::npos);
+    EXPECT_NE(assembly_message(mesh, placement).find("the middle of the nodes along x is more than 0.1 %"), std::string::npos);
 }
 
 TEST(Outline, TellsShapes) {

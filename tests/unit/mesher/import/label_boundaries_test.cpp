@@ -11,7 +11,7 @@
 namespace graincrack::mesher {
 namespace {
 
-LabelPieces pieces_of(const std::string& text) { return label_pieces(read_label_image(text, "section"), 1, "section"); }
+LabelPieces all_pieces_of(const std::string& text) { return label_pieces(read_label_image(text, "section"), 1, "section"); }
 
 /// The places of a chain: its nodes, and the corners of pixels between them.
 std::vector<Point> places(const LabelBoundaries& boundaries, const BoundaryChain& chain) {
@@ -37,7 +37,7 @@ std::vector<double> areas(const LabelBoundaries& boundaries, std::size_t n_piece
 }
 
 TEST(LabelBoundaries, GoFromJunctionToJunction) {
-    const LabelPieces pieces = pieces_of("1 1 2\n1 1 2\n3 3 3\n");
+    const LabelPieces pieces = all_pieces_of("1 1 2\n1 1 2\n3 3 3\n");
     const LabelBoundaries b = label_boundaries(pieces);
     EXPECT_EQ(b.nodes.size(), 4U + 3U + 1U) << "corners, ends on the outline, and where three meet";
     EXPECT_EQ(b.chains.size(), 7U + 3U);
@@ -49,7 +49,7 @@ TEST(LabelBoundaries, GoFromJunctionToJunction) {
 }
 
 TEST(LabelBoundaries, AroundAGrainAreClosed) {
-    const LabelPieces pieces = pieces_of("1 1 1 1\n1 2 2 1\n1 1 1 1\n");
+    const LabelPieces pieces = all_pieces_of("1 1 1 1\n1 2 2 1\n1 1 1 1\n");
     const LabelBoundaries b = label_boundaries(pieces);
     EXPECT_EQ(b.nodes.size(), 4U);
     ASSERT_EQ(b.chains.size(), 5U);
@@ -59,7 +59,7 @@ TEST(LabelBoundaries, AroundAGrainAreClosed) {
 }
 
 TEST(LabelBoundaries, OfFourPiecesMeetInOneNode) {
-    const LabelBoundaries b = label_boundaries(pieces_of("1 2\n2 1\n"));
+    const LabelBoundaries b = label_boundaries(all_pieces_of("1 2\n2 1\n"));
     EXPECT_EQ(b.nodes.size(), 4U + 4U + 1U);
     EXPECT_EQ(b.opened_corners, 0);
 }
@@ -82,7 +82,7 @@ TEST(LabelBoundaries, OpenTheCornerWhereAPieceMeetsItself) {
     const std::string ring = "0 0 0 0 0\n0 1 1 1 0\n0 1 2 1 0\n0 1 2 0 0\n0 1 1 2 0\n";
     for (const std::string& text : {ring, std::string("0 0 0 0 0\n0 1 1 1 0\n0 1 2 1 0\n0 1 1 2 2\n0 0 0 2 2\n"),
                                     std::string("0 0 0 0\n0 1 1 0\n0 1 0 1\n0 1 1 1\n0 0 0 0\n")}) {
-        const LabelPieces pieces = pieces_of(text);
+        const LabelPieces pieces = all_pieces_of(text);
         const LabelBoundaries b = label_boundaries(pieces);
         EXPECT_EQ(pinched_nodes(b), 0) << text;
         const std::vector<double> area = areas(b, pieces.size());
@@ -93,11 +93,11 @@ TEST(LabelBoundaries, OpenTheCornerWhereAPieceMeetsItself) {
         }
         EXPECT_DOUBLE_EQ(sum, static_cast<double>(pieces.piece_of_pixel.size()));
     }
-    EXPECT_EQ(label_boundaries(pieces_of("0 0 0 0\n0 1 1 0\n0 1 0 1\n0 1 1 1\n0 0 0 0\n")).opened_corners, 1);
+    EXPECT_EQ(label_boundaries(all_pieces_of("0 0 0 0\n0 1 1 0\n0 1 0 1\n0 1 1 1\n0 0 0 0\n")).opened_corners, 1);
 }
 
 TEST(LabelJunctions, OneSideApartBecomeOne) {
-    const LabelPieces pieces = pieces_of("1 1 2 2\n1 1 2 2\n1 1 4 4\n3 3 4 4\n3 3 4 4\n");
+    const LabelPieces pieces = all_pieces_of("1 1 2 2\n1 1 2 2\n1 1 4 4\n3 3 4 4\n3 3 4 4\n");
     LabelBoundaries b = label_boundaries(pieces);
     const std::size_t nodes = b.nodes.size();
     LabelBoundaries unchanged = b;
@@ -113,7 +113,7 @@ TEST(LabelJunctions, OneSideApartBecomeOne) {
 
 TEST(LabelJunctions, StayWhereAPieceWouldMeetItself) {
     // The boundary of 2 and 3 is one side long, and 1 is at both of its ends.
-    LabelBoundaries b = label_boundaries(pieces_of("1 1 1 1\n1 2 3 1\n1 1 1 1\n"));
+    LabelBoundaries b = label_boundaries(all_pieces_of("1 1 1 1\n1 2 3 1\n1 1 1 1\n"));
     EXPECT_EQ(join_near_junctions(b, 2), 0);
 }
 

@@ -19,7 +19,7 @@ using test::read;
 using test::with;
 
 /// The message of an error.
-std::string message_of(const std::string& bytes, const ImportRequest& request = {}) {
+std::string reading_message(const std::string& bytes, const ImportRequest& request = {}) {
     try {
         read(bytes, request);
     } catch (const InputError& error) {
@@ -80,7 +80,7 @@ TEST(MeshFile, TellsFormatsByTheirContent) {
     EXPECT_EQ(read(test::binary_41()).format, "Gmsh 4.1, binary");
     EXPECT_EQ(read(test::neper_msh).format, "Neper (Gmsh 2.2, text)");
     EXPECT_EQ(
-        message_of("solid cube\n"),
+        reading_message("solid cube\n"),
         "file: begins with \"solid cube\"; a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp), or a picture of labels "
         "(PNG, or integers as text) is needed");
 }
@@ -97,10 +97,10 @@ TEST(MeshFile, GrainsAreElementsEntitiesOrPhysicalGroups) {
     EXPECT_EQ(told.grain_of_triangle, (std::vector<int>{0, 1, 2, 3}));
     EXPECT_EQ(told.notes.front(), "all elements are of one entity: each element is a grain (--grain element)");
     request.grains = GrainChoice::entity;
-    EXPECT_EQ(message_of(one_entity, request),
+    EXPECT_EQ(reading_message(one_entity, request),
               "file: elements 4 and 6 of entity 7 are of the physical groups 1 and 2; a grain is of one phase");
     request.grains = GrainChoice::physical;
-    EXPECT_EQ(message_of(test::neper_msh, request),
+    EXPECT_EQ(reading_message(test::neper_msh, request),
               "file: --grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
 }
 
@@ -121,7 +121,7 @@ TEST(MeshFile, AKeyGivesPhases) {
         std::ofstream(path) << key;
         ImportRequest request;
         request.phase_key = path;
-        const std::string message = message_of(test::msh_22, request);
+        const std::string message = reading_message(test::msh_22, request);
         return message.substr(0, path.size()) == path ? message.substr(path.size()) : message;
     };
     EXPECT_EQ(error("key\tphase\nQuartz\tq\n"), ": no row for feld spar; each grain needs one");
@@ -138,7 +138,7 @@ TEST(MeshFile, SecondOrderByCornersIfSidesAreStraight) {
     };
     EXPECT_EQ(read(file("0")).triangles, (std::vector<Triangle>{{0, 1, 2}}));
     EXPECT_EQ(
-        message_of(file("-.02")),
+        reading_message(file("-.02")),
         "file: element 1 has its middle node 4 beside the straight side, by 2 % of its length; curved sides are not read, give "
         "elements of order 1");
 }
@@ -150,7 +150,7 @@ TEST(MeshFile, QuadranglesAlongTheirShorterInnerDiagonal) {
     EXPECT_EQ(read(file("1.5,1.5")).triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
     EXPECT_EQ(read(file("2.5,2.5")).triangles, (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
     EXPECT_EQ(read(file(".5,.5")).triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));  // not convex at 3
-    EXPECT_EQ(message_of(file("-1,3")), "file: quadrangle 1 has no area or crosses itself");
+    EXPECT_EQ(reading_message(file("-1,3")), "file: quadrangle 1 has no area or crosses itself");
 }
 
 TEST(MeshFile, CellsOfATessellationAreDivided) {
@@ -231,7 +231,7 @@ TEST(MeshFile, SaysWhatWasFound) {
         {with(test::abaqus, "*Nset, nset=ends", "*Include, input=other.inp"),
          "file: line 30: *INCLUDE is in another file, which is not read; put it into this one"},
     };
-    for (const auto& [bytes, message] : cases) EXPECT_EQ(message_of(bytes), message);
+    for (const auto& [bytes, message] : cases) EXPECT_EQ(reading_message(bytes), message);
 }
 
 TEST(MeshText, TakesNoCountThatTheFileCannotHold) {

@@ -9,7 +9,7 @@
 namespace graincrack::mesher {
 namespace {
 
-double total_area(const std::vector<Point>& p, const std::vector<Triangle>& triangles) {
+double constrained_area(const std::vector<Point>& p, const std::vector<Triangle>& triangles) {
     double area = 0;
     for (const auto& [a, b, c] : triangles) {
         area += signed_area(p[static_cast<std::size_t>(a)], p[static_cast<std::size_t>(b)], p[static_cast<std::size_t>(c)]);
@@ -28,14 +28,14 @@ const std::vector<Point> l{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 TEST(ConstrainedTriangulation, FollowsALoopThatIsNotConvex) {
     const auto triangles = constrained_triangles(l, loop(0, 6));
     EXPECT_EQ(triangles.size(), 4U);
-    EXPECT_DOUBLE_EQ(total_area(l, triangles), 3);
+    EXPECT_DOUBLE_EQ(constrained_area(l, triangles), 3);
 }
 
 TEST(ConstrainedTriangulation, LeavesHolesOutAndKeepsIslands) {
     std::vector<Point> points{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {2, 2}, {2, 7}, {7, 7}, {7, 2}, {4, 4}, {5, 4}, {5, 5}};
     auto sides = loop(0, 4);
     for (const auto& more : {loop(4, 4), loop(8, 3)}) sides.insert(sides.end(), more.begin(), more.end());
-    EXPECT_DOUBLE_EQ(total_area(points, constrained_triangles(points, sides)), 81 - 25 + 0.5);
+    EXPECT_DOUBLE_EQ(constrained_area(points, constrained_triangles(points, sides)), 81 - 25 + 0.5);
 }
 
 TEST(ConstrainedTriangulation, HasThePrescribedEdges) {

@@ -22,7 +22,7 @@ PrescribedEdge flaw(Point from, Point to, const std::string& name = "flaw", bool
     return {from, to, ContactKind::pre_existing_crack, name, needed};
 }
 
-std::string complaint(std::vector<PrescribedEdge> edges) {
+std::string complaint_about_edges(std::vector<PrescribedEdge> edges) {
     try {
         (void)fitted_edges(with_edges(std::move(edges)), edge);
     } catch (const UsageError& error) {
@@ -56,21 +56,21 @@ TEST(FitEdges, PiecesAreClipped) {
 }
 
 TEST(FitEdges, WhatMakesSliversIsRefusedByName) {
-    EXPECT_EQ(complaint({flaw({-0.02, 0}, {0.02, 0}), flaw({-0.02, 0.002}, {0.02, 0.002})}), "");
+    EXPECT_EQ(complaint_about_edges({flaw({-0.02, 0}, {0.02, 0}), flaw({-0.02, 0.002}, {0.02, 0.002})}), "");
     const auto names = [](const std::string& message, const std::string& words) {
         EXPECT_NE(message.find("b: "), std::string::npos) << message;
         EXPECT_NE(message.find(words), std::string::npos) << message;
     };
     const PrescribedEdge a = flaw({-0.02, 0}, {0.02, 0}, "a");
-    names(complaint({a, flaw({-0.02, 0.001}, {0.02, 0.001}, "b")}), "comes within 1 mm of a");
-    names(complaint({a, flaw({0, 0}, {0.03, 0}, "b")}), "lies upon a");
-    names(complaint({a, flaw({-0.03, -0.002}, {0.03, 0.002}, "b")}), "meets a under 3.81 deg");
-    names(complaint({a, flaw({0.05, 0}, {0.07, 0}, "b")}), "outside");
-    names(complaint({a, flaw({-0.03, 0.0395}, {0.03, 0.0395}, "b")}), "beside the boundary");
-    names(complaint({a, flaw({0, 0.02}, {0.001, 0.02}, "b")}), "less than half a grain edge");
-    names(complaint({a, flaw({0.0395, 0.03}, {0.0395, 0.05}, "b")}), "");
-    names(complaint({a, flaw({0, -0.02}, {0, 0.02}, "c"), flaw({-0.0192, -0.02}, {0.0208, 0.02}, "b")}), "crosses");
-    EXPECT_EQ(complaint({a, flaw({0.02, 0}, {0.03, 0}, "b")}), "") << "one continues the other";
+    names(complaint_about_edges({a, flaw({-0.02, 0.001}, {0.02, 0.001}, "b")}), "comes within 1 mm of a");
+    names(complaint_about_edges({a, flaw({0, 0}, {0.03, 0}, "b")}), "lies upon a");
+    names(complaint_about_edges({a, flaw({-0.03, -0.002}, {0.03, 0.002}, "b")}), "meets a under 3.81 deg");
+    names(complaint_about_edges({a, flaw({0.05, 0}, {0.07, 0}, "b")}), "outside");
+    names(complaint_about_edges({a, flaw({-0.03, 0.0395}, {0.03, 0.0395}, "b")}), "beside the boundary");
+    names(complaint_about_edges({a, flaw({0, 0.02}, {0.001, 0.02}, "b")}), "less than half a grain edge");
+    names(complaint_about_edges({a, flaw({0.0395, 0.03}, {0.0395, 0.05}, "b")}), "");
+    names(complaint_about_edges({a, flaw({0, -0.02}, {0, 0.02}, "c"), flaw({-0.0192, -0.02}, {0.0208, 0.02}, "b")}), "crosses");
+    EXPECT_EQ(complaint_about_edges({a, flaw({0.02, 0}, {0.03, 0}, "b")}), "") << "one continues the other";
 }
 
 TEST(FitEdges, PolesOfADiscStayWhereTheyAre) {

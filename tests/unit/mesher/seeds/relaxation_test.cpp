@@ -14,15 +14,15 @@
 namespace graincrack::mesher {
 namespace {
 
-const Region region = rectangle(0.08, 0.16);
+const Region tall_region = rectangle(0.08, 0.16);
 
 /// A relaxed rectangle of edge 8 mm; the sample has more or fewer points than wanted if its distance is not 0.77 edges.
 Seeds relaxed(std::uint64_t seed, std::size_t n_inner, double sampling_distance) {
     constexpr double edge = 8e-3;
     RandomNumbers random(seed);
-    const DepthGrid depth(region, 0.7 * edge);
-    const Seeds fixed = fixed_seeds(region, 60, edge, 0.07, random);
-    const auto inner = sample_points(region, depth, sampling_distance * edge, 0.7 * edge, random);
+    const DepthGrid depth(tall_region, 0.7 * edge);
+    const Seeds fixed = fixed_seeds(tall_region, 60, edge, 0.07, random);
+    const auto inner = sample_points(tall_region, depth, sampling_distance * edge, 0.7 * edge, random);
     return relax_points(depth, fixed, inner, {edge, 0.1, n_inner});
 }
 
@@ -50,9 +50,9 @@ TEST(PointRelaxation, MeetsTheNumberOfPointsFromAnySample) {
 TEST(PointRelaxation, LeavesTheOutlineAlone) {
     const Seeds mesh = relaxed(2, 200, 0.77);
     RandomNumbers random(2);
-    const Seeds fixed = fixed_seeds(region, 60, 8e-3, 0.07, random);
+    const Seeds fixed = fixed_seeds(tall_region, 60, 8e-3, 0.07, random);
     EXPECT_TRUE(std::equal(fixed.points.begin(), fixed.points.end(), mesh.points.begin()));
-    for (std::size_t i = fixed.n_fixed; i < mesh.points.size(); ++i) EXPECT_GT(depth_inside(region, mesh.points[i]), 2e-3);
+    for (std::size_t i = fixed.n_fixed; i < mesh.points.size(); ++i) EXPECT_GT(depth_inside(tall_region, mesh.points[i]), 2e-3);
 }
 
 TEST(PointRelaxation, CornersBelongToTwoGrains) {
@@ -75,12 +75,12 @@ TEST(PointRelaxation, CornersBelongToTwoGrains) {
 
 TEST(PointRelaxation, WiderSpreadIsMadeOnRequest) {
     RandomNumbers random(3);
-    const DepthGrid depth(region, 0.7 * 4e-3);
-    const Seeds fixed = fixed_seeds(region, 120, 4e-3, 0.1, random);
-    const auto inner = sample_points(region, depth, 0.77 * 4e-3, 0.7 * 4e-3, random);
+    const DepthGrid depth(tall_region, 0.7 * 4e-3);
+    const Seeds fixed = fixed_seeds(tall_region, 120, 4e-3, 0.1, random);
+    const auto inner = sample_points(tall_region, depth, 0.77 * 4e-3, 0.7 * 4e-3, random);
     EXPECT_NEAR(variation(relax_points(depth, fixed, inner, {4e-3, 0.15, 870})), 0.15, 0.02);
-    SizeField size(region, 4e-3, {}, {}, 0.3);
-    size.draw(bounds(region), random);
+    SizeField size(tall_region, 4e-3, {}, {}, 0.3);
+    size.draw(bounds(tall_region), random);
     EXPECT_NEAR(variation(relax_points(depth, fixed, inner, {4e-3, 0.25, 870}, size)), 0.25, 0.03);
 }
 

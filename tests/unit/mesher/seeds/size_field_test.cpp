@@ -11,7 +11,7 @@
 namespace graincrack::mesher {
 namespace {
 
-const Region region = rectangle(0.04, 0.06);
+const Region graded_region = rectangle(0.04, 0.06);
 constexpr double edge = 1e-3;
 
 /// Calls `visit` at points that fill the region evenly.
@@ -24,16 +24,16 @@ void for_each_point(const Visit& visit) {
 }
 
 TEST(SizeField, IsOneWithoutWishes) {
-    const SizeField size(region, edge, {}, {}, 0);
+    const SizeField size(graded_region, edge, {}, {}, 0);
     EXPECT_TRUE(size.is_uniform());
     EXPECT_EQ(size.at({0.01, 0.02}), 1);
     EXPECT_EQ(size.mean_edge(), 1);
     EXPECT_EQ(size.relative_length({0, 0}, {3, 4}), 5);
-    EXPECT_EQ(relative_perimeter(region, size), perimeter(region));
+    EXPECT_EQ(relative_perimeter(graded_region, size), perimeter(graded_region));
 }
 
 TEST(SizeField, GradedSizesAreLinearAndKeepTheNumberOfGrains) {
-    const SizeField size(region, edge, parse_grading("along=y,from=0.5,to=2", "--grade"), {}, 0);
+    const SizeField size(graded_region, edge, parse_grading("along=y,from=0.5,to=2", "--grade"), {}, 0);
     EXPECT_NEAR(size.at({0, 0.03}) / size.at({0, -0.03}), 4, 1e-9);
     EXPECT_NEAR(size.at({0.01, 0}), (size.at({0, 0.03}) + size.at({0, -0.03})) / 2, 1e-9);
     double grains = 0;
@@ -52,9 +52,9 @@ TEST(SizeField, GradedSizesAreLinearAndKeepTheNumberOfGrains) {
 
 TEST(SizeField, ScatterHasItsDeviationAndKeepsTheNumberOfGrains) {
     RandomNumbers random(2);
-    SizeField size(region, edge, {}, {}, 0.35);
+    SizeField size(graded_region, edge, {}, {}, 0.35);
     EXPECT_EQ(size.at({0, 0}), 1) << "not drawn";
-    size.draw(bounds(region), random);
+    size.draw(bounds(graded_region), random);
     double n = 0;
     double sum = 0;
     double squares = 0;
@@ -75,8 +75,9 @@ TEST(SizeField, ScatterHasItsDeviationAndKeepsTheNumberOfGrains) {
 }
 
 TEST(SizeField, RefusesStepsBetweenGrains) {
-    EXPECT_THROW(SizeField(region, edge, parse_grading("towards=boundary,from=0.3,distance=2mm", "--grade"), {}, 0), UsageError);
-    EXPECT_NO_THROW(SizeField(region, edge, parse_grading("towards=boundary,from=0.3,distance=8mm", "--grade"), {}, 0));
+    EXPECT_THROW(SizeField(graded_region, edge, parse_grading("towards=boundary,from=0.3,distance=2mm", "--grade"), {}, 0),
+                 UsageError);
+    EXPECT_NO_THROW(SizeField(graded_region, edge, parse_grading("towards=boundary,from=0.3,distance=8mm", "--grade"), {}, 0));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace graincrack {
 namespace {
 
 using State = std::vector<std::array<std::uint8_t, 2>>;
-constexpr auto separated = static_cast<std::uint8_t>(PointState::separated);
+constexpr auto separated_point = static_cast<std::uint8_t>(PointState::separated);
 constexpr auto failed = static_cast<std::uint8_t>(PointState::failed_shear);
 
 /// Both points of all contacts whose middle is chosen, in a state.
@@ -34,7 +34,7 @@ TEST(Fragments, ACutThroughMakesTwo) {
     const Specimen s = test::grid_specimen(4, 4, 0.04, 0.04);
     const auto cut = [](double /*x*/, double y) { return std::abs(y - 0.01) < 1e-9; };  // one quarter above
     EXPECT_EQ(find_fragments(s, state_where(s, failed, cut)).all.size(), 1U);           // failed, not separated
-    const Fragments two = find_fragments(s, state_where(s, separated, cut));
+    const Fragments two = find_fragments(s, state_where(s, separated_point, cut));
     ASSERT_EQ(two.all.size(), 2U);
     EXPECT_EQ(two.all[0].grains, 24U);
     EXPECT_EQ(two.all[1].grains, 8U);
@@ -51,8 +51,8 @@ TEST(Fragments, ACutThroughMakesTwo) {
 
 TEST(Fragments, HalfAContactStillHolds) {
     const Specimen s = test::grid_specimen(1, 1, 0.01, 0.01);  // two grains, one contact
-    EXPECT_EQ(find_fragments(s, {{separated, failed}}).all.size(), 1U);
-    const Fragments apart = find_fragments(s, {{separated, separated}});
+    EXPECT_EQ(find_fragments(s, {{separated_point, failed}}).all.size(), 1U);
+    const Fragments apart = find_fragments(s, {{separated_point, separated_point}});
     EXPECT_EQ(apart.all.size(), 2U);
     EXPECT_EQ(apart.single_grains(), 2U);
     EXPECT_DOUBLE_EQ(count_fragments(apart, 1).largest_share, 0.5);

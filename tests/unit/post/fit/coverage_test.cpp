@@ -45,7 +45,7 @@ private:
 };
 
 // Augig granite: what the laboratory gives, as planted values.
-constexpr double cohesion = 21e6;
+constexpr double true_cohesion = 21e6;
 constexpr double friction_angle = 53 / degrees;
 constexpr double sigma_ci = 122e6;
 constexpr double mi = 14;  // σt of 8.7 MPa
@@ -78,12 +78,12 @@ TEST(Coverage, EnvelopesOverAllRuns) {
         std::vector<double> parabola;
         for (const double s : confining) {
             const double noise = 3e6 * normal();
-            line.push_back(mohr_coulomb(cohesion, friction_angle, s) + noise);
+            line.push_back(mohr_coulomb(true_cohesion, friction_angle, s) + noise);
             curve.push_back(hoek_brown(sigma_ci, mi, s) + noise);
             parabola.push_back(100e6 + 8 * s + bend * s * s + noise);
         }
         const Envelope envelope = fit_envelope(confining, line);
-        coverage.add("C", envelope.cohesion, cohesion);
+        coverage.add("C", envelope.cohesion, true_cohesion);
         coverage.add("phi", envelope.friction_angle, friction_angle);
         coverage.add("curvature", fit_envelope(confining, parabola).curvature.value(), bend);
         const auto fit = fit_hoek_brown(confining, curve);
@@ -119,7 +119,7 @@ TEST(Coverage, EnvelopesOverSeeds) {
         EnvelopeTests lines;
         EnvelopeTests curves;
         for (std::int64_t seed = 1; seed <= 5; ++seed) {  // each seed is a rock of its own
-            const double c = cohesion + 0.85e6 * normal();
+            const double c = true_cohesion + 0.85e6 * normal();
             const double phi = friction_angle + 1.5 / degrees * normal();
             const double ci = sigma_ci + 4e6 * normal();
             const double m = mi + normal();
@@ -129,7 +129,7 @@ TEST(Coverage, EnvelopesOverSeeds) {
             }
         }
         const auto line = fit_seed_envelopes(lines);
-        coverage.add("C", line->cohesion.mean, cohesion);
+        coverage.add("C", line->cohesion.mean, true_cohesion);
         coverage.add("phi", line->friction_angle.mean, friction_angle);
         const auto curve = fit_seed_envelopes(curves);
         ASSERT_TRUE(curve->sigma_ci && curve->mi);

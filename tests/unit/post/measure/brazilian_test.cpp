@@ -21,7 +21,7 @@ namespace {
 using test::field;
 using test::Recipe;
 
-constexpr int rows = 10;
+constexpr int rows_of_disc = 10;
 
 /// Both points of the upright facets on x = 0 of a 6 × 10 grid, from the middle outwards, one facet every 0.1 s.
 std::vector<Crack> split(const Specimen& s, int facets) {
@@ -35,7 +35,7 @@ std::vector<Crack> split(const Specimen& s, int facets) {
             crack.contact = static_cast<std::int32_t>(c);
             crack.point = point;
             crack.position = {0, (point == 0 ? 0.75 : 0.25) * a[1] + (point == 0 ? 0.25 : 0.75) * b[1]};
-            crack.time = 0.1 * std::floor(1 + std::abs(a[1] + b[1]) / 2 / (s.height / rows));
+            crack.time = 0.1 * std::floor(1 + std::abs(a[1] + b[1]) / 2 / (s.height / rows_of_disc));
             cracks.push_back(crack);
         }
     }
@@ -49,7 +49,7 @@ Recipe disc() {
     recipe.test = "brazilian";
     recipe.plane = PlaneCondition::stress;
     recipe.peak = 10e6;
-    recipe.specimen = test::grid_specimen(6, rows, 0.08, 0.08);
+    recipe.specimen = test::grid_specimen(6, rows_of_disc, 0.08, 0.08);
     recipe.specimen.loading_arc = 0.1;
     return recipe;
 }

@@ -44,14 +44,16 @@ fraction = 0.1
 relative_young_modulus = 0.4
 density = "3000 kg/m3"
 )";
-const std::vector<std::string> names{"quartz", "mica", "feldspar"};
+const std::vector<std::string> phase_names{"quartz", "mica", "feldspar"};
 
 Material material_of(const std::string& text) {
     const TemporaryFolder folder;
     std::ofstream(folder.file("granite.toml")) << text;
     return read_material(folder.file("granite.toml"));
 }
-Fabric fabric_from(const std::string& text) { return fabric_of(material_of(text), PlaneCondition::strain, std::nullopt, names); }
+Fabric fabric_from(const std::string& text) {
+    return fabric_of(material_of(text), PlaneCondition::strain, std::nullopt, phase_names);
+}
 const ContactParameters& between(const Fabric& fabric, std::size_t a, std::size_t b) {
     return fabric.contacts[contact_class(a, b)];
 }
@@ -144,8 +146,8 @@ correlation = "10 mm"
     EXPECT_EQ(fabric_text(second.fabric), fabric_text(first.fabric));
     EXPECT_EQ(*second.fabric.strength_modulus, 5);
     EXPECT_NEAR(second.fabric.strength_correlation, 0.01, 1e-15);
-    const Fabric a = fabric_of(first, PlaneCondition::strain, std::nullopt, names);
-    const Fabric b = fabric_of(second, PlaneCondition::strain, std::nullopt, names);
+    const Fabric a = fabric_of(first, PlaneCondition::strain, std::nullopt, phase_names);
+    const Fabric b = fabric_of(second, PlaneCondition::strain, std::nullopt, phase_names);
     EXPECT_EQ(a.phases, b.phases);
     for (std::size_t k = 0; k < a.contacts.size(); ++k) {
         for (const ContactParameter& row : all_contact_parameters()) {

@@ -19,9 +19,9 @@ Specimen specimen() { return test::one_diagonal_grid(4, 8, 0.04, 0.08); }
 const double transit = 0.08 / std::sqrt(25.8e9 / 2650);  // of a bar wave
 
 /// A test that is told what its specimen answers.
-class Led {
+class LedPlatens {
 public:
-    explicit Led(const LoadingRequest& request, double peak_drop = 0.3)
+    explicit LedPlatens(const LoadingRequest& request, double peak_drop = 0.3)
         : program(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)),
           stages(program, specimen(), test::augig_granite().rock) {}
     void row(double at, double stress = 0, double unbalanced = 1, Feedback feedback = {}, double cracks = 0) {
@@ -48,7 +48,7 @@ public:
 
 TEST(StandardTest, WithoutDampingAFallOutlastsAWave) {
     const auto ends_after = [](double damping, double transits) {
-        Led led(LoadingRequest{});
+        LedPlatens led(LoadingRequest{});
         led.damping = damping;
         led.row(0);
         led.row(transit, -100e6, 1, {}, 5);
@@ -66,7 +66,7 @@ TEST(StandardTest, WithoutDampingAFallOutlastsAWave) {
 TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
     LoadingRequest request;
     request.platen_speed = 5e-3;
-    Led led(request);
+    LedPlatens led(request);
     EXPECT_EQ(led.program.order, std::vector<std::string>{axial_stage});
     const double dt = 0.25 * transit;
     double speed = 0;
@@ -90,7 +90,7 @@ TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
 TEST(StandardTest, TensionPulls) {
     LoadingRequest request;
     request.test = TestKind::tension;
-    Led led(request);
+    LedPlatens led(request);
     led.row(0);
     const IntervalLoading b = led.stages.next(transit);
     EXPECT_LT(b.velocity_end[bottom_platen], 0);
@@ -101,7 +101,7 @@ TEST(StandardTest, PressureFirstThenPlatens) {
     LoadingRequest request;
     request.test = TestKind::triaxial;
     request.confining_pressure = 4e6;
-    Led led(request);
+    LedPlatens led(request);
     const double dt = transit;
     double time = 0;
     double pressure = 0;
@@ -132,7 +132,7 @@ TEST(StandardTest, TheIsotropicStageWaitsForTheServo) {
     LoadingRequest request;
     request.test = TestKind::triaxial;
     request.confining_pressure = 4e6;
-    Led led(request);
+    LedPlatens led(request);
     led.row(0);
     const auto go = [&](double from, double to, double stress) {
         for (double time = from; time < to; time += transit) {
@@ -151,7 +151,7 @@ TEST(StandardTest, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
         LoadingRequest request;
         request.test = test;
         request.rate = RateKind::automatic;
-        Led led(request);
+        LedPlatens led(request);
         const double sense = test == TestKind::tension ? -1 : 1;
         const double time_step = 1e-7;
         double time = 0;
@@ -176,7 +176,7 @@ TEST(StandardTest, BlocksRestBetweenThem) {
     LoadingRequest request;
     request.rate = RateKind::blocks;
     request.block_steps = 100;
-    Led led(request);
+    LedPlatens led(request);
     EXPECT_EQ(std::get<LoadingBlocks>(*led.program.stages.back().platens).rest, default_rest_tolerance);
     led.row(0);
     EXPECT_EQ(led.stages.interval_steps(1e-7), 20);
@@ -197,7 +197,7 @@ TEST(StandardTest, BlocksRestBetweenThem) {
 }
 
 TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
-    const auto longest = [](const LoadingRequest& request) { return Led(request).stages.longest(1e-7).time; };
+    const auto longest = [](const LoadingRequest& request) { return LedPlatens(request).stages.longest(1e-7).time; };
     LoadingRequest request;
     request.max_strain = 0.01;
     const double travel = 0.5 * 0.01 * 0.08;
@@ -209,14 +209,14 @@ TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
     const double slow = longest(request);
     request.rate_tolerance = 2e-3;
     expect_close(slow, 2 * longest(request), 1e-3, slow);
-    EXPECT_GT(Led(request).stages.longest(1e-7).rows, 8000U);
+    EXPECT_GT(LedPlatens(request).stages.longest(1e-7).rows, 8000U);
 }
 
 TEST(StandardTest, GivesUpOnASpecimenThatDoesNotSettle) {
     LoadingRequest request;
     request.test = TestKind::triaxial;
     request.confining_pressure = 4e6;
-    Led led(request);
+    LedPlatens led(request);
     led.row(0);
     test::expect_one_line<NumericalError>(
         [&] {
@@ -229,7 +229,7 @@ TEST(StandardTest, GivesUpOnASpecimenThatDoesNotSettle) {
 }
 
 TEST(StandardTest, EndsBehindThePeakOfACrackedSpecimen) {
-    Led led(LoadingRequest{});
+    LedPlatens led(LoadingRequest{});
     led.row(0);
     led.row(1e-5, -10e6);
     led.row(2e-5, -1e6);  // nothing has failed: what swings is no peak
@@ -243,7 +243,7 @@ TEST(StandardTest, EndsBehindThePeakOfACrackedSpecimen) {
 }
 
 TEST(StandardTest, WithoutADropItGoesOn) {
-    Led led(LoadingRequest{}, 0);
+    LedPlatens led(LoadingRequest{}, 0);
     led.row(0);
     led.row(1e-5, -100e6, 1, {}, 1);
     led.row(2e-5, 0, 1, {}, 1);

@@ -16,12 +16,12 @@ namespace {
 using test::expect_close;
 
 /// A stage controller that is told time and axial stress.
-struct Led {
+struct LedStages {
     Program program;
     StageController stage_controller;
     History history;
     double time = 0;
-    explicit Led(const std::string& text)
+    explicit LedStages(const std::string& text)
         : program(parse_program(text, "led.toml")),
           stage_controller(program, test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_granite().rock) {}
     void row(double at, double stress, double unbalanced = 1, double cracks = 0) {
@@ -44,7 +44,7 @@ struct Led {
 };
 
 TEST(StageController, EndsStagesAtWhatIsReachedFirst) {
-    Led led(R"(
+    LedStages led(R"(
 name = "led"
 stages = ["load", "unload", "hold", "load"]
 platens.bonded = false
@@ -87,7 +87,7 @@ until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 }
 }
 
 TEST(StageController, AStageGoesOnFromWhatIsThere) {
-    Led led(R"(
+    LedStages led(R"(
 name = "led"
 stages = ["up", "wave", "keep"]
 boundary.a = { on = "top", pressure = "1 MPa" }

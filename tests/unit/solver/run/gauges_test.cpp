@@ -14,10 +14,10 @@ namespace {
 using test::expect_close;
 using test::SmallRun;
 
-SmallRun run_of(const Specimen& s) { return {s, test::augig_law()}; }
+SmallRun run_with_gauges(const Specimen& s) { return {s, test::augig_law()}; }
 
 TEST(Gauges, AUniformStrainIsReadExactly) {
-    const SmallRun run = run_of(test::jittered_grid(6, 8, 0.04, 0.08, 0.2));
+    const SmallRun run = run_with_gauges(test::jittered_grid(6, 8, 0.04, 0.08, 0.2));
     const Gauges gauges = make_gauges(run.assemblage, run.specimen);
     std::vector<Vector2> u;
     for (const Vector2& p : run.assemblage.position) {
@@ -34,7 +34,7 @@ TEST(Gauges, AUniformStrainIsReadExactly) {
 }
 
 TEST(Gauges, OfTheCentralHalf) {
-    const SmallRun run = run_of(test::one_diagonal_grid(4, 8, 0.04, 0.08));
+    const SmallRun run = run_with_gauges(test::one_diagonal_grid(4, 8, 0.04, 0.08));
     const Gauges gauges = make_gauges(run.assemblage, run.specimen);
     EXPECT_FALSE(gauges.axial.terms.empty());
     for (const Gauge::Term& term : gauges.axial.terms) {

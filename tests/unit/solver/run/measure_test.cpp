@@ -15,10 +15,10 @@ namespace {
 using test::expect_close;
 using test::SmallRun;
 
-SmallRun run_of(const Specimen& s) { return {s, test::augig_law()}; }
+SmallRun measured_run(const Specimen& s) { return {s, test::augig_law()}; }
 
 TEST(Measure, KineticEnergyOfAFlight) {
-    SmallRun run = run_of(test::jittered_grid(4, 6, 0.02, 0.03, 0.2));
+    SmallRun run = measured_run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2));
     run.set_velocity([](const Vector2&) { return Vector2{3, -4}; });
     run.begin();
     const Measurement m = run.measured();
@@ -64,7 +64,7 @@ TEST(Measure, TheConfiningPressureIsThatOnTheLeftAndTheRight) {
         test::specimen_of_triangles({{0, 0}, {-a, -b}, {a, -b}, {b, -a}, {b, a}, {a, b}, {-a, b}, {-b, a}, {-b, -a}},
                                     {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 1}});
     const auto force = [&](const std::vector<BoundaryPart>& parts, double pressure) {
-        SmallRun run = run_of(octagon);
+        SmallRun run = measured_run(octagon);
         run.press_on(parts, 0.5);
         run.begin();
         test::LinearPressure load;
