@@ -44,8 +44,12 @@ STAND_INS = {
         "--set 'contact.cohesion=30.4 MPa' --set 'contact.friction_angle=29.2 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
+    "README.md": {"--grains 1122": "--grains 300", "--edge 3mm": "--edge 5mm", "--edge 4mm": "--edge 6mm"},
+    "programs.md": {"--edge 3mm": "--edge 5mm"},
+    "two-flaws.md": {"--edge 3mm": "--edge 5mm"},
+    "polygons.md": {"--grains 300": "--grains 80", "--element-size 1.75mm": "--element-size 3.4mm"},
     "tutorial.md": {"--edge 3mm": "--edge 6mm", "--edge 5mm": "--edge 8mm"},
-    "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02"},
+    "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02 --rate-share 4 --peak-drop 0.1"},
     "gallery.md": {"--grains 1122": "--grains 300", "--grains 440": "--grains 120", "--grains 452": "--grains 150"},
 }
 
