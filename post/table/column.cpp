@@ -9,7 +9,7 @@ namespace graincrack {
 
 namespace {
 
-constexpr int digits = 4;
+constexpr int digits_of_an_interval = 4;
 
 /// A unit as people write it.
 std::string symbol_of(const ColumnUnit& unit) {
@@ -20,7 +20,7 @@ std::string symbol_of(const ColumnUnit& unit) {
 
 Cell interval_cell(const std::optional<double>& low, const std::optional<double>& high, const ColumnUnit& unit) {
     if (!low || !high) return {};
-    return Cell(*low * unit.factor).text(digits) + " to " + Cell(*high * unit.factor).text(digits);
+    return Cell(*low * unit.factor).text(digits_of_an_interval) + " to " + Cell(*high * unit.factor).text(digits_of_an_interval);
 }
 
 void TerminalTable::head(const std::string& name, const ColumnUnit& unit) {
@@ -31,7 +31,7 @@ void TerminalTable::head(const std::string& name, const ColumnUnit& unit) {
 void TerminalTable::row(const std::vector<Cell>& cells) {
     assert(cells.size() == names_.size());
     std::vector<std::string>& line = lines_.emplace_back();
-    for (const Cell& each : cells) line.push_back(each.text(digits));
+    for (const Cell& each : cells) line.push_back(each.text(digits_of_an_interval));
 }
 
 void TerminalTable::write(std::ostream& out) const {

@@ -20,7 +20,7 @@ using test::expect_close;
 using test::ProgramRun;
 using test::verify;
 
-constexpr double g = 9.81;
+constexpr double gravity_on_earth = 9.81;
 const Rock rock_of_programs = test::augig_granite().rock;
 
 /// Mean velocity of the nodes of the upper half.
@@ -66,7 +66,7 @@ TEST(Program, FallsAndFliesFreely) {
     EXPECT_GE(t, 20e-6);
     // v(n − ½) = v0 + n g Δt: exact in the scheme's arithmetic but for round-off.
     const Vector2 v = fall.run.mean(fall.run.state.velocity);
-    verify("dynamics: free fall, speed over g t", v.y / (-g * t), 1, 1e-12, "v = g t");
+    verify("dynamics: free fall, speed over g t", v.y / (-gravity_on_earth * t), 1, 1e-12, "v = g t");
     expect_close(v.x, 0.5 + t, 1e-12, 0.5);
     EXPECT_LT(fall.residual(), 1e-12);
     EXPECT_GT(fall.energies.back().kinetic, 0.0);
@@ -105,7 +105,7 @@ TEST(Program, AColumnCarriesItsWeight) {
                       augig_law(), PlaneCondition::strain, 0.8);
     column.go(100);
     EXPECT_EQ(column.stage_controller.records().at(0).ended_by, "rest");
-    const double foot = rock_of_programs.density * g * height;
+    const double foot = rock_of_programs.density * gravity_on_earth * height;
     for (const auto& [probe, y] : {std::pair{"low", -0.03125}, {"middle", 0.0}, {"high", 0.03125}}) {
         // The stress is linear and CSTs are constant: the mean over a circle that lies evenly about y is exact.
         verify(std::string("dynamics: column under its weight, axial stress at y = ") + std::to_string(1000 * y).substr(0, 6) +
@@ -172,7 +172,7 @@ double acceleration_down(double slope, double friction) {
         boundary.base = {{ on = "bottom", velocity_x = 0.0, velocity_y = 0.0 }}
         stage.settle.until = {{ time = "20 ms", rest = 1e-7 }}
     )",
-                                 g * std::sin(a), -g * std::cos(a)),
+                                 gravity_on_earth * std::sin(a), -gravity_on_earth * std::cos(a)),
                      law(sticks), PlaneCondition::strain, 0.8, 0.5);
     block.go(100);
     EXPECT_EQ(block.stage_controller.records().at(0).ended_by, "rest");
@@ -196,7 +196,8 @@ TEST(Program, ABlockSlidesDownASlope) {
     const std::string source = "g (sin a - cos a tan phi)";
     verify("dynamics: block on a slope of 30 deg, friction 20 deg (m/s2)", acceleration_down(30, 20), 1.812815, 5e-3, source);
     verify("dynamics: block on a slope of 35 deg, friction 30 deg (m/s2)", acceleration_down(35, 30), 0.987266, 5e-3, source);
-    verify("dynamics: block on a slope of 20 deg, friction 30 deg, over g", acceleration_down(20, 30), 0, 5e-3, "it sticks", g);
+    verify("dynamics: block on a slope of 20 deg, friction 30 deg, over g", acceleration_down(20, 30), 0, 5e-3, "it sticks",
+           gravity_on_earth);
 }
 
 // --- a joint in shear ------------------------------------------------------------------------------------------------
