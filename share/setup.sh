@@ -21,6 +21,44 @@ clang_packages=(clang libclang-rt-dev llvm)
 
 say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
 
+# stage NAME: begins a stage of the script. When the script ends, however it does, it prints what each stage took.
+stage_names=()
+stage_starts=()
+stage() {
+    ((${#stage_names[@]} > 0)) || trap 'print_stages $?' EXIT
+    stage_names+=("$1")
+    stage_starts+=("$SECONDS")
+    say "$1"
+}
+print_stages() {
+    local i end all=$((SECONDS - stage_starts[0]))
+    stage_starts+=("$SECONDS")
+    printf '\n%-40s  seconds  share\n' stage >&2
+    for i in "${!stage_names[@]}"; do
+        end=${stage_starts[i + 1]}
+        printf '%-40s  %7d  %3d %%\n' "${stage_names[i]}" $((end - stage_starts[i])) $((100 * (end - stage_starts[i]) / (all > 0 ? all : 1))) >&2
+    done
+    say "ended with exit code $1, after $all s"
+}
+
+# What takes long, s, on the machine where the objects of the probe below take reference_probe CPU seconds, on two cores.
+declare -A reference_seconds=([tools]=110 [build]=190 [tests]=260 ["sanitized build"]=300 ["sanitized tests"]=400 [verification]=600 [pictures]=60)
+reference_probe=0.85
+
+# estimate NAME…: says how long these take here, by the time in which one source compiles. From the top folder, with a compiler.
+estimate() {
+    local name probe cores text=
+    probe=$({ TIMEFORMAT=%U && time c++ -std=c++20 -O2 -I. -c share/base/units.cpp -o /dev/null; } 2>&1)
+    for name in "$@"; do
+        cores=$(nproc)
+        if [[ $name != tools && $name != *build && $cores -gt 2 ]]; then cores=2; fi
+        text+=$(awk -v name="$name" -v s="${reference_seconds[$name]}" -v probe="$probe" -v usual="$reference_probe" -v cores="$cores" 'BEGIN {
+            s *= probe / usual * 2 / cores
+            if (s < 90) printf "%s about %.0f s, ", name, s; else printf "%s about %.0f min, ", name, s / 60 }')
+    done
+    say "${text%, } here, unless other work slows it down"
+}
+
 # have_packages PACKAGE…: installs what is missing if it may; ends the script with exit code 3 if it may not.
 have_packages() {
     local package status missing=()
