@@ -119,10 +119,10 @@ Command strength_plot() {
         "strength", "strengths by test with means and intervals, beside the laboratory's",
         {"uniaxial.h5 brazilian.h5 -o strength.png", "uniaxial.h5 brazilian.h5 --material augig-granite -o strength.svg"},
         several_runs,
-        [](CLI::App& app, Options& options) {
-            add_picture(app, options);
-            add_y_limits(app, options);
-            add_laboratory_material(app, options.material);
+        [](OptionSet set, Options& options) {
+            add_picture(set, options);
+            add_y_limits(set, options);
+            add_laboratory_material(set, options.material);
         },
         [](const Options& options, const Call& call) {
             std::optional<Material> material;
